@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+# gonio_options: the flags that every target of the project shares.
+add_library(gonio_options INTERFACE)
+target_compile_features(gonio_options INTERFACE cxx_std_20)
+target_compile_options(gonio_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wconversion -Wno-sign-conversion
+  # The same expression must give the same bits wherever it is inlined: an unchanged edit is the identity.
+  -ffp-contract=off)
+if(GONIO_WARNINGS_AS_ERRORS)
+  target_compile_options(gonio_options INTERFACE -Werror)
+endif()
+if(GONIO_NATIVE)
+  target_compile_options(gonio_options INTERFACE -march=native)
+endif()
+if(GONIO_SANITIZE)
+  target_compile_options(gonio_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_link_options(gonio_options INTERFACE -fsanitize=address,undefined)
+endif()

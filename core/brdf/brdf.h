@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <span>
+
+#include "core/math/types.h"
+
+namespace gonio {
+
+/// A reflectance function. Values are linear RGB in 1/sr without the cosine (core/math/types.h has the conventions).
+/// Immutable: every method may be called from any number of threads.
+class Brdf {
+ public:
+  virtual ~Brdf() = default;
+
+  /// Evaluates pairs.size() pairs into `values` (same size). A pair with a direction below the horizon, and one
+  /// without a half vector, gives 0. Never non-finite.
+  virtual void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const = 0;
+
+  /// One pair. For many pairs the batch form is faster.
+  Rgb evaluate(const Direction& wi, const Direction& wo) const {
+    const DirectionPair pair{wi, wo};
+    Rgb value{0};
+    evaluate(std::span(&pair, 1), std::span(&value, 1));
+    return value;
+  }
+
+  /// Whether the value depends on the difference of the azimuths only.
+  virtual bool isIsotropic() const { return true; }
+};
+
+}  // namespace gonio

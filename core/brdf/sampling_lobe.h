@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/brdf/brdf.h"
+
+namespace gonio {
+
+/// A direction drawn from a density, with the density in 1/sr. pdf = 0 marks a draw that failed (contributes nothing).
+struct DirectionSample {
+  Direction wi{0, 0, 1};
+  double pdf = 0;
+};
+
+/// A stand-in density for importance sampling any isotropic BRDF: a cosine-weighted part and the visible normals of a
+/// GGX lobe (Heitz 2018, "Sampling the GGX Distribution of Visible Normals"). The preview's shader uses the same two
+/// numbers. pdf > 0 over the whole hemisphere, so estimates stay unbiased however bad the fit of the lobe is.
+struct SamplingLobe {
+  double roughness = 0.3;        ///< GGX alpha, [1e-3, 1]
+  double specularShare = 0.5;    ///< share of samples drawn from the lobe, [0, 0.95]
+
+  /// Draws wi for a viewer wo (z > 0). `u` are three numbers in [0, 1): which part, then two for the direction.
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
+  /// Density of sample() at wi, 1/sr; 0 below the horizon.
+  double pdf(const Direction& wi, const Direction& wo) const;
+};
+
+/// Fits the lobe to a BRDF from its values about the mirror direction at a few angles (some ms).
+SamplingLobe estimateSamplingLobe(const Brdf& brdf);
+
+}  // namespace gonio

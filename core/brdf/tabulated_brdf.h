@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/brdf/brdf.h"
+#include "core/coordinates/half_difference_grid.h"
+#include "core/support/task_control.h"
+
+namespace gonio {
+
+/// How a table is read between its nodes.
+enum class TableLookup {
+  nearest,   ///< the cell that contains the coordinates, as the MERL reference code does
+  trilinear  ///< trilinear in (sqrt theta_h, theta_d, phi_d); invalid corners are dropped, the weights renormalised
+};
+
+/// An isotropic BRDF as a table over a half-difference grid: immutable, float, RGB interleaved, with a mask of the
+/// invalid cells (below the horizon or not measured; their stored value is 0). Values are finite and >= 0.
+class TabulatedBrdf final : public Brdf {
+ public:
+  using Value = glm::vec3;
+
+  /// @param values grid.size() values, linear RGB in 1/sr; those of invalid cells are ignored and stored as 0.
+  /// @param valid one flag a cell (1 valid, 0 invalid).
+  /// Valid negative values and -0 become 0 and are counted (clampedCount()).
+  /// @throws Error when the sizes differ from the grid's or a valid value is not finite; the text names the cell.
+  TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values, std::vector<std::uint8_t> valid);
+
+  using Brdf::evaluate;
+  /// Trilinear. About 60 ns a pair.
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values, TableLookup lookup) const;
+  /// At half-difference coordinates; 0 where all corners are invalid, with `*valid` (when given) telling which.
+  Rgb lookup(const HalfDifference& at, TableLookup lookup, bool* valid = nullptr) const;
+
+  const HalfDifferenceGrid& grid() const { return grid_; }
+  std::span<const Value> values() const { return values_; }
+  std::span<const std::uint8_t> valid() const { return valid_; }
+  std::size_t validCount() const { return validCount_; }
+  /// Channels of valid cells that held a negative value and were set to 0.
+  std::size_t clampedCount() const { return clampedCount_; }
+  std::size_t bytes() const { return values_.size() * sizeof(Value) + valid_.size(); }
+
+ private:
+  HalfDifferenceGrid grid_;
+  std::vector<Value> values_;
+  std::vector<std::uint8_t> valid_;
+  std::size_t validCount_ = 0;
+  std::size_t clampedCount_ = 0;
+};
+
+/// Samples any isotropic BRDF at the nodes of a grid; nodes below the horizon are invalid. In parallel, deterministic.
+/// An anisotropic one is averaged over `azimuths` rotations about the normal.
+/// @throws Cancelled; Error when the BRDF returns a non-finite value.
+std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDifferenceGrid& grid = {},
+                                               const TaskControl& control = {}, int azimuths = 16);
+
+}  // namespace gonio

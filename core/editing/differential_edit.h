@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "core/brdf/tabulated_brdf.h"
+#include "core/models/model.h"
+
+namespace gonio::editing {
+
+/// A differential edit (dissertation 4.4.1, eq. 4.40-4.41, the sign of the residual kept): the change of a fitted
+/// model is added to the measurement,
+///   edited = max(0, measured + strength (model(edited) - model(fitted))),
+/// so that what the model does not explain survives. A small value that is replayed on an immutable base.
+struct DifferentialEdit {
+  const models::Model* model = nullptr;
+  models::ParameterValues fitted;
+  models::ParameterValues edited;
+  double strength = 1;    ///< [0, 1]
+  bool enabled = true;
+
+  /// Whether it leaves every base as it is, bit for bit.
+  bool isIdentity() const { return !enabled || strength == 0 || edited == fitted; }
+};
+
+/// The edited reflectance: the base with the edits applied in order, each clamped at 0.
+/// A pair at which the base has no data (below the horizon) stays 0.
+std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits);
+
+/// The same as a table over the base's cells: invalid cells stay invalid; an identity stack returns the base itself.
+/// A value that would overflow float is capped at the largest float and counted in `*cappedCount` when given.
+/// In parallel, deterministic. @throws Cancelled.
+std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
+                                               std::span<const DifferentialEdit> edits,
+                                               const TaskControl& control = {}, std::size_t* cappedCount = nullptr);
+
+}  // namespace gonio::editing

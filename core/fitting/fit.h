@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/brdf/tabulated_brdf.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/models/model.h"
+#include "core/support/task_control.h"
+
+namespace gonio::fitting {
+
+struct FitOptions {
+  metrics::BrdfMetric metric = metrics::BrdfMetric::log;
+  /// Cells with a polar angle beyond this (rad) are left out as grazing.
+  double maxPolarAngle = metrics::defaultMaxPolarAngle;
+};
+
+struct FitResult {
+  const models::Model* model = nullptr;
+  models::ParameterValues parameters;   ///< always inside the hard ranges
+  std::vector<double> errors;           ///< over the full table, in the order of metrics::allBrdfMetrics()
+  double seconds = 0;
+  std::size_t usedCells = 0;            ///< cells of the table that count
+  std::size_t invalidCells = 0;         ///< left out: below the horizon or not measured
+  std::size_t grazingCells = 0;         ///< left out: beyond maxPolarAngle
+  bool cancelled = false;               ///< stopped early: the parameters are the best so far
+};
+
+/// Fits a model to a table. Variable projection: the linear parameters are solved inside, non-negative, in the
+/// metric's own domain; the others by a bounded least-squares solver from several starts, on a stratified part of the
+/// cells first, then refined. Deterministic. Shared or per-channel parameters as the model's specs say.
+/// A stop request returns the best so far (`cancelled`); it never throws Cancelled. Under 3 s for one model.
+FitResult fit(const TabulatedBrdf& table, const models::Model& model, const FitOptions& options = {},
+              const TaskControl& control = {});
+
+}  // namespace gonio::fitting

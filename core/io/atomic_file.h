@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace gonio::io {
+
+/// Replaces a file's content in one step: written to a temporary neighbour, flushed, renamed. On failure the old file
+/// is as it was and no temporary stays behind.
+/// @throws Error naming the file and the system's reason.
+void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> content);
+void writeFileAtomically(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace gonio::io

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/math/parallel.h"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <mutex>
+#include <vector>
+
+namespace gonio {
+
+void parallelForBlocks(std::size_t count, std::size_t blockSize,
+                       const std::function<void(std::size_t begin, std::size_t end)>& work,
+                       const TaskControl& control) {
+  control.throwIfStopped();
+  if (count == 0) return;
+  if (blockSize == 0) blockSize = 1;
+  const std::size_t blocks = (count + blockSize - 1) / blockSize;
+  std::mutex progressMutex;
+  std::size_t done = 0;
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, blocks, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t block = range.begin(); block != range.end(); ++block) {
+          control.throwIfStopped();
+          const std::size_t begin = block * blockSize;
+          work(begin, begin + blockSize < count ? begin + blockSize : count);
+          if (control.progress) {
+            const std::lock_guard lock(progressMutex);
+            control.report(static_cast<double>(++done) / static_cast<double>(blocks));
+          }
+        }
+      },
+      tbb::simple_partitioner());
+}
+
+double parallelSumBlocks(std::size_t count, std::size_t blockSize,
+                         const std::function<double(std::size_t begin, std::size_t end)>& blockSum,
+                         const TaskControl& control) {
+  if (blockSize == 0) blockSize = 1;
+  std::vector<double> sums((count + blockSize - 1) / blockSize, 0.0);
+  parallelForBlocks(
+      count, blockSize,
+      [&](std::size_t begin, std::size_t end) { sums[begin / blockSize] = blockSum(begin, end); }, control);
+  double total = 0;
+  for (const double sum : sums) total += sum;
+  return total;
+}
+
+ThreadLimit::ThreadLimit(int threads)
+    : control_(new tbb::global_control(tbb::global_control::max_allowed_parallelism,
+                                       static_cast<std::size_t>(threads > 0 ? threads : 1))) {}
+
+ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
+
+}  // namespace gonio

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/math/types.h"
+
+#include <cmath>
+
+namespace gonio {
+
+Direction fromSpherical(double theta, double phi) {
+  const double s = std::sin(theta);
+  return {s * std::cos(phi), s * std::sin(phi), std::cos(theta)};
+}
+
+double polarAngle(const Direction& w) { return std::atan2(std::hypot(w.x, w.y), w.z); }
+
+double azimuth(const Direction& w) { return (w.x == 0 && w.y == 0) ? 0.0 : std::atan2(w.y, w.x); }
+
+}  // namespace gonio

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <numbers>
+
+/// The conventions of the whole project, said once.
+///
+/// Directions are unit vectors in the local shading frame, z is the surface normal. `wi` points toward the light, `wo`
+/// toward the viewer: both point away from the surface. A BRDF value is linear RGB (sRGB primaries) in 1/sr, without
+/// the cosine. Angles are radians, except in text for people. Decisions are computed in double, tables kept in float.
+namespace gonio {
+
+using Direction = glm::dvec3;
+using Rgb = glm::dvec3;
+
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double halfPi = pi / 2;
+
+inline constexpr double radians(double degrees) { return degrees * (pi / 180.0); }
+inline constexpr double degrees(double radians) { return radians * (180.0 / pi); }
+
+/// A pair of directions at which a BRDF is evaluated.
+struct DirectionPair {
+  Direction wi{0, 0, 1};
+  Direction wo{0, 0, 1};
+};
+
+/// Rotations leave horizontal directions a little below the surface: down to here they count as horizontal.
+inline constexpr double horizonTolerance = 1e-12;
+inline bool isBelowHorizon(const Direction& w) { return !(w.z >= -horizonTolerance); }
+
+/// Relative luminance of linear sRGB (ITU-R BT.709 weights).
+inline double luminance(const Rgb& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+inline double maxChannel(const Rgb& c) { return c.x > c.y ? (c.x > c.z ? c.x : c.z) : (c.y > c.z ? c.y : c.z); }
+
+/// Unit vector of polar angle theta from the normal and azimuth phi (rad).
+Direction fromSpherical(double theta, double phi);
+/// Polar angle in [0, pi] (rad), by atan2: accurate at the pole, where acos(z) loses half its digits.
+double polarAngle(const Direction& w);
+/// Azimuth in (-pi, pi] (rad); 0 at the pole.
+double azimuth(const Direction& w);
+
+}  // namespace gonio

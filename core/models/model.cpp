@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/models/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/support/error.h"
+
+namespace gonio::models {
+
+std::optional<std::size_t> ModelSpec::find(std::string_view parameterId) const {
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].id == parameterId) return i;
+  return std::nullopt;
+}
+
+std::unique_ptr<const Brdf> Model::instantiate(const ParameterValues& parameters) const {
+  ParameterValues checked = parameters;
+  clampToHardRange(spec(), checked);
+  return create(checked);
+}
+
+ParameterValues defaultParameters(const ModelSpec& spec) {
+  ParameterValues result;
+  for (const ParameterSpec& parameter : spec.parameters) result.values.emplace_back(parameter.defaultValue);
+  return result;
+}
+
+std::vector<ClampedParameter> clampToHardRange(const ModelSpec& spec, ParameterValues& parameters) {
+  if (parameters.values.size() != spec.parameters.size())
+    throw Error("model " + std::string(spec.id) + ": " + std::to_string(parameters.values.size()) +
+                " parameter values given, " + std::to_string(spec.parameters.size()) + " expected");
+  std::vector<ClampedParameter> clamped;
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    const ParameterSpec& parameter = spec.parameters[i];
+    for (int channel = 0; channel < 3; ++channel) {
+      double& value = parameters.values[i][channel];
+      if (!std::isfinite(value))
+        throw Error("model " + std::string(spec.id) + ": parameter " + std::string(parameter.id) +
+                    " is not a finite number");
+      const double used = std::clamp(value, parameter.hardMin, parameter.hardMax);
+      if (used != value) clamped.push_back({parameter.id, channel, value, used});
+      value = used;
+    }
+  }
+  return clamped;
+}
+
+}  // namespace gonio::models

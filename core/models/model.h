@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/brdf/brdf.h"
+#include "core/models/parameter_spec.h"
+
+namespace gonio::models {
+
+/// What a model is, for people and programs.
+struct ModelSpec {
+  std::string_view id;           ///< "ggx"; also the name of its shader (shaders/models/ggx.glsl)
+  std::string_view name;         ///< "GGX"
+  std::string_view description;  ///< one or two sentences: what it is for, where it is not reciprocal or gains energy
+  std::string_view formula;
+  std::string_view reference;    ///< author, title, year, equation
+  std::span<const ParameterSpec> parameters;
+
+  /// Index of a parameter by its id, or nothing.
+  std::optional<std::size_t> find(std::string_view parameterId) const;
+};
+
+/// One value a parameter, in the order of ModelSpec::parameters. A shared parameter has the same value in all three
+/// channels.
+struct ParameterValues {
+  std::vector<Rgb> values;
+  bool operator==(const ParameterValues&) const = default;
+};
+
+/// A parametric reflectance model: a factory of BRDFs. Stateless; the registry owns one of each.
+class Model {
+ public:
+  virtual ~Model() = default;
+  virtual const ModelSpec& spec() const = 0;
+
+  /// The BRDF at these parameters, with everything that does not depend on directions computed beforehand.
+  /// Values outside the hard range are clamped to it (see clampToHardRange() for the report).
+  /// @throws Error when the count of values is wrong or one is not finite; the text names the parameter.
+  std::unique_ptr<const Brdf> instantiate(const ParameterValues& parameters) const;
+
+ protected:
+  /// `parameters` are valid: right count, finite, inside the hard ranges.
+  virtual std::unique_ptr<const Brdf> create(const ParameterValues& parameters) const = 0;
+};
+
+/// The defaults of the specs.
+ParameterValues defaultParameters(const ModelSpec& spec);
+
+/// One clamped value, for a report to the user.
+struct ClampedParameter {
+  std::string_view id;
+  int channel;
+  double given, used;
+};
+/// Clamps to the hard ranges in place; returns what was changed.
+/// @throws Error as Model::instantiate.
+std::vector<ClampedParameter> clampToHardRange(const ModelSpec& spec, ParameterValues& parameters);
+
+/// All models, in the order in which lists show them. Immutable, built once.
+std::span<const Model* const> allModels();
+/// By ModelSpec::id.
+/// @throws Error that lists the known ids.
+const Model& findModel(std::string_view id);
+
+}  // namespace gonio::models

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace gonio::models {
+
+enum class ParameterScale { linear, logarithmic, angle };
+enum class ParameterGroup { diffuse, specular, fresnel, shadowing, convention };
+
+/// Everything there is to know of one parameter of a model. Sliders, tooltips, JSON, the command line, fitting and
+/// tests all read this record; nothing about a parameter is written anywhere else.
+struct ParameterSpec {
+  std::string_view id;           ///< key in JSON and on the command line, e.g. "roughness"
+  std::string_view label;        ///< for people, e.g. "Roughness"
+  std::string_view symbol;       ///< in formulas, e.g. "alpha"
+  std::string_view unit;         ///< "1/sr", "rad", or "" for a plain number
+  double softMin, softMax;       ///< the range that a slider covers
+  double hardMin, hardMax;       ///< the range that typing accepts; values outside are clamped and reported
+  double defaultValue;
+  ParameterScale scale = ParameterScale::linear;
+  ParameterGroup group = ParameterGroup::specular;
+  bool perChannel = false;       ///< one value a colour channel (else one value shared by all three)
+  bool linear = false;           ///< the BRDF is linear in it: fitted in closed form, never negative
+  std::string_view description;  ///< one sentence
+  std::string_view formula;      ///< one line
+  std::string_view reference;    ///< author, year, equation
+  /// A choice between named conventions rather than a number: the value is an index into this list; never fitted.
+  std::span<const std::string_view> choices = {};
+};
+
+}  // namespace gonio::models

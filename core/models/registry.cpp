@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/models/registry.h"
+
+#include "core/support/error.h"
+
+namespace gonio::models {
+
+std::span<const Model* const> allModels() {
+  static const Model* const models[] = {&lambert(), &ggx()};
+  return models;
+}
+
+const Model& findModel(std::string_view id) {
+  std::string known;
+  for (const Model* model : allModels()) {
+    if (model->spec().id == id) return *model;
+    known += (known.empty() ? "" : ", ") + std::string(model->spec().id);
+  }
+  throw Error("there is no model named '" + std::string(id) + "'; the models are " + known);
+}
+
+}  // namespace gonio::models

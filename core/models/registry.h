@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/models/model.h"
+
+/// The one list of models: adding one means its source file, its shader, its test, and a line here and in registry.cpp.
+namespace gonio::models {
+
+const Model& lambert();
+const Model& ggx();
+
+}  // namespace gonio::models

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/math/image.h"
+#include "core/rendering/environment.h"
+
+namespace gonio {
+
+/// A camera that orbits a unit sphere at the origin of the world (y up). With both angles 0 it looks along -z.
+struct OrbitCamera {
+  double yaw = 0;             ///< rad, about +y; positive moves the camera toward +x
+  double pitch = 0;           ///< rad, positive moves the camera up, (-pi/2, pi/2)
+  double distance = 4;        ///< of the eye from the centre, > 1
+  double fieldOfView = 0.55;  ///< vertical, rad; 0 is an orthographic view that shows |y| <= 1.15
+};
+
+/// Radiance that arrives from one direction: `toLight` in world space (unit), `irradiance` perpendicular to it.
+struct DirectionalLight {
+  Direction toLight{0.4082482904638631, 0.4082482904638631, 0.8164965809277261};
+  Rgb irradiance{pi};
+};
+
+/// One sphere under one light: what the previews, thumbnails and the rendered SNR show. The environment lights the
+/// sphere where it is given, else the directional light does.
+struct SphereScene {
+  OrbitCamera camera;
+  DirectionalLight light;
+  std::shared_ptr<const EnvironmentMap> environment;
+  double environmentRotation = 0;  ///< rad about +y; positive turns the surroundings from -z toward +x
+  bool showEnvironment = false;    ///< draw the environment behind the sphere (else black, alpha 0)
+};
+
+}  // namespace gonio

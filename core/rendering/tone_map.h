@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/math/image.h"
+
+namespace gonio {
+
+enum class ToneMap {
+  clamp,  ///< linear, cut at 1
+  filmic  ///< Narkowicz 2016, a fitted ACES-like curve
+};
+std::string_view toneMapName(ToneMap toneMap);
+
+/// Exposure is in stops: radiance x 2^exposure before the curve. Returns display values in [0, 1], still linear.
+Rgb toneMapped(const Rgb& radiance, double exposure, ToneMap toneMap);
+/// The sRGB transfer function (IEC 61966-2-1) and its inverse, on [0, 1].
+double toSrgb(double linear);
+double fromSrgb(double encoded);
+/// 8-bit sRGB RGBA, 4 bytes a pixel; alpha 255 where the image has none.
+std::vector<std::uint8_t> toDisplayBytes(const Image& image, double exposure, ToneMap toneMap);
+
+}  // namespace gonio

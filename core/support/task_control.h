@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <functional>
+#include <stop_token>
+
+#include "core/support/error.h"
+
+namespace gonio {
+
+/// What long work takes from its caller: a way to be stopped and a way to tell how far it is.
+/// `progress` gets a share in [0, 1] that never falls; it may be called from any thread, one call at a time.
+struct TaskControl {
+  std::stop_token stop;
+  std::function<void(double share)> progress;
+
+  void report(double share) const {
+    if (progress) progress(share);
+  }
+  /// @throws Cancelled when a stop was requested.
+  void throwIfStopped() const {
+    if (stop.stop_requested()) throw Cancelled();
+  }
+};
+
+}  // namespace gonio
