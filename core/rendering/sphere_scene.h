@@ -18,6 +18,16 @@ struct OrbitCamera {
   double fieldOfView = 0.55;  ///< vertical, rad; 0 is an orthographic view that shows |y| <= 1.15
 };
 
+/// The camera's rays, for the CPU and the shader alike. A picture position (x, y) in [-1, 1], y up, of aspect width /
+/// height gives: perspective: origin eye, direction normalize(x aspect halfHeight right + y halfHeight up + forward);
+/// orthographic: origin eye + x aspect halfHeight right + y halfHeight up, direction forward.
+struct CameraFrame {
+  Direction eye, right, up, forward;
+  double halfHeight;
+  bool orthographic;
+};
+CameraFrame cameraFrame(const OrbitCamera& camera);
+
 /// Radiance that arrives from one direction: `toLight` in world space (unit), `irradiance` perpendicular to it.
 struct DirectionalLight {
   Direction toLight{0.4082482904638631, 0.4082482904638631, 0.8164965809277261};
