@@ -13,11 +13,11 @@ namespace gonio::io {
 
 /// Where a material comes from.
 struct MaterialSource {
-  std::filesystem::path path;    ///< of the file; "library:sgd/chrome" for a bundled material
-  std::string format;            ///< "MERL", "RGL", "SGD fit"
-  std::string sha256;            ///< of the file's bytes, or of a bundled material's parameters; lower-case hex
-  std::string description;       ///< from the file or for people: "SGD fit of MERL chrome, Bagher et al. 2012"
-  std::vector<int> grid;         ///< sizes of the stored data, e.g. 90 90 180
+  std::filesystem::path path;      ///< of the file; "library:sgd/chrome" for a bundled material
+  std::string format;              ///< "MERL", "RGL", "SGD fit"
+  std::string sha256;              ///< of the file's bytes, or of a bundled material's parameters; lower-case hex
+  std::string description;         ///< from the file or for people: "SGD fit of MERL chrome, Bagher et al. 2012"
+  std::vector<int> grid;           ///< sizes of the stored data, e.g. 90 90 180
   std::vector<std::string> notes;  ///< what the reader changed: "12 negative values were set to 0"
 };
 
@@ -25,8 +25,8 @@ struct MaterialSource {
 struct Material {
   std::string name;
   MaterialSource source;
-  std::shared_ptr<const Brdf> brdf;                ///< evaluates the file in its own parameterisation
-  std::shared_ptr<const TabulatedBrdf> table;      ///< the same object when the file is a table, else null
+  std::shared_ptr<const Brdf> brdf;            ///< evaluates the file in its own parameterisation
+  std::shared_ptr<const TabulatedBrdf> table;  ///< the same object when the file is a table, else null
 
   /// The table for editing: `table`, or the reflectance sampled onto the MERL grid (about 1 s for an RGL file).
   std::shared_ptr<const TabulatedBrdf> tabulated(const TaskControl& control = {}) const;

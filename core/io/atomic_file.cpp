@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "core/support/error.h"
+
+namespace gonio::io {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A temporary file that is removed again unless it was renamed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const fs::path& target) : target_(target), name_(target.string() + ".XXXXXX") {
+    descriptor_ = ::mkstemp(name_.data());
+    if (descriptor_ < 0) fail();
+  }
+  ~TemporaryFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!renamed_) ::unlink(name_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  void write(std::span<const std::byte> content) {
+    while (!content.empty()) {
+      const ssize_t count = ::write(descriptor_, content.data(), content.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail();
+      content = content.subspan(static_cast<std::size_t>(count));
+    }
+  }
+
+  void replaceTarget() {
+    if (::fchmod(descriptor_, targetMode()) != 0 || ::fsync(descriptor_) != 0) fail();
+    const int closed = ::close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0 || ::rename(name_.c_str(), target_.c_str()) != 0) fail();
+    renamed_ = true;
+  }
+
+ private:
+  [[noreturn]] void fail() const { throw Error(target_.string() + ": cannot be written: " + std::strerror(errno)); }
+
+  /// The mode of the file that is replaced, or what the process gives new files (mkstemp would leave them private).
+  mode_t targetMode() const {
+    struct stat status {};
+    if (::stat(target_.c_str(), &status) == 0) return status.st_mode & 0777;
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666 & ~mask;
+  }
+
+  fs::path target_;
+  std::string name_;
+  int descriptor_ = -1;
+  bool renamed_ = false;
+};
+
+/// Makes the rename itself survive a power failure. Not every file system can: no error.
+void flushFolder(const fs::path& folder) {
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+}  // namespace
+
+void writeFileAtomically(const fs::path& path, std::span<const std::byte> content) {
+  std::error_code ignored;
+  // Through a link, the file that it points to is replaced, not the link.
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+  if (target.filename().empty() || fs::is_directory(target, ignored))
+    throw Error(path.string() + ": cannot be written: found a folder, expected the name of a file");
+  TemporaryFile file(target);
+  file.write(content);
+  file.replaceTarget();
+  flushFolder(target.parent_path());
+}
+
+void writeFileAtomically(const fs::path& path, const std::string& text) {
+  writeFileAtomically(path, std::as_bytes(std::span(text)));
+}
+
+}  // namespace gonio::io

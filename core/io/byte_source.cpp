@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/byte_source.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "core/support/error.h"
+
+namespace gonio::io {
+
+std::vector<std::byte> ByteSource::readAll() const {
+  std::vector<std::byte> bytes(size());
+  readAt(0, bytes);
+  return bytes;
+}
+
+FileSource::FileSource(const std::filesystem::path& path)
+    : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+  if (descriptor_ < 0) throw Error(path.string() + ": cannot be opened: " + std::strerror(errno));
+  struct stat status {};
+  const bool regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+  if (!regular) {
+    ::close(descriptor_);
+    throw Error(path.string() + ": found a folder or a device, expected a file");
+  }
+  size_ = static_cast<std::uint64_t>(status.st_size);
+}
+
+FileSource::~FileSource() { ::close(descriptor_); }
+
+void FileSource::readAt(std::uint64_t offset, std::span<std::byte> target) const {
+  std::size_t done = 0;
+  while (done < target.size()) {
+    const ssize_t count =
+        ::pread(descriptor_, target.data() + done, target.size() - done, static_cast<off_t>(offset + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw Error(path_.string() + ": cannot be read: " + std::strerror(errno));
+    if (count == 0)
+      throw Error(path_.string() + ": ends at byte " + std::to_string(offset + done) + ", expected " +
+                  std::to_string(size_) + " bytes");
+    done += static_cast<std::size_t>(count);
+  }
+}
+
+void MemorySource::readAt(std::uint64_t offset, std::span<std::byte> target) const {
+  if (offset > bytes_.size() || target.size() > bytes_.size() - offset)
+    throw Error("read of " + std::to_string(target.size()) + " bytes at " + std::to_string(offset) + " of " +
+                std::to_string(bytes_.size()));
+  if (!target.empty()) std::memcpy(target.data(), bytes_.data() + offset, target.size());
+}
+
+}  // namespace gonio::io

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace gonio::io {
+
+/// Bytes of known size, read at any position: a file, or memory. Readers look at a source first and allocate only what
+/// its size bears out. Reading is safe from any number of threads.
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+  virtual std::uint64_t size() const = 0;
+  /// Fills `target` from `offset`.
+  /// @throws Error when the source ends before (a file that was cut meanwhile) or the system reports an error.
+  virtual void readAt(std::uint64_t offset, std::span<std::byte> target) const = 0;
+
+  /// All bytes.
+  std::vector<std::byte> readAll() const;
+};
+
+class FileSource final : public ByteSource {
+ public:
+  /// @throws Error naming the file and the system's reason; a folder or a device is refused.
+  explicit FileSource(const std::filesystem::path& path);
+  ~FileSource() override;
+  FileSource(const FileSource&) = delete;
+  FileSource& operator=(const FileSource&) = delete;
+
+  std::uint64_t size() const override { return size_; }
+  void readAt(std::uint64_t offset, std::span<std::byte> target) const override;
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+/// Looks at memory that the caller keeps alive.
+class MemorySource final : public ByteSource {
+ public:
+  explicit MemorySource(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  std::uint64_t size() const override { return bytes_.size(); }
+  void readAt(std::uint64_t offset, std::span<std::byte> target) const override;
+
+ private:
+  std::span<const std::byte> bytes_;
+};
+
+}  // namespace gonio::io

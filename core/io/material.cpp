@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/material.h"
+
+#include <future>
+
+#include "core/io/atomic_file.h"
+#include "core/io/format_mismatch.h"
+#include "core/io/merl_file.h"
+#include "core/io/sha256.h"
+
+namespace gonio::io {
+
+namespace {
+
+/// One format: fills all of a material but its name, path and hash.
+/// `read` throws FormatMismatch where the bytes are not of the format.
+struct MaterialReader {
+  std::string_view format;
+  void (*read)(const ByteSource& source, const TaskControl& control, Material& material);
+};
+
+void readMerlMaterial(const ByteSource& source, const TaskControl& control, Material& material) {
+  const MerlTable merl = readMerl(source, control);
+  const HalfDifferenceGrid& grid = merl.table->grid();
+  material.table = merl.table;
+  material.brdf = merl.table;
+  material.source.grid = {grid.thetaHCount, grid.thetaDCount, grid.phiDCount};
+  if (merl.clampedCount > 0)
+    material.source.notes.push_back(std::to_string(merl.clampedCount) + " small negative values were set to 0");
+}
+
+constexpr MaterialReader readers[] = {{"MERL", readMerlMaterial}};
+
+Material readSource(const ByteSource& source, const TaskControl& control) {
+  std::string refusals;
+  for (const MaterialReader& reader : readers) {
+    try {
+      Material material;
+      material.source.format = reader.format;
+      reader.read(source, control, material);
+      return material;
+    } catch (const FormatMismatch& mismatch) {
+      refusals += "\n  " + std::string(reader.format) + ": " + mismatch.what();
+    }
+  }
+  throw Error("no reader takes this file:" + refusals);
+}
+
+}  // namespace
+
+std::shared_ptr<const TabulatedBrdf> Material::tabulated(const TaskControl& control) const {
+  return table ? table : bakeTable(*brdf, {}, control);
+}
+
+Material readMaterial(const std::filesystem::path& path, const TaskControl& control) {
+  const FileSource source(path);
+  auto hash = std::async(std::launch::async, [&source] { return sha256Hex(source); });
+  try {
+    Material material = readSource(source, control);
+    material.name = path.stem().string();
+    material.source.path = path;
+    material.source.sha256 = hash.get();
+    return material;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    throw Error(path.string() + ": " + error.what());
+  }
+}
+
+void writeMerl(const TabulatedBrdf& table, const std::filesystem::path& path) {
+  writeFileAtomically(path, encodeMerl(table));
+}
+
+void writeMerl(const Material& material, const std::filesystem::path& path, const TaskControl& control) {
+  if (material.source.format != "MERL") return writeMerl(*material.tabulated(control), path);
+  const std::vector<std::byte> bytes = FileSource(material.source.path).readAll();
+  if (sha256Hex(bytes) != material.source.sha256)
+    throw Error(material.source.path.string() + ": found other content than when it was read; read it again");
+  control.throwIfStopped();
+  writeFileAtomically(path, bytes);
+}
+
+const std::vector<LibraryEntry>& bundledLibrary() {
+  static const std::vector<LibraryEntry> entries;
+  return entries;
+}
+
+}  // namespace gonio::io

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/merl_file.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "core/io/format_mismatch.h"
+#include "core/math/parallel.h"
+
+namespace gonio::io {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the formats are little-endian and are read as they lie");
+
+constexpr std::size_t blockCells = 8192;
+constexpr double invalidRaw = -1;
+constexpr std::int32_t maxAxisCount = 1 << 20;
+constexpr std::uint64_t maxCells = std::uint64_t(1) << 28;
+const std::string expectedSize = "three axis counts (90 90 180) and 24 bytes for each cell";
+
+std::string gridName(const std::array<std::int32_t, 3>& counts) {
+  return std::to_string(counts[0]) + " x " + std::to_string(counts[1]) + " x " + std::to_string(counts[2]);
+}
+
+bool isWholeCircle(const HalfDifferenceGrid& grid) {
+  return std::int64_t(grid.phiDCount) == 4 * std::int64_t(grid.thetaDCount);
+}
+
+/// One block of cells of a file: raw planes, converted into the table's arrays.
+class BlockReader {
+ public:
+  BlockReader(const ByteSource& source, std::size_t cells) : source_(source), cells_(cells) {}
+
+  /// @return the plane-order index of the first value that is not finite, or none.
+  std::size_t convert(std::size_t begin, std::size_t end, TabulatedBrdf::Value* values, std::uint8_t* valid,
+                      std::uint64_t& clamped) const {
+    const std::size_t count = end - begin;
+    const auto raw = std::make_unique_for_overwrite<double[]>(3 * count);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      source_.readAt(merlHeaderBytes + (channel * cells_ + begin) * sizeof(double),
+                     std::as_writable_bytes(std::span(raw.get() + channel * count, count)));
+    std::size_t bad = none;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double r = raw[i], g = raw[count + i], b = raw[2 * count + i];
+      const bool isValid = r > invalidRaw && g > invalidRaw && b > invalidRaw;
+      const TabulatedBrdf::Value value(float(std::max(r, 0.0) * merlScale[0]), float(std::max(g, 0.0) * merlScale[1]),
+                                       float(std::max(b, 0.0) * merlScale[2]));
+      // A NaN or an infinity in any channel makes the sum so; std::max keeps them where they are its first argument.
+      if (!std::isfinite(value.x + value.y + value.z + (r + g + b) * 0))
+        bad = std::min(bad, firstBad(raw, count, i, begin));
+      valid[begin + i] = isValid;
+      values[begin + i] = value;
+      if (isValid) clamped += std::uint64_t(r < 0) + std::uint64_t(g < 0) + std::uint64_t(b < 0);
+    }
+    return bad;
+  }
+
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+ private:
+  std::size_t firstBad(const std::unique_ptr<double[]>& raw, std::size_t count, std::size_t i,
+                       std::size_t begin) const {
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      if (!std::isfinite(float(raw[channel * count + i] * merlScale[channel]))) return channel * cells_ + begin + i;
+    return none;
+  }
+
+  const ByteSource& source_;
+  std::size_t cells_;
+};
+
+[[noreturn]] void throwNotFinite(const ByteSource& source, const HalfDifferenceGrid& grid, std::size_t index) {
+  double value = 0;
+  source.readAt(merlHeaderBytes + index * sizeof(double), std::as_writable_bytes(std::span(&value, 1)));
+  const std::size_t cell = index % grid.size(), phi = std::size_t(grid.phiDCount), td = std::size_t(grid.thetaDCount);
+  throw Error("value " + std::to_string(index) + " (" + std::array{"red", "green", "blue"}[index / grid.size()] +
+              ", theta_h " + std::to_string(cell / (phi * td)) + ", theta_d " + std::to_string(cell / phi % td) +
+              ", phi_d " + std::to_string(cell % phi) + ") is " + std::to_string(value) +
+              ", expected a finite number of float range");
+}
+
+}  // namespace
+
+HalfDifferenceGrid readMerlHeader(const ByteSource& source) {
+  std::array<std::int32_t, 3> counts{};
+  if (source.size() < merlHeaderBytes) throw FormatMismatch(std::to_string(source.size()) + " bytes", expectedSize);
+  source.readAt(0, std::as_writable_bytes(std::span(counts)));
+  if (*std::min_element(counts.begin(), counts.end()) < 1)
+    throw FormatMismatch("axis counts " + gridName(counts), "three positive axis counts (90 90 180)");
+  // Counts of at most 2^20: their product fits 64 bits.
+  if (*std::max_element(counts.begin(), counts.end()) > maxAxisCount)
+    throw FormatMismatch("axis counts " + gridName(counts), "axis counts of at most " + std::to_string(maxAxisCount));
+  const std::uint64_t cells = std::uint64_t(counts[0]) * std::uint64_t(counts[1]) * std::uint64_t(counts[2]);
+  const std::uint64_t dataBytes = source.size() - merlHeaderBytes;
+  if (dataBytes % 24 != 0 || dataBytes / 24 != cells)
+    throw FormatMismatch("axis counts " + gridName(counts) + " and " + std::to_string(source.size()) + " bytes",
+                         "12 + 24 x " + std::to_string(cells) + " bytes for these counts");
+  if (cells > maxCells) throw FormatMismatch(std::to_string(cells) + " cells", "at most " + std::to_string(maxCells));
+  HalfDifferenceGrid grid{counts[0], counts[1], counts[2], true};
+  grid.reciprocal = !isWholeCircle(grid);
+  return grid;
+}
+
+MerlTable readMerl(const ByteSource& source, const TaskControl& control) {
+  const HalfDifferenceGrid grid = readMerlHeader(source);
+  const std::size_t cells = grid.size();
+  std::vector<TabulatedBrdf::Value> values(cells);
+  std::vector<std::uint8_t> valid(cells);
+  std::atomic<std::uint64_t> clamped = 0;
+  std::atomic<std::size_t> bad = BlockReader::none;
+  const BlockReader reader(source, cells);
+  parallelForBlocks(
+      cells, blockCells,
+      [&](std::size_t begin, std::size_t end) {
+        std::uint64_t blockClamped = 0;
+        const std::size_t blockBad = reader.convert(begin, end, values.data(), valid.data(), blockClamped);
+        clamped += blockClamped;
+        std::size_t known = bad;
+        while (blockBad < known && !bad.compare_exchange_weak(known, blockBad)) continue;
+      },
+      control);
+  if (bad != BlockReader::none) throwNotFinite(source, grid, bad);
+  return {std::make_shared<const TabulatedBrdf>(grid, std::move(values), std::move(valid)), clamped};
+}
+
+std::vector<std::byte> encodeMerl(const TabulatedBrdf& table) {
+  const HalfDifferenceGrid& grid = table.grid();
+  const std::array<std::int32_t, 3> counts{grid.thetaHCount, grid.thetaDCount, grid.phiDCount};
+  if (grid.reciprocal == isWholeCircle(grid))
+    throw Error(std::string("a MERL file of ") + gridName(counts) + " cells is read as " +
+                (grid.reciprocal ? "non-reciprocal, this table is reciprocal" : "reciprocal, this table is not") +
+                "; expected 4 phi_d samples for each theta_d sample exactly where a table is not reciprocal");
+  const std::size_t cells = grid.size();
+  std::vector<std::byte> bytes(merlHeaderBytes + 3 * cells * sizeof(double));
+  std::memcpy(bytes.data(), counts.data(), merlHeaderBytes);
+  parallelForBlocks(cells, blockCells, [&](std::size_t begin, std::size_t end) {
+    for (int channel = 0; channel < 3; ++channel) {
+      std::byte* target = bytes.data() + merlHeaderBytes + (std::size_t(channel) * cells + begin) * sizeof(double);
+      for (std::size_t cell = begin; cell < end; ++cell, target += sizeof(double)) {
+        const double raw =
+            table.valid()[cell] ? double(table.values()[cell][channel]) / merlScale[channel] : invalidRaw;
+        std::memcpy(target, &raw, sizeof(double));
+      }
+    }
+  });
+  return bytes;
+}
+
+}  // namespace gonio::io

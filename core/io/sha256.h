@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/io/byte_source.h"
+
+namespace gonio::io {
+
+/// SHA-256 (FIPS 180-4) of bytes that arrive in pieces.
+class Sha256 {
+ public:
+  Sha256();
+  ~Sha256();
+  Sha256(const Sha256&) = delete;
+  Sha256& operator=(const Sha256&) = delete;
+
+  void add(std::span<const std::byte> bytes);
+  /// The digest in lower-case hex, 64 characters. Ends the computation.
+  std::string finish();
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+std::string sha256Hex(std::span<const std::byte> bytes);
+std::string sha256Hex(std::string_view text);
+/// Of all bytes of a source, read in pieces. About 20 ms for 35 MB on a processor with SHA instructions.
+std::string sha256Hex(const ByteSource& source);
+
+}  // namespace gonio::io

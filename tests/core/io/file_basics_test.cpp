@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <sys/stat.h>
+#include <QTest>
+
+#include "core/io/atomic_file.h"
+#include "core/io/sha256.h"
+#include "tests/core/io/test_files.h"
+
+using namespace gonio;
+using namespace gonio::test;
+namespace fs = std::filesystem;
+
+class FileBasicsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// The examples of FIPS 180-4 and one of a million characters.
+  void sha256OfKnownTexts() {
+    QCOMPARE(io::sha256Hex(std::string_view("")), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    QCOMPARE(io::sha256Hex(std::string_view("abc")),
+             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    const std::string million(1000000, 'a');
+    const std::string expected = "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0";
+    QCOMPARE(io::sha256Hex(std::string_view(million)), expected);
+    QCOMPARE(io::sha256Hex(io::MemorySource(std::as_bytes(std::span(million)))), expected);
+  }
+
+  void sourcesReadAtAnyPositionAndNotBeyond() {
+    const Bytes bytes = {std::byte{1}, std::byte{2}, std::byte{3}};
+    const io::FileSource file(writeFile("io/three_bytes", bytes));
+    const io::MemorySource memory(bytes);
+    for (const io::ByteSource* source :
+         {static_cast<const io::ByteSource*>(&file), static_cast<const io::ByteSource*>(&memory)}) {
+      QCOMPARE(source->size(), std::uint64_t(3));
+      QCOMPARE(source->readAll(), bytes);
+      Bytes two(2);
+      source->readAt(1, two);
+      QCOMPARE(two[1], std::byte{3});
+      QVERIFY(!errorOf([&] { source->readAt(2, two); }).empty());
+    }
+    QVERIFY(contains(errorOf([] { io::FileSource missing(outputPath("io/no_such_file")); }), "no_such_file"));
+    QVERIFY(contains(errorOf([] { io::FileSource folder(fs::path(GONIO_TEST_OUTPUT_DIR)); }), "folder"));
+  }
+
+  void replacesContentAndKeepsMode() {
+    const fs::path path = writeFile("io/atomic/file.txt", {});
+    fs::permissions(path, fs::perms(0640));
+    io::writeFileAtomically(path, "new content");
+    QCOMPARE(readFile(path).size(), std::size_t(11));
+    QCOMPARE(fs::status(path).permissions(), fs::perms(0640));
+    QCOMPARE(std::distance(fs::directory_iterator(path.parent_path()), {}), std::ptrdiff_t(1));
+  }
+
+  void writesThroughALink() {
+    const fs::path target = writeFile("io/link/target", {}), link = target.parent_path() / "link";
+    fs::remove(link);
+    fs::create_symlink("target", link);
+    io::writeFileAtomically(link, "x");
+    QVERIFY(fs::is_symlink(link));
+    QCOMPARE(fs::file_size(target), std::uintmax_t(1));
+  }
+
+  void failureNamesTheFileAndLeavesNothing() {
+    const fs::path folder = outputPath("io/failure/x").parent_path();
+    QVERIFY(contains(errorOf([&] { io::writeFileAtomically(folder / "absent" / "f", "x"); }), "absent"));
+    fs::create_directories(folder / "is_folder");
+    QVERIFY(contains(errorOf([&] { io::writeFileAtomically(folder / "is_folder", "x"); }), "is_folder"));
+    QCOMPARE(std::distance(fs::directory_iterator(folder), {}), std::ptrdiff_t(1));
+  }
+};
+
+QTEST_APPLESS_MAIN(FileBasicsTest)
+#include "file_basics_test.moc"
