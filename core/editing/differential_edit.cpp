@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/editing/differential_edit.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <limits>
+
+#include "core/math/parallel.h"
+
+namespace gonio::editing {
+
+namespace {
+
+constexpr std::size_t bakeBlock = 4096;
+/// Pairs that are worked on at once: scratch stays on the stack, so single look-ups allocate nothing.
+constexpr std::size_t chunkSize = 64;
+
+/// An edit that changes something, ready to evaluate.
+struct ActiveEdit {
+  std::unique_ptr<const Brdf> edited, fitted;
+  double strength;
+};
+
+std::vector<ActiveEdit> activate(std::span<const DifferentialEdit> edits) {
+  std::vector<ActiveEdit> active;
+  for (const DifferentialEdit& edit : edits) {
+    if (edit.isIdentity()) continue;
+    assert(edit.model);
+    active.push_back({edit.model->instantiate(edit.edited), edit.model->instantiate(edit.fitted), edit.strength});
+  }
+  return active;
+}
+
+/// Adds the edits to `values`, which hold the base, for at most chunkSize pairs. The two model values are subtracted
+/// first: where the edit leaves the model as it is, exactly 0 is added and the base survives bit for bit.
+void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> pairs, std::span<Rgb> values) {
+  std::array<Rgb, chunkSize> edited, fitted;
+  for (const ActiveEdit& edit : edits) {
+    edit.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
+    edit.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      values[i] = glm::max(Rgb(0), values[i] + edit.strength * (edited[i] - fitted[i]));
+  }
+}
+
+class EditedBrdf final : public Brdf {
+ public:
+  EditedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> edits)
+      : base_(std::move(base)), table_(dynamic_cast<const TabulatedBrdf*>(base_.get())), edits_(std::move(edits)) {}
+
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    for (std::size_t begin = 0; begin < pairs.size(); begin += chunkSize) {
+      const std::size_t count = std::min(chunkSize, pairs.size() - begin);
+      evaluateChunk(pairs.subspan(begin, count), values.subspan(begin, count));
+    }
+  }
+
+  bool isIsotropic() const override {
+    return base_->isIsotropic() && std::all_of(edits_.begin(), edits_.end(), [](const ActiveEdit& edit) {
+             return edit.edited->isIsotropic() && edit.fitted->isIsotropic();
+           });
+  }
+
+ private:
+  void evaluateChunk(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
+    if (!table_) {
+      base_->evaluate(pairs, values);
+      addEdits(edits_, pairs, values);
+      return;
+    }
+    std::array<bool, chunkSize> hasData;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto& [wi, wo] = pairs[i];
+      hasData[i] = !isBelowHorizon(wi) && !isBelowHorizon(wo);
+      values[i] = hasData[i] ? table_->lookup(toHalfDifference(wi, wo), TableLookup::trilinear, &hasData[i]) : Rgb(0);
+    }
+    addEdits(edits_, pairs, values);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (!hasData[i]) values[i] = Rgb(0);
+  }
+
+  std::shared_ptr<const Brdf> base_;
+  const TabulatedBrdf* table_;  ///< the base where it is a table: it knows where it has data
+  std::vector<ActiveEdit> edits_;
+};
+
+/// The directions of a node as bakeTable() evaluates them: rounding must not push a node on the horizon below it.
+DirectionPair bakeDirections(const HalfDifferenceGrid& grid, std::size_t cell) {
+  DirectionPair pair = grid.directions(cell);
+  for (Direction* w : {&pair.wi, &pair.wo})
+    if (!isBelowHorizon(*w)) w->z = std::max(0.0, w->z);
+  return pair;
+}
+
+/// To float; returns how many channels had to be capped.
+std::size_t store(const Rgb& value, TabulatedBrdf::Value& stored) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  std::size_t capped = 0;
+  for (int channel = 0; channel < 3; ++channel) {
+    capped += value[channel] > largest;
+    stored[channel] = static_cast<float>(std::min(value[channel], largest));
+  }
+  return capped;
+}
+
+}  // namespace
+
+std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits) {
+  std::vector<ActiveEdit> active = activate(edits);
+  if (active.empty()) return base;
+  return std::make_shared<const EditedBrdf>(std::move(base), std::move(active));
+}
+
+std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
+                                               std::span<const DifferentialEdit> edits, const TaskControl& control,
+                                               std::size_t* cappedCount) {
+  if (cappedCount) *cappedCount = 0;
+  const std::vector<ActiveEdit> active = activate(edits);
+  if (active.empty()) return base;
+  const HalfDifferenceGrid& grid = base->grid();
+  std::vector<TabulatedBrdf::Value> baked(base->values().begin(), base->values().end());
+  std::vector<std::uint8_t> valid(base->valid().begin(), base->valid().end());
+  std::atomic<std::size_t> capped = 0;
+  const auto bakeCells = [&](std::span<const std::size_t> cells) {
+    std::array<DirectionPair, chunkSize> pairs;
+    std::array<Rgb, chunkSize> values;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      pairs[i] = bakeDirections(grid, cells[i]);
+      values[i] = Rgb(baked[cells[i]]);
+    }
+    addEdits(active, std::span(pairs).first(cells.size()), std::span(values).first(cells.size()));
+    for (std::size_t i = 0; i < cells.size(); ++i) capped += store(values[i], baked[cells[i]]);
+  };
+  parallelForBlocks(
+      grid.size(), bakeBlock,
+      [&](std::size_t begin, std::size_t end) {
+        std::array<std::size_t, chunkSize> cells;
+        std::size_t count = 0;
+        for (std::size_t cell = begin; cell < end; ++cell) {
+          if (valid[cell]) cells[count++] = cell;
+          if (count < chunkSize && cell + 1 < end) continue;
+          bakeCells(std::span(cells).first(count));
+          count = 0;
+        }
+      },
+      control);
+  if (cappedCount) *cappedCount = capped;
+  return std::make_shared<const TabulatedBrdf>(grid, std::move(baked), std::move(valid));
+}
+
+}  // namespace gonio::editing

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/editing/differential_edit.h"
+
+#include <QTest>
+#include <cfloat>
+#include <cstring>
+#include <random>
+
+#include "core/math/parallel.h"
+
+using namespace gonio;
+using namespace gonio::editing;
+
+namespace {
+
+constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 20, .thetaDCount = 18, .phiDCount = 36};
+
+models::ParameterValues ggxParameters(double diffuse, double specular, double roughness, double f0) {
+  models::ParameterValues p = models::defaultParameters(models::findModel("ggx").spec());
+  p.values[0] = Rgb(diffuse);
+  p.values[1] = Rgb(specular);
+  p.values[2] = Rgb(roughness);
+  p.values[3] = Rgb(f0);
+  return p;
+}
+
+/// A table with what a model cannot explain: noise, zeros, tiny and huge values, invalid cells above the horizon and
+/// valid ones below it (MERL files have both).
+std::shared_ptr<const TabulatedBrdf> roughTable(const HalfDifferenceGrid& grid = smallGrid) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> exponent(-30, 20);
+  std::vector<TabulatedBrdf::Value> values(grid.size());
+  std::vector<std::uint8_t> valid(grid.size());
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    for (int c = 0; c < 3; ++c) values[i][c] = random() % 8 == 0 ? 0.f : std::exp2(exponent(random));
+    valid[i] = grid.nodeAboveHorizon(i) ? random() % 16 != 0 : random() % 16 == 0;
+  }
+  return std::make_shared<const TabulatedBrdf>(grid, std::move(values), std::move(valid));
+}
+
+bool sameBits(const TabulatedBrdf& a, const TabulatedBrdf& b) {
+  return a.grid() == b.grid() && std::memcmp(a.values().data(), b.values().data(), a.values().size_bytes()) == 0 &&
+         std::memcmp(a.valid().data(), b.valid().data(), a.valid().size_bytes()) == 0;
+}
+
+/// f = level, up to values that no float holds.
+class LevelModel final : public models::Model {
+ public:
+  const models::ModelSpec& spec() const override {
+    static constexpr models::ParameterSpec parameters[] = {{.id = "level",
+                                                            .label = "",
+                                                            .symbol = "",
+                                                            .unit = "",
+                                                            .softMin = 0,
+                                                            .softMax = 1,
+                                                            .hardMin = 0,
+                                                            .hardMax = 1e300,
+                                                            .defaultValue = 0,
+                                                            .description = "",
+                                                            .formula = "",
+                                                            .reference = ""}};
+    static constexpr models::ModelSpec levelSpec = {
+        .id = "level", .name = "", .description = "", .formula = "", .reference = "", .parameters = parameters};
+    return levelSpec;
+  }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const models::ParameterValues& p) const override {
+    class Level final : public Brdf {
+     public:
+      explicit Level(const Rgb& level) : level_(level) {}
+      void evaluate(std::span<const DirectionPair>, std::span<Rgb> values) const override {
+        std::fill(values.begin(), values.end(), level_);
+      }
+
+     private:
+      Rgb level_;
+    };
+    return std::make_unique<const Level>(p.values[0]);
+  }
+};
+
+DifferentialEdit ggxEdit(const models::ParameterValues& fitted, const models::ParameterValues& edited) {
+  return {.model = &models::findModel("ggx"), .fitted = fitted, .edited = edited};
+}
+
+DifferentialEdit levelEdit(double fitted, double edited) {
+  static const LevelModel model;
+  return {.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}};
+}
+
+}  // namespace
+
+class DifferentialEditTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void nothingChangedReturnsTheBase() {
+    const auto base = roughTable();
+    const auto p = ggxParameters(0.2, 1, 0.1, 0.05), q = ggxParameters(0.2, 1, 0.3, 0.05);
+    DifferentialEdit disabled = ggxEdit(p, q), weightless = ggxEdit(p, q);
+    disabled.enabled = false;
+    weightless.strength = 0;
+    const DifferentialEdit edits[] = {ggxEdit(p, p), disabled, weightless};
+    QCOMPARE(bakeEdits(base, edits).get(), base.get());
+    QCOMPARE(applyEdits(base, edits).get(), static_cast<const Brdf*>(base.get()));
+    QCOMPARE(bakeEdits(base, {}).get(), base.get());
+  }
+
+  /// Edits that compute and change nothing: values beyond the hard range are clamped to the fitted ones.
+  void equalModelsKeepEveryBit() {
+    const auto base = roughTable();
+    const DifferentialEdit edits[] = {ggxEdit(ggxParameters(0.2, 1, 1, 0.05), ggxParameters(0.2, 1, 2, 0.05)),
+                                      ggxEdit(ggxParameters(0.2, 1, 0.01, 1), ggxParameters(0.2, 1, 0.01, 7))};
+    QVERIFY(!edits[0].isIdentity());
+    const auto baked = bakeEdits(base, edits);
+    QVERIFY(baked != base);
+    QVERIFY(sameBits(*baked, *base));
+  }
+
+  /// Of a base that the model explains completely nothing remains but the edited model.
+  void explainedBaseBecomesTheEditedModel() {
+    const models::Model& ggx = models::findModel("ggx");
+    const auto fitted = ggxParameters(0.2, 0.8, 0.25, 0.05), edited = ggxParameters(0.3, 0.5, 0.4, 0.3);
+    const auto base = bakeTable(*ggx.instantiate(fitted), smallGrid);
+    const auto expected = bakeTable(*ggx.instantiate(edited), smallGrid);
+    const DifferentialEdit edit = ggxEdit(fitted, edited);
+    const auto baked = bakeEdits(base, std::span(&edit, 1));
+    for (std::size_t i = 0; i < smallGrid.size(); ++i) {
+      QCOMPARE(baked->valid()[i], expected->valid()[i]);
+      for (int c = 0; c < 3; ++c)
+        QVERIFY(std::abs(baked->values()[i][c] - expected->values()[i][c]) <=
+                1e-6f * std::max(1.f, base->values()[i][c]));
+    }
+  }
+
+  /// The residual keeps its sign: an edit darkens as well as it brightens, cell by cell the change of the model.
+  void residualSurvives() {
+    const models::Model& ggx = models::findModel("ggx");
+    const auto base = roughTable();
+    const auto fitted = ggxParameters(0.2, 0.8, 0.25, 0.05), edited = ggxParameters(0.2, 0.8, 0.4, 0.05);
+    DifferentialEdit edit = ggxEdit(fitted, edited);
+    edit.strength = 0.75;
+    const auto baked = bakeEdits(base, std::span(&edit, 1));
+    const auto from = ggx.instantiate(fitted), to = ggx.instantiate(edited);
+    int darker = 0, brighter = 0;
+    for (std::size_t i = 0; i < smallGrid.size(); ++i) {
+      QCOMPARE(baked->valid()[i], base->valid()[i]);
+      if (!base->valid()[i] || !smallGrid.nodeAboveHorizon(i)) {
+        QVERIFY(baked->values()[i] == base->values()[i]);
+        continue;
+      }
+      auto [wi, wo] = smallGrid.directions(i);
+      wi.z = std::max(0.0, wi.z);
+      wo.z = std::max(0.0, wo.z);
+      const Rgb delta = 0.75 * (to->evaluate(wi, wo) - from->evaluate(wi, wo));
+      const Rgb expected = glm::max(Rgb(0), Rgb(base->values()[i]) + delta);
+      QVERIFY(baked->values()[i] == TabulatedBrdf::Value(expected));
+      darker += delta.x < 0;
+      brighter += delta.x > 0;
+    }
+    QVERIFY(darker > 100 && brighter > 100);
+  }
+
+  void wrapperAgreesWithTheBakedTable() {
+    const auto base = roughTable();
+    const DifferentialEdit edits[] = {ggxEdit(ggxParameters(0.2, 1, 0.1, 0.05), ggxParameters(0, 2, 0.3, 0.5)),
+                                      levelEdit(0.5, 0.25)};
+    const auto wrapper = applyEdits(base, edits);
+    const auto baked = bakeEdits(base, edits);
+    std::vector<DirectionPair> pairs;
+    std::vector<std::size_t> cells;
+    for (std::size_t i = 0; i < smallGrid.size(); ++i) {
+      DirectionPair pair = smallGrid.directions(i);
+      // The look-up of a node on the horizon leans on its neighbours, as that of a node at the seam of phi_d does.
+      if (!base->valid()[i] || pair.wi.z < 1e-6 || pair.wo.z < 1e-6 || i % 36 == 0) continue;
+      if (smallGrid.node(i).thetaH == 0 || smallGrid.node(i).thetaD == 0) continue;
+      pairs.push_back(pair);
+      cells.push_back(i);
+    }
+    std::vector<Rgb> values(pairs.size());
+    wrapper->evaluate(pairs, values);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      for (int c = 0; c < 3; ++c) {
+        const double expected = baked->values()[cells[i]][c];
+        QVERIFY(std::abs(values[i][c] - expected) <= 1e-5 * std::max(1.0, expected));
+        QCOMPARE(wrapper->evaluate(pairs[i].wi, pairs[i].wo)[c], values[i][c]);
+      }
+  }
+
+  void nothingGrowsWhereTheBaseHasNoData() {
+    std::vector<std::uint8_t> valid(smallGrid.size(), 0);
+    for (std::size_t i = smallGrid.size() / 2; i < smallGrid.size(); ++i) valid[i] = smallGrid.nodeAboveHorizon(i);
+    const auto base = std::make_shared<const TabulatedBrdf>(
+        smallGrid, std::vector<TabulatedBrdf::Value>(smallGrid.size(), TabulatedBrdf::Value(1)), std::move(valid));
+    const DifferentialEdit edit = levelEdit(0, 3);
+    const auto edited = applyEdits(base, std::span(&edit, 1));
+    QCOMPARE(edited->evaluate({0, 0, 1}, {0, 0, 1}).x, 0.0);
+    QCOMPARE(edited->evaluate(fromSpherical(2, 0), {0, 0, 1}).x, 0.0);
+    QCOMPARE(edited->evaluate(fromSpherical(1.4, 0), fromSpherical(1.4, 0.2)).x, 4.0);
+  }
+
+  void hardCase39OverflowIsCappedAndCounted() {
+    const auto base = roughTable();
+    const DifferentialEdit edit = levelEdit(0, 1e39);
+    std::size_t capped = 0;
+    const auto baked = bakeEdits(base, std::span(&edit, 1), {}, &capped);
+    QCOMPARE(capped, 3 * base->validCount());
+    for (std::size_t i = 0; i < smallGrid.size(); ++i)
+      if (base->valid()[i]) QCOMPARE(baked->values()[i].y, FLT_MAX);
+    const DifferentialEdit largest = levelEdit(0, 1e30);
+    bakeEdits(base, std::span(&largest, 1), {}, &capped);
+    QCOMPARE(capped, std::size_t(0));
+  }
+
+  void hardCase50SameBitsForAnyThreadCount() {
+    const auto base = roughTable({.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 60});
+    const DifferentialEdit edit = ggxEdit(ggxParameters(0.2, 1, 0.1, 0.05), ggxParameters(0.2, 2, 0.02, 0.5));
+    const auto parallel = bakeEdits(base, std::span(&edit, 1));
+    const ThreadLimit limit(1);
+    QVERIFY(sameBits(*parallel, *bakeEdits(base, std::span(&edit, 1))));
+  }
+
+  void stopsWhenAsked() {
+    std::stop_source source;
+    source.request_stop();
+    const DifferentialEdit edit = levelEdit(0, 1);
+    QVERIFY_EXCEPTION_THROWN(bakeEdits(roughTable(), std::span(&edit, 1), {source.get_token(), {}}), Cancelled);
+  }
+};
+
+QTEST_APPLESS_MAIN(DifferentialEditTest)
+#include "differential_edit_test.moc"
