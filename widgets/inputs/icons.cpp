@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/inputs/icons.h"
+
+#include <QGuiApplication>
+#include <QIconEngine>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPalette>
+#include <numbers>
+
+namespace gonio::widgets {
+
+namespace {
+
+/// Paths on a 16 x 16 grid.
+void drawGlyph(QPainter& painter, Glyph glyph) {
+  switch (glyph) {
+    case Glyph::reset: {
+      painter.drawArc(QRectF(3.5, 3.5, 9, 9), -120 * 16, 250 * 16);
+      QPainterPath head;
+      head.moveTo(3.2, 2.6);
+      head.lineTo(3.9, 7.0);
+      head.lineTo(8.0, 5.6);
+      head.closeSubpath();
+      painter.fillPath(head, painter.pen().color());
+      return;
+    }
+    case Glyph::collapsed:
+      painter.drawPolyline(QPolygonF{{6, 3.5}, {10.5, 8}, {6, 12.5}});
+      return;
+    case Glyph::expanded:
+      painter.drawPolyline(QPolygonF{{3.5, 6}, {8, 10.5}, {12.5, 6}});
+      return;
+    case Glyph::search:
+      painter.drawEllipse(QRectF(3, 3, 7, 7));
+      painter.drawLine(QPointF(9, 9), QPointF(13, 13));
+      return;
+    case Glyph::close:
+      painter.drawLine(QPointF(4, 4), QPointF(12, 12));
+      painter.drawLine(QPointF(12, 4), QPointF(4, 12));
+      return;
+  }
+}
+
+class GlyphEngine final : public QIconEngine {
+ public:
+  explicit GlyphEngine(Glyph glyph) : m_glyph(glyph) {}
+
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+    const QPalette palette = QGuiApplication::palette();
+    const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->translate(rect.topLeft());
+    painter->scale(rect.width() / 16.0, rect.height() / 16.0);
+    painter->setPen(QPen(palette.color(group, QPalette::ButtonText), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    drawGlyph(*painter, m_glyph);
+    painter->restore();
+  }
+
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap result(size);
+    result.fill(Qt::transparent);
+    QPainter painter(&result);
+    paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+    return result;
+  }
+
+  QIconEngine* clone() const override { return new GlyphEngine(m_glyph); }
+
+ private:
+  Glyph m_glyph;
+};
+
+}  // namespace
+
+QIcon glyphIcon(Glyph glyph) { return QIcon(new GlyphEngine(glyph)); }
+
+}  // namespace gonio::widgets

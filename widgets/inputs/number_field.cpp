@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/inputs/number_field.h"
+
+#include <QKeyEvent>
+#include <QTimer>
+#include <QWheelEvent>
+#include <algorithm>
+
+#include "widgets/inputs/arithmetic.h"
+
+namespace gonio::widgets {
+
+QString formatNumber(double value) { return QString::number(value == 0 ? 0.0 : value, 'g', 4); }
+
+NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
+  setAlignment(Qt::AlignRight);
+  setFocusPolicy(Qt::StrongFocus);
+  connect(this, &QLineEdit::editingFinished, this, &NumberField::commit);
+  setValue(0);
+}
+
+void NumberField::setRange(double hardMin, double hardMax) {
+  m_min = hardMin;
+  m_max = hardMax;
+}
+
+void NumberField::setUnit(const QString& unit, double displayFactor) {
+  m_unit = unit;
+  m_displayFactor = displayFactor;
+  setValue(m_value);
+}
+
+void NumberField::setValue(double value) {
+  m_value = value;
+  restore();
+}
+
+QString NumberField::formatted(double value) const {
+  const QString number = formatNumber(value * m_displayFactor);
+  return m_unit.isEmpty() ? number : number + QChar(0x202f) + m_unit;
+}
+
+QSize NumberField::sizeHint() const {
+  const QSize hint = QLineEdit::sizeHint();
+  return {fontMetrics().horizontalAdvance(QStringLiteral("-0.00000 1/sr")), hint.height()};
+}
+
+void NumberField::restore() {
+  m_shown = formatted(m_value);
+  setText(m_shown);
+  setCursorPosition(0);
+}
+
+void NumberField::commit() {
+  if (text() == m_shown) return;
+  const auto typed = evaluateArithmetic(text(), m_unit);
+  if (!typed) return restore();
+  offer(*typed / m_displayFactor);
+}
+
+void NumberField::offer(double value) {
+  const double used = std::clamp(value, m_min, m_max);
+  const bool changed = used != m_value;
+  setValue(used);
+  if (used != value) Q_EMIT clamped(value, used);
+  if (changed) Q_EMIT valueEdited(used);
+}
+
+void NumberField::stepBy(double steps) { offer(m_value + steps * m_step); }
+
+bool NumberField::event(QEvent* event) {
+  // Esc belongs to the field while something is typed in it, to the window (cancel the topmost task) otherwise.
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+      text() != m_shown) {
+    event->accept();
+    return true;
+  }
+  return QLineEdit::event(event);
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event) {
+  const double fine = event->modifiers() & Qt::ShiftModifier ? 0.1 : 1;
+  switch (event->key()) {
+    case Qt::Key_Escape:
+      restore();
+      selectAll();
+      return;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      commit();
+      selectAll();
+      return;
+    case Qt::Key_Up:
+      return stepBy(fine);
+    case Qt::Key_Down:
+      return stepBy(-fine);
+    default:
+      QLineEdit::keyPressEvent(event);
+  }
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+  if (!hasFocus()) return event->ignore();
+  const double fine = event->modifiers() & Qt::ShiftModifier ? 0.1 : 1;
+  // Shift turns a vertical wheel into a horizontal one on some platforms.
+  const int delta = event->angleDelta().y() ? event->angleDelta().y() : event->angleDelta().x();
+  stepBy(fine * delta / 120.0);
+  event->accept();
+}
+
+void NumberField::focusInEvent(QFocusEvent* event) {
+  QLineEdit::focusInEvent(event);
+  // After the press that gave the focus has set the cursor.
+  QTimer::singleShot(0, this, [this] {
+    if (hasFocus() && text() == m_shown) selectAll();
+  });
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_number_field.cpp"

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/parameters/colour_swatch.h"
+
+#include <QColorDialog>
+#include <QPainter>
+#include <algorithm>
+
+#include "core/rendering/tone_map.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+/// The display colour of a linear one, and by what it was divided to fit.
+QColor displayColour(const Rgb& linear, double& scale) {
+  scale = std::max(1.0, maxChannel(linear));
+  const auto byte = [&](double value) { return float(toSrgb(std::clamp(value / scale, 0.0, 1.0))); };
+  return QColor::fromRgbF(byte(linear.x), byte(linear.y), byte(linear.z));
+}
+
+}  // namespace
+
+ColourSwatch::ColourSwatch(QWidget* parent) : QAbstractButton(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  connect(this, &QAbstractButton::clicked, this, &ColourSwatch::openDialog);
+}
+
+void ColourSwatch::setColour(const Rgb& linear) {
+  m_colour = linear;
+  update();
+}
+
+QSize ColourSwatch::sizeHint() const {
+  const int side = fontMetrics().height() + 4;
+  return {side, side};
+}
+
+void ColourSwatch::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF area = QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5);
+  double scale = 1;
+  painter.setBrush(isEnabled() ? displayColour(m_colour, scale) : palette().color(QPalette::Window));
+  const QColor edge = palette().color(hasFocus() ? QPalette::Highlight : QPalette::Mid);
+  painter.setPen(QPen(edge, hasFocus() ? 2 : 1));
+  painter.drawRoundedRect(area, 3, 3);
+  if (scale > 1) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Text));
+    const QPointF corner = area.topRight();
+    painter.drawPolygon(QPolygonF{corner, corner - QPointF(6, 0), corner + QPointF(0, 6)});
+  }
+}
+
+void ColourSwatch::openDialog() {
+  const Rgb before = m_colour;
+  double scale = 1;
+  QColorDialog dialog(displayColour(before, scale), this);
+  dialog.setWindowTitle(tr("%1: tint").arg(accessibleName()));
+  const auto tell = [&](const QColor& chosen) {
+    const Rgb linear(fromSrgb(chosen.redF()), fromSrgb(chosen.greenF()), fromSrgb(chosen.blueF()));
+    setColour(linear * scale);
+    Q_EMIT colourEdited(m_colour);
+  };
+  connect(&dialog, &QColorDialog::currentColorChanged, this, tell);
+  Q_EMIT editingStarted();
+  if (dialog.exec() != QDialog::Accepted) {
+    setColour(before);
+    Q_EMIT colourEdited(before);
+  }
+  Q_EMIT editingFinished();
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_colour_swatch.cpp"

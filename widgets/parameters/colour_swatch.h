@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QAbstractButton>
+
+#include "core/math/types.h"
+
+namespace gonio::widgets {
+
+/// A button filled with a linear RGB colour. Values above 1 are scaled to their tint and marked by a corner. Pressing
+/// it opens a colour dialog; every choice in the dialog is told at once, cancelling it tells the old colour again.
+class ColourSwatch : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  explicit ColourSwatch(QWidget* parent = nullptr);
+
+  void setColour(const Rgb& linear);
+  Rgb colour() const { return m_colour; }
+
+  QSize sizeHint() const override;
+
+ Q_SIGNALS:
+  void editingStarted();
+  void colourEdited(const gonio::Rgb& linear);
+  void editingFinished();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void openDialog();
+
+  Rgb m_colour{0};
+};
+
+}  // namespace gonio::widgets

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QLabel>
+#include <QToolButton>
+#include <QWidget>
+
+#include "core/models/parameter_spec.h"
+#include "widgets/inputs/number_field.h"
+#include "widgets/inputs/parameter_slider.h"
+
+class QHBoxLayout;
+
+namespace gonio::widgets {
+
+/// One number of a parameter in a row of aligned columns: label, slider, number field, room for a swatch, reset arrow.
+/// Double-click on the label or the slider, or Backspace on the slider, asks for a
+/// reset.
+class ParameterLine : public QWidget {
+  Q_OBJECT
+
+ public:
+  ParameterLine(const models::ParameterSpec& spec, const QString& label, QWidget* parent = nullptr);
+
+  void setValue(double value, double reference);
+  /// Bold label and reset arrow; by default set from the comparison with the reference.
+  void setModified(bool modified);
+  bool isModified() const { return m_modified; }
+  /// Puts a widget before the label (a disclosure arrow) or after the number (a swatch).
+  void setLeading(QWidget* widget);
+  void setTrailing(QWidget* widget);
+  /// Puts a widget (a list of choices) in the place of the slider and the number.
+  void replaceNumber(QWidget* widget);
+  void setDescription(const QString& toolTip, const QString& accessibleName);
+
+  ParameterSlider* slider() const { return m_slider; }
+  NumberField* field() const { return m_field; }
+  QLabel* label() const { return m_label; }
+  QToolButton* resetButton() const { return m_reset; }
+
+ Q_SIGNALS:
+  void editingStarted();
+  void valueEdited(double value);
+  void editingFinished();
+  void resetRequested();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QHBoxLayout* m_layout;
+  QLabel* m_label;
+  ParameterSlider* m_slider;
+  NumberField* m_field;
+  QWidget* m_leading;
+  QWidget* m_trailing;
+  QToolButton* m_reset;
+  bool m_modified = false;
+};
+
+}  // namespace gonio::widgets

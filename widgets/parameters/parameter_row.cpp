@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/parameters/parameter_row.h"
+
+#include <QComboBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "widgets/inputs/icons.h"
+#include "widgets/parameters/colour_swatch.h"
+#include "widgets/parameters/linked_channels.h"
+#include "widgets/parameters/parameter_line.h"
+#include "widgets/parameters/parameter_text.h"
+
+namespace gonio::widgets {
+
+ParameterRow::ParameterRow(const models::ParameterSpec& spec, QWidget* parent) : QWidget(parent), m_spec(&spec) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  m_line = new ParameterLine(spec, fromView(spec.label), this);
+  layout->addWidget(m_line);
+  connectLine(m_line);
+  if (!spec.choices.empty())
+    buildChoice();
+  else if (spec.perChannel)
+    buildChannels();
+  else
+    buildNumber();
+}
+
+void ParameterRow::connectLine(ParameterLine* line) {
+  connect(line, &ParameterLine::editingStarted, this, &ParameterRow::editingStarted);
+  connect(line, &ParameterLine::editingFinished, this, &ParameterRow::editingFinished);
+}
+
+void ParameterRow::offer(const Rgb& value) {
+  m_value = value;
+  refresh();
+  Q_EMIT valueEdited(value);
+}
+
+void ParameterRow::buildNumber() {
+  connect(m_line, &ParameterLine::valueEdited, this, [this](double value) { offer(Rgb(value)); });
+  connect(m_line, &ParameterLine::resetRequested, this, &ParameterRow::resetRequested);
+}
+
+void ParameterRow::buildChannels() {
+  connect(m_line, &ParameterLine::valueEdited, this,
+          [this](double value) { offer(withLinkedValue(*m_spec, m_value, value)); });
+  connect(m_line, &ParameterLine::resetRequested, this, &ParameterRow::resetRequested);
+
+  m_disclosure = new QToolButton(this);
+  m_disclosure->setCheckable(true);
+  m_disclosure->setAutoRaise(true);
+  m_disclosure->setIcon(glyphIcon(Glyph::collapsed));
+  m_disclosure->setToolTip(tr("Show the red, green and blue values"));
+  m_disclosure->setAccessibleName(tr("Channels of %1").arg(fromView(m_spec->label)));
+  m_line->setLeading(m_disclosure);
+  connect(m_disclosure, &QToolButton::toggled, this, &ParameterRow::setChannelsShown);
+
+  const QString names[] = {tr("Red"), tr("Green"), tr("Blue")};
+  for (int c = 0; c < 3; ++c) {
+    auto* line = new ParameterLine(*m_spec, names[c], this);
+    line->label()->setIndent(fontMetrics().height() / 2);
+    layout()->addWidget(line);
+    line->hide();
+    connectLine(line);
+    connect(line, &ParameterLine::valueEdited, this, [this, c](double value) {
+      Rgb changed = m_value;
+      changed[c] = value;
+      offer(changed);
+    });
+    connect(line, &ParameterLine::resetRequested, this, [this, c] {
+      if (m_value[c] == m_reference[c]) return;
+      Rgb changed = m_value;
+      changed[c] = m_reference[c];
+      Q_EMIT editingStarted();
+      offer(changed);
+      Q_EMIT editingFinished();
+    });
+    m_channels[std::size_t(c)] = line;
+  }
+  if (!isColour(*m_spec)) return;
+  m_swatch = new ColourSwatch(this);
+  m_swatch->setAccessibleName(tr("Colour of %1").arg(fromView(m_spec->label)));
+  m_swatch->setToolTip(tr("Choose the tint of %1").arg(fromView(m_spec->label)));
+  m_line->setTrailing(m_swatch);
+  connect(m_swatch, &ColourSwatch::editingStarted, this, &ParameterRow::editingStarted);
+  connect(m_swatch, &ColourSwatch::colourEdited, this, [this](const Rgb& value) { offer(value); });
+  connect(m_swatch, &ColourSwatch::editingFinished, this, &ParameterRow::editingFinished);
+}
+
+void ParameterRow::buildChoice() {
+  m_choice = new QComboBox(this);
+  m_choice->setFocusPolicy(Qt::StrongFocus);
+  for (const std::string_view& choice : m_spec->choices) m_choice->addItem(fromView(choice));
+  m_line->replaceNumber(m_choice);
+  connect(m_line, &ParameterLine::resetRequested, this, &ParameterRow::resetRequested);
+  connect(m_choice, &QComboBox::activated, this, [this](int index) {
+    if (double(index) == m_value.x) return;
+    Q_EMIT editingStarted();
+    offer(Rgb(index));
+    Q_EMIT editingFinished();
+  });
+}
+
+void ParameterRow::setValue(const Rgb& value, const Rgb& reference) {
+  m_value = value;
+  m_reference = reference;
+  const QString toolTip = parameterToolTip(*m_spec, &m_reference), name = fromView(m_spec->label);
+  m_line->setDescription(toolTip, name);
+  for (std::size_t c = 0; c < 3; ++c)
+    if (m_channels[c]) m_channels[c]->setDescription(toolTip, name + ' ' + m_channels[c]->label()->text());
+  if (m_choice) {
+    m_choice->setToolTip(toolTip);
+    m_choice->setAccessibleName(name);
+  }
+  refresh();
+}
+
+void ParameterRow::refresh() {
+  m_line->setValue(linkedValue(*m_spec, m_value), linkedValue(*m_spec, m_reference));
+  m_line->setModified(isModified());
+  for (int c = 0; c < 3; ++c)
+    if (ParameterLine* line = m_channels[std::size_t(c)]) line->setValue(m_value[c], m_reference[c]);
+  if (m_swatch) m_swatch->setColour(m_value);
+  if (m_choice) m_choice->setCurrentIndex(int(std::lround(m_value.x)));
+}
+
+void ParameterRow::setChannelsShown(bool shown) {
+  if (!m_disclosure) return;
+  m_disclosure->setChecked(shown);
+  m_disclosure->setIcon(glyphIcon(shown ? Glyph::expanded : Glyph::collapsed));
+  for (ParameterLine* line : m_channels) line->setVisible(shown);
+}
+
+bool ParameterRow::channelsShown() const { return m_disclosure && m_disclosure->isChecked(); }
+
+}  // namespace gonio::widgets
+
+#include "moc_parameter_row.cpp"

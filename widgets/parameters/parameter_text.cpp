@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/parameters/parameter_text.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "widgets/inputs/number_field.h"
+
+namespace gonio::widgets {
+
+namespace {
+QString tr(const char* text) { return QCoreApplication::translate("ParameterText", text); }
+}  // namespace
+
+QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+
+double displayFactor(const models::ParameterSpec& spec) {
+  return spec.scale == models::ParameterScale::angle ? degrees(1.0) : 1.0;
+}
+
+QString displayUnit(const models::ParameterSpec& spec) {
+  return spec.scale == models::ParameterScale::angle ? tr("deg") : fromView(spec.unit);
+}
+
+QString displayValue(const models::ParameterSpec& spec, const Rgb& value) {
+  if (!spec.choices.empty()) {
+    const auto index = std::size_t(std::lround(std::max(0.0, value.x)));
+    return fromView(spec.choices[std::min(index, spec.choices.size() - 1)]);
+  }
+  const double factor = displayFactor(spec);
+  const QString unit = displayUnit(spec).isEmpty() ? QString() : QChar(0x202f) + displayUnit(spec);
+  if (!spec.perChannel) return formatNumber(value.x * factor) + unit;
+  return QStringLiteral("%1, %2, %3")
+             .arg(formatNumber(value.x * factor), formatNumber(value.y * factor), formatNumber(value.z * factor)) +
+         unit;
+}
+
+QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted) {
+  const auto line = [](const QString& name, const QString& text) {
+    return QStringLiteral("<tr><td style='padding-right:1em'>%1</td><td>%2</td></tr>").arg(name, text.toHtmlEscaped());
+  };
+  QString text = QStringLiteral("<p><b>%1</b> &nbsp;<i>%2</i></p><p>%3</p><p><tt>%4</tt></p><table>")
+                     .arg(fromView(spec.label).toHtmlEscaped(), fromView(spec.symbol).toHtmlEscaped(),
+                          fromView(spec.description).toHtmlEscaped(), fromView(spec.formula).toHtmlEscaped());
+  if (spec.choices.empty()) {
+    const double factor = displayFactor(spec);
+    const QString unit = displayUnit(spec).isEmpty() ? tr("none") : displayUnit(spec);
+    text += line(tr("Unit"), unit);
+    text += line(tr("Slider"),
+                 tr("%1 to %2").arg(formatNumber(spec.softMin * factor), formatNumber(spec.softMax * factor)));
+    text +=
+        line(tr("Typed"), tr("%1 to %2").arg(formatNumber(spec.hardMin * factor), formatNumber(spec.hardMax * factor)));
+  }
+  text += line(tr("Default"), displayValue(spec, Rgb(spec.defaultValue)));
+  if (fitted) text += line(tr("Fitted"), displayValue(spec, *fitted));
+  if (!spec.reference.empty()) text += line(tr("Source"), fromView(spec.reference));
+  return text + QStringLiteral("</table>");
+}
+
+QString groupTitle(models::ParameterGroup group) {
+  switch (group) {
+    case models::ParameterGroup::diffuse:
+      return tr("Diffuse");
+    case models::ParameterGroup::specular:
+      return tr("Specular");
+    case models::ParameterGroup::fresnel:
+      return tr("Fresnel");
+    case models::ParameterGroup::shadowing:
+      return tr("Shadowing");
+    case models::ParameterGroup::convention:
+      return tr("Conventions");
+  }
+  return {};
+}
+
+}  // namespace gonio::widgets
