@@ -14,7 +14,9 @@
 
 namespace gonio::io {
 
-std::vector<std::byte> ByteSource::readAll() const {
+std::vector<std::byte> ByteSource::readAll(std::uint64_t maxBytes) const {
+  if (size() > maxBytes)
+    throw Error("found " + std::to_string(size()) + " bytes, expected at most " + std::to_string(maxBytes));
   std::vector<std::byte> bytes(size());
   readAt(0, bytes);
   return bytes;

@@ -21,7 +21,8 @@ class ByteSource {
   virtual void readAt(std::uint64_t offset, std::span<std::byte> target) const = 0;
 
   /// All bytes.
-  std::vector<std::byte> readAll() const;
+  /// @throws Error as readAt, and where there are more than `maxBytes`.
+  std::vector<std::byte> readAll(std::uint64_t maxBytes = std::uint64_t(1) << 33) const;
 };
 
 class FileSource final : public ByteSource {

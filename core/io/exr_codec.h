@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/math/image.h"
+
+/// OpenEXR in memory: files are read whole and written atomically by image_io.
+namespace gonio::io {
+
+bool isExr(std::span<const std::byte> bytes);
+/// @throws Error telling what was found.
+Image decodeExr(std::span<const std::byte> bytes);
+/// @throws Error for a name that OpenEXR reserves.
+std::vector<std::byte> encodeExr(const Image& image, const std::map<std::string, std::string>& attributes);
+
+/// What a picture's header says, checked before it is believed: sides of at most 32768, at most 2^27 pixels, and no
+/// more than `maxPixelsPerByte` for each byte of the file.
+/// @throws Error telling the size.
+void checkImageSize(long long width, long long height, std::size_t fileBytes, std::size_t maxPixelsPerByte);
+
+}  // namespace gonio::io

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/image_io.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
+
+#include <QTest>
+#include <cmath>
+#include <limits>
+
+#include "tests/core/io/test_files.h"
+
+using namespace gonio;
+using namespace gonio::test;
+
+namespace {
+
+Image pattern(int width, int height, bool alpha) {
+  Image image(width, height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const float x = float(i);
+    image.pixels[i] = {std::exp(std::sin(x) * 20), -x / 7, x * x};
+    if (alpha) image.alpha.push_back(x / 100);
+  }
+  return image;
+}
+
+Bytes bytesOf(const std::string& text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+/// A Radiance picture of flat (not run-length coded) pixels: width below 8.
+Bytes flatHdr(int width, int height, const std::vector<std::array<unsigned char, 4>>& pixels) {
+  Bytes bytes = bytesOf("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
+                        std::to_string(width) + "\n");
+  for (const auto& pixel : pixels) append(bytes, pixel);
+  return bytes;
+}
+
+}  // namespace
+
+class ImageIoTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void exrKeepsEveryBit() {
+    for (const bool alpha : {false, true}) {
+      Image image = pattern(37, 19, alpha);
+      image.pixels[0].x = 1e-40f;  // below half's and normal float's range
+      image.pixels[1].y = std::numeric_limits<float>::max();
+      const auto path = outputPath("io/image/pattern.exr");
+      io::writeExr(image, path, {{"scene", "sphere"}, {"gonio plan", "direct light"}});
+      const Image again = io::readImage(path);
+      QCOMPARE(again.width, 37);
+      QCOMPARE(again.height, 19);
+      QVERIFY(again.pixels == image.pixels);
+      QVERIFY(again.alpha == image.alpha);
+      const Imf::InputFile file(path.c_str());
+      QCOMPARE(file.header().typedAttribute<Imf::StringAttribute>("scene").value(), std::string("sphere"));
+      QCOMPARE(file.header().channels().findChannel("R")->type, Imf::FLOAT);
+    }
+  }
+
+  void exrErrorsNameTheFile() {
+    const auto path = outputPath("io/image/reserved.exr");
+    QVERIFY(contains(errorOf([&] { io::writeExr(pattern(2, 2, false), path, {{"channels", "x"}}); }), "reserved.exr"));
+    QVERIFY(contains(errorOf([&] { io::writeExr(Image(), path); }), "reserved.exr"));
+    const auto text = writeFile("io/image/text.exr", bytesOf("not a picture"));
+    QVERIFY(contains(errorOf([&] { io::readImage(text); }), "text.exr"));
+  }
+
+  void truncatedExrIsRefused() {
+    const auto path = outputPath("io/image/short.exr");
+    io::writeExr(pattern(16, 64, false), path);
+    const Bytes bytes = readFile(path);
+    for (std::size_t size = 0; size < bytes.size(); size += 97)
+      QVERIFY(!errorOf([&] { io::readImage(std::span(bytes).first(size)); }).empty());
+  }
+
+  /// Value = mantissa / 256 * 2^(exponent - 128): exact figures of the format (Ward 1991, Graphics Gems II.5).
+  void hdrValues() {
+    const Image image =
+        io::readImage(flatHdr(2, 2, {{128, 64, 32, 129}, {255, 0, 1, 128}, {0, 0, 0, 0}, {1, 2, 4, 140}}));
+    QCOMPARE(image.width, 2);
+    QVERIFY(image.at(0, 0) == glm::vec3(1, 0.5f, 0.25f));
+    QVERIFY(image.at(1, 0) == glm::vec3(255 / 256.f, 0, 1 / 256.f));
+    QVERIFY(image.at(0, 1) == glm::vec3(0));
+    QVERIFY(image.at(1, 1) == glm::vec3(16, 32, 64));
+  }
+
+  void hardCase13HdrHeadersAreRefusedBeforeAllocation() {
+    const Bytes whole = flatHdr(2, 2, std::vector<std::array<unsigned char, 4>>(4, {1, 2, 3, 128}));
+    QVERIFY(errorOf([&] { io::readImage(whole); }).empty());
+    for (std::size_t size = 0; size < whole.size(); ++size)
+      QVERIFY2(!errorOf([&] { io::readImage(std::span(whole).first(size)); }).empty(), std::to_string(size).c_str());
+    for (const auto& [width, height] : std::vector<std::pair<int, int>>{
+             {0, 1}, {-4, 4}, {30000, 30000}, {2147483647, 2147483647}, {100000, 1}, {2000, 2000}})
+      QVERIFY(contains(errorOf([&] { io::readImage(flatHdr(width, height, {{1, 2, 3, 4}})); }), "expected"));
+  }
+
+  void radianceMapOfTheDevelopmentData() {
+    const std::filesystem::path path = std::filesystem::path(GONIO_SHARED_DIR) / "data/environments/studio.hdr";
+    if (!std::filesystem::exists(path)) QSKIP("the development data is absent");
+    const Image image = io::readImage(path);
+    QCOMPARE(image.width, 1024);
+    QCOMPARE(image.height, 512);
+    double sum = 0;
+    for (const glm::vec3& pixel : image.pixels) {
+      QVERIFY(pixel.x >= 0 && std::isfinite(pixel.x));
+      sum += luminance(Rgb(pixel));
+    }
+    QVERIFY(sum > 0);
+  }
+
+  /// The chunks of a PNG file, and its size and colour type (RFC 2083, 4.1.1).
+  void pngHasTheRightHeader() {
+    const auto path = outputPath("io/image/three.png");
+    io::writePng(std::vector<unsigned char>(3 * 2 * 4, 200), 3, 2, path);
+    const Bytes bytes = readFile(path);
+    const unsigned char expected[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I',
+                                      'H',  'D', 'R', 0,   0,    0,    3,    0,    0, 0, 2, 8,  6};
+    QVERIFY(bytes.size() > sizeof expected && std::memcmp(bytes.data(), expected, sizeof expected) == 0);
+    QVERIFY(contains(errorOf([&] { io::writePng({1, 2, 3}, 3, 2, path); }), "three.png"));
+  }
+};
+
+QTEST_APPLESS_MAIN(ImageIoTest)
+#include "image_io_test.moc"
