@@ -21,6 +21,12 @@ std::unique_ptr<const Brdf> Model::instantiate(const ParameterValues& parameters
   return create(checked);
 }
 
+std::vector<glm::vec3> Model::shaderParameters(const ParameterValues& parameters) const {
+  ParameterValues checked = parameters;
+  clampToHardRange(spec(), checked);
+  return {checked.values.begin(), checked.values.end()};
+}
+
 ParameterValues defaultParameters(const ModelSpec& spec) {
   ParameterValues result;
   for (const ParameterSpec& parameter : spec.parameters) result.values.emplace_back(parameter.defaultValue);
