@@ -7,7 +7,7 @@
 namespace gonio::models {
 
 std::span<const Model* const> allModels() {
-  static const Model* const models[] = {&lambert(), &ggx()};
+  static const Model* const models[] = {&lambert(), &ggx(), &sgd()};
   return models;
 }
 

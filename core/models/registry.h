@@ -9,5 +9,6 @@ namespace gonio::models {
 
 const Model& lambert();
 const Model& ggx();
+const Model& sgd();
 
 }  // namespace gonio::models

@@ -9,7 +9,7 @@ namespace gonio::models {
 
 bool surfaceGeometry(const DirectionPair& pair, SurfaceGeometry& g) {
   constexpr double minSquaredHalfLength = 1e-24;
-  if (!(pair.wi.z > 0) || !(pair.wo.z > 0)) return false;
+  if (!(pair.wi.z > horizonTolerance) || !(pair.wo.z > horizonTolerance)) return false;
   const Direction sum = pair.wi + pair.wo;
   const double squaredLength = glm::dot(sum, sum);
   if (squaredLength < minSquaredHalfLength) return false;

@@ -19,7 +19,8 @@ struct SurfaceGeometry {
   double oneMinusCosH;         ///< 1 - cos theta_h, by sin2H / (1 + cos theta_h)
 };
 
-/// False where a BRDF is 0 by definition: a direction at or below the horizon (models divide by cosines), or wi = -wo.
+/// False where a BRDF is 0 by definition: wi = -wo, or a direction at or below the horizon. Models divide by cosines, so
+/// down to `horizonTolerance` above it counts as at the horizon too: cosines given to models are at least that large.
 bool surfaceGeometry(const DirectionPair& pair, SurfaceGeometry& geometry);
 
 /// Makes a Brdf of a function `Rgb evaluate(const SurfaceGeometry&)`.

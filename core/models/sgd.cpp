@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/models/sgd.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/math/special_functions.h"
+#include "core/models/registry.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view bagher =
+    "Bagher, Soler and Holzschuch 2012, Accurate Fitting of Measured Reflectances using a Shifted Gamma Micro-facet "
+    "Distribution";
+constexpr std::string_view distributionFormula =
+    "D = K exp(-A) / (pi A^p cos^4 theta_h), A = alpha + tan^2 theta_h / alpha, K = 1 / (alpha Gamma(1 - p, alpha))";
+constexpr std::string_view fresnelFormula = "F = max(0, F_0 - F_1 cos theta_d + (1 - F_0)(1 - cos theta_d)^5)";
+constexpr std::string_view maskingFormula = "G1 = clamp(1 - lambda (exp(c max(0, theta - theta_0)^k) - 1), 0, 1)";
+
+enum Index { diffuse, specular, alpha, power, f0, f1, lambda, maskingScale, maskingPower, theta0 };
+
+// The hard ranges admit every published row of the 100 MERL materials (c reaches 1e109, lambda 1.5e7).
+constexpr ParameterSpec parameters[] = {
+    {.id = "diffuse", .label = "Diffuse", .symbol = "rho_d", .unit = "",
+     .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = 0.2,
+     .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
+     .description = "Share of the light that the body of the material scatters evenly.",
+     .formula = "rho_d / pi", .reference = bagher},
+    {.id = "specular", .label = "Specular", .symbol = "rho_s", .unit = "",
+     .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 100, .defaultValue = 1,
+     .perChannel = true, .linear = true,
+     .description = "Strength and tint of the highlight.",
+     .formula = "rho_s F D G1 G1 / (pi cos theta_i cos theta_o)", .reference = bagher},
+    {.id = "alpha", .label = "Width", .symbol = "alpha", .unit = "",
+     .softMin = 1e-4, .softMax = 1, .hardMin = 1e-6, .hardMax = 10, .defaultValue = 0.03,
+     .scale = ParameterScale::logarithmic, .perChannel = true,
+     .description = "Width of the core of the highlight; small values are glossy.",
+     .formula = distributionFormula, .reference = bagher},
+    {.id = "p", .label = "Tail", .symbol = "p", .unit = "",
+     .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 5, .defaultValue = 0.5,
+     .perChannel = true,
+     .description = "How fast the core falls off before the exponential tail takes over; 0 is an exponential.",
+     .formula = distributionFormula, .reference = bagher},
+    {.id = "f0", .label = "Fresnel F0", .symbol = "F_0", .unit = "",
+     .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 20, .defaultValue = 0.04,
+     .group = ParameterGroup::fresnel, .perChannel = true,
+     .description = "Reflectance at normal incidence (together with F1); published fits go above 1.",
+     .formula = fresnelFormula, .reference = bagher},
+    {.id = "f1", .label = "Fresnel F1", .symbol = "F_1", .unit = "",
+     .softMin = -1, .softMax = 1, .hardMin = -20, .hardMax = 20, .defaultValue = 0,
+     .group = ParameterGroup::fresnel, .perChannel = true,
+     .description = "Correction of the Fresnel curve that grows toward normal incidence; 0 is Schlick's curve.",
+     .formula = fresnelFormula, .reference = bagher},
+    {.id = "lambda", .label = "Shadowing strength", .symbol = "lambda", .unit = "",
+     .softMin = 1e-3, .softMax = 1e3, .hardMin = 1e-12, .hardMax = 1e12, .defaultValue = 2.7,
+     .scale = ParameterScale::logarithmic, .group = ParameterGroup::shadowing, .perChannel = true,
+     .description = "How strongly the microfacets hide each other toward grazing light.",
+     .formula = maskingFormula, .reference = bagher},
+    {.id = "c", .label = "Shadowing scale", .symbol = "c", .unit = "",
+     .softMin = 1e-8, .softMax = 1e4, .hardMin = 1e-12, .hardMax = 1e120, .defaultValue = 1e-7,
+     .scale = ParameterScale::logarithmic, .group = ParameterGroup::shadowing, .perChannel = true,
+     .description = "Scale of the shadowing's growth with the angle; spans many decades because of the power k.",
+     .formula = maskingFormula, .reference = bagher},
+    {.id = "k", .label = "Shadowing power", .symbol = "k", .unit = "",
+     .softMin = 5, .softMax = 100, .hardMin = 0.1, .hardMax = 2000, .defaultValue = 36,
+     .scale = ParameterScale::logarithmic, .group = ParameterGroup::shadowing, .perChannel = true,
+     .description = "How suddenly the shadowing sets in.",
+     .formula = maskingFormula, .reference = bagher},
+    {.id = "theta0", .label = "Shadowing onset", .symbol = "theta_0", .unit = "rad",
+     .softMin = -0.7, .softMax = 1.3, .hardMin = -halfPi, .hardMax = halfPi, .defaultValue = 0.07,
+     .scale = ParameterScale::angle, .group = ParameterGroup::shadowing, .perChannel = true,
+     .description = "Polar angle below which nothing is shadowed.",
+     .formula = maskingFormula, .reference = bagher},
+};
+
+constexpr ModelSpec sgdSpec = {
+    .id = "sgd", .name = "SGD",
+    .description = "Shifted gamma distribution of microfacets, made to fit measured materials closely. Reciprocal. Its "
+                   "Fresnel term is a fit (may exceed 1), so nothing bounds the energy.",
+    .formula = "(rho_d + rho_s F D G1(theta_i) G1(theta_o) / (cos theta_i cos theta_o)) / pi",
+    .reference = bagher, .parameters = parameters};
+
+/// One colour channel with everything that does not depend on directions.
+struct Channel {
+  double diffuse, specular;  ///< both already over pi
+  double alpha, inverseAlpha, power, logNormalisation;
+  double f0, f1;
+  double lambda, logMaskingScale, maskingPower, theta0;
+};
+
+Channel makeChannel(const ParameterValues& p, int channel) {
+  const auto value = [&](Index index) { return p.values[index][channel]; };
+  return {.diffuse = value(diffuse) / pi,
+          .specular = value(specular) / (pi * pi),
+          .alpha = value(alpha),
+          .inverseAlpha = 1 / value(alpha),
+          .power = value(power),
+          .logNormalisation = sgdLogNormalisation(value(alpha), value(power)),
+          .f0 = value(f0),
+          .f1 = value(f1),
+          .lambda = value(lambda),
+          .logMaskingScale = std::log(value(maskingScale)),
+          .maskingPower = value(maskingPower),
+          .theta0 = value(theta0)};
+}
+
+double masking(const Channel& c, double theta) {
+  return sgdMasking(theta, c.lambda, c.logMaskingScale, c.maskingPower, c.theta0);
+}
+
+struct Angles {
+  double thetaI, thetaO, tan2H, log4CosH, oneMinusCosD5, inverseCosines;
+};
+
+double evaluateChannel(const Channel& c, const SurfaceGeometry& g, const Angles& a) {
+  const double shifted = c.alpha + a.tan2H * c.inverseAlpha;
+  // In log space: exp(-A) underflows where 1 / cos^4 overflows. pi is in Channel::specular.
+  const double distribution = std::exp(c.logNormalisation - shifted - c.power * std::log(shifted) - a.log4CosH);
+  const double fresnel = std::max(0.0, c.f0 - c.f1 * g.cosD + (1 - c.f0) * a.oneMinusCosD5);
+  return c.diffuse + c.specular * fresnel * distribution * masking(c, a.thetaI) * masking(c, a.thetaO) * a.inverseCosines;
+}
+
+class Sgd final : public Model {
+ public:
+  const ModelSpec& spec() const override { return sgdSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const std::array<Channel, 3> channels{makeChannel(p, 0), makeChannel(p, 1), makeChannel(p, 2)};
+    return makeGeometryBrdf([channels](const SurfaceGeometry& g) {
+      const double cos2H = g.half.z * g.half.z, m = 1 - g.cosD;
+      const Angles angles{.thetaI = polarAngle(g.wi),
+                          .thetaO = polarAngle(g.wo),
+                          .tan2H = g.sin2H / cos2H,
+                          .log4CosH = 2 * std::log(cos2H),
+                          .oneMinusCosD5 = (m * m) * (m * m) * m,
+                          .inverseCosines = 1 / (g.cosI * g.cosO)};
+      return Rgb(evaluateChannel(channels[0], g, angles), evaluateChannel(channels[1], g, angles),
+                 evaluateChannel(channels[2], g, angles));
+    });
+  }
+};
+
+}  // namespace
+
+double sgdLogNormalisation(double alpha, double p) { return -std::log(alpha) - logUpperIncompleteGamma(1 - p, alpha); }
+
+double sgdDistribution(double tan2H, double alpha, double p) {
+  const double shifted = alpha + tan2H / alpha, logCos2H = -std::log1p(tan2H);
+  return std::exp(sgdLogNormalisation(alpha, p) - shifted - p * std::log(shifted) - 2 * logCos2H) / pi;
+}
+
+double sgdMasking(double theta, double lambda, double logC, double k, double theta0) {
+  constexpr double maxExponent = 700;  // exp() of it is finite, and 1 - lambda exp() is far below 0
+  const double beyond = theta - theta0;
+  if (!(beyond > 0)) return 1;
+  const double growth = std::exp(std::min(maxExponent, logC + k * std::log(beyond)));
+  return std::clamp(1 - lambda * std::expm1(std::min(maxExponent, growth)), 0.0, 1.0);
+}
+
+const Model& sgd() {
+  static const Sgd model;
+  return model;
+}
+
+}  // namespace gonio::models
