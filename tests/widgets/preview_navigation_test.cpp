@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/preview_navigation.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace gonio;
+using namespace gonio::widgets;
+
+class PreviewNavigationTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// The mirror direction at the sphere's point under the pointer is the light: its highlight is where the hand is.
+  void highlightLiesUnderThePointer() {
+    for (const double fieldOfView : {0.0, 0.55})
+      for (const double x : {-0.4, 0.0, 0.3}) {
+        const OrbitCamera camera{.yaw = 0.7, .pitch = -0.3, .fieldOfView = fieldOfView};
+        const Direction light = lightTowards(camera, x, 0.2, 1.0);
+        const CameraFrame frame = cameraFrame(camera);
+        const Direction across = x * frame.halfHeight * frame.right + 0.2 * frame.halfHeight * frame.up;
+        const Direction toEye = -(frame.orthographic ? frame.forward : glm::normalize(frame.forward + across));
+        // The half vector is the normal; the point with this normal projects back to the pointer.
+        const Direction normal = glm::normalize(light + toEye);
+        const Direction fromEye = normal - frame.eye;
+        const double depth = frame.orthographic ? 1 : glm::dot(fromEye, frame.forward);
+        QVERIFY(std::abs(glm::dot(fromEye, frame.right) / depth - x * frame.halfHeight) < 1e-9);
+        QVERIFY(std::abs(glm::dot(fromEye, frame.up) / depth - 0.2 * frame.halfHeight) < 1e-9);
+      }
+  }
+
+  void pointerBesideTheSphereGivesAUnitDirection() {
+    const Direction light = lightTowards(OrbitCamera{}, 1.0, 1.0, 2.0);
+    QVERIFY(std::abs(glm::length(light) - 1) < 1e-12);
+  }
+
+  void orbitStopsShortOfThePole() {
+    OrbitCamera camera;
+    for (int i = 0; i < 100; ++i) camera = orbited(camera, 3, 50);
+    QVERIFY(camera.pitch < halfPi);
+    QVERIFY(std::abs(camera.yaw) <= pi);
+  }
+
+  void zoomStaysOutsideTheSphere() {
+    OrbitCamera camera;
+    for (int i = 0; i < 100; ++i) camera = zoomed(camera, 1);
+    QVERIFY(camera.distance > 1);
+    const OrbitCamera back = zoomed(zoomed(OrbitCamera{}, 1), -1);
+    QVERIFY(std::abs(back.distance - OrbitCamera{}.distance) < 1e-12);
+  }
+};
+
+QTEST_APPLESS_MAIN(PreviewNavigationTest)
+#include "preview_navigation_test.moc"

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+namespace gonio::widgets {
+
+/// Decides how many samples a frame takes and at which scale, from the measured cost of the frames before: interaction
+/// stays fluid, rest converges. Plain arithmetic, no OpenGL.
+class FrameBudget {
+ public:
+  static constexpr double interactiveMs = 30;
+  static constexpr double restingMs = 80;
+  static constexpr int maxSamplesPerFrame = 64;
+  static constexpr int convergedSamples = 1024;
+  /// Below this many samples the first frame is drawn at half the resolution instead.
+  static constexpr int fewestFirstSamples = 6;
+
+  struct Frame {
+    int samples;
+    double scale;  ///< of the resolution: 1 or 0.5
+  };
+  /// @param pixels of the picture at full scale; @param accumulated samples so far (0: first frame after a change);
+  /// @param resting nothing has changed for a while.
+  Frame next(double pixels, int accumulated, bool resting) const;
+
+  /// Takes in what a frame cost.
+  void record(double pixels, int samples, double milliseconds);
+  /// Forgets: the scene's cost has changed altogether.
+  void reset() { nsPerSample_ = initialNsPerSample; }
+
+ private:
+  static constexpr double initialNsPerSample = 15;
+  double nsPerSample_ = initialNsPerSample;
+};
+
+}  // namespace gonio::widgets

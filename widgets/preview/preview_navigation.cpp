@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/preview_navigation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gonio::widgets {
+
+namespace {
+constexpr double orbitPerPixel = 0.008;  // rad
+constexpr double maxPitch = 1.5;         // rad: short of the pole, where yaw loses its meaning
+constexpr double nearestDistance = 1.6, farthestDistance = 12;
+constexpr double zoomPerStep = 1.12;
+}  // namespace
+
+OrbitCamera orbited(const OrbitCamera& camera, double dx, double dy) {
+  OrbitCamera result = camera;
+  result.yaw = std::remainder(camera.yaw - orbitPerPixel * dx, 2 * pi);
+  result.pitch = std::clamp(camera.pitch + orbitPerPixel * dy, -maxPitch, maxPitch);
+  return result;
+}
+
+OrbitCamera zoomed(const OrbitCamera& camera, double steps) {
+  OrbitCamera result = camera;
+  result.distance = std::clamp(camera.distance * std::pow(zoomPerStep, -steps), nearestDistance, farthestDistance);
+  return result;
+}
+
+double environmentTurn(double dx) { return orbitPerPixel * dx; }
+
+Direction lightTowards(const OrbitCamera& camera, double x, double y, double aspect) {
+  const CameraFrame frame = cameraFrame(camera);
+  const Direction across = x * aspect * frame.halfHeight * frame.right + y * frame.halfHeight * frame.up;
+  const Direction origin = frame.orthographic ? frame.eye + across : frame.eye;
+  const Direction direction = frame.orthographic ? frame.forward : glm::normalize(frame.forward + across);
+  const Direction nearest = origin - glm::dot(origin, direction) * direction;
+  const double inside = 1 - glm::dot(nearest, nearest);
+  const Direction normal = glm::normalize(nearest - std::sqrt(std::max(0.0, inside)) * direction);
+  return glm::normalize(direction - 2 * glm::dot(direction, normal) * normal);
+}
+
+}  // namespace gonio::widgets

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+namespace gonio::widgets {
+
+/// Text of a shader of the tree, e.g. "preview/sphere.frag", with its #include "file" lines replaced by those files
+/// (each once). Read from the program's resources, or from the folder named by GONIO_SHADER_DIR while developing.
+/// @throws gonio::Error naming the missing file.
+QByteArray shaderText(const QString& name);
+
+/// A complete shader: the version line, a #define for each of `definitions` ("NAME" or "NAME value"), the texts of
+/// `preamble` files, then the file itself.
+/// @throws gonio::Error naming the missing file.
+QByteArray assembleShader(const QString& name, const QStringList& definitions = {}, const QStringList& preamble = {});
+
+}  // namespace gonio::widgets
