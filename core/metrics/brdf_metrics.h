@@ -13,9 +13,9 @@ namespace gonio::metrics {
 /// A distance between two reflectances over cells: E = sqrt(sum w d^2 / sum w) over cells and channels, with d the
 /// difference of the two after the metric's transform and w the metric's weight. 0 for equal values.
 enum class BrdfMetric {
-  log,          ///< Loew et al. 2012: d of log(1 + rho cos theta_i) (the default of fits)
-  cosineL2,     ///< Ngan et al. 2005: d of rho cos theta_i
-  cubeRoot,     ///< d of (rho cos theta_i)^(1/3): Bieron and Peers 2020 with gamma 3
+  log,             ///< Loew et al. 2012: d of log(1 + rho cos theta_i) (the default of fits)
+  cosineL2,        ///< Ngan et al. 2005: d of rho cos theta_i
+  cubeRoot,        ///< d of (rho cos theta_i)^(1/3): Bieron and Peers 2020 with gamma 3
   meanAbsoluteLog  ///< Sztrajman et al. 2021: mean of |d of log(1 + rho cos theta_i)|
 };
 std::span<const BrdfMetric> allBrdfMetrics();

@@ -12,10 +12,10 @@ namespace gonio::metrics {
 /// One test of physical plausibility. `worst` is the largest violation in the unit that the check's name implies
 /// (relative difference, albedo, 1/sr); `where` tells the directions in degrees for people.
 struct PlausibilityCheck {
-  std::string name;   ///< "reciprocity", "energy", "negative", "non-finite"
+  std::string name;  ///< "reciprocity", "energy", "negative", "non-finite"
   bool passed = true;
   double worst = 0;
-  std::string where;
+  std::string where = {};
 };
 
 /// Reciprocity |f(i,o) - f(o,i)| <= 2 % of the larger value's scale, albedo <= 1 + 1 % at 0..85 degrees, no negative

@@ -10,10 +10,12 @@
 
 namespace gonio {
 
-/// Light from infinitely far, as a latitude-longitude picture of linear RGB radiance. World axes: y up, the camera of
-/// the sphere preview looks along -z. Column x of W covers azimuth phi = 2 pi (x + 0.5) / W, row y of H polar angle
-/// theta = pi (y + 0.5) / H from +y; direction = (-sin theta sin phi, cos theta, sin theta cos phi)... so that the
-/// centre column lies straight ahead of the camera (-z). Immutable.
+/// Light from infinitely far, as a latitude-longitude picture of linear RGB radiance. World axes: x right, y up; the
+/// camera of the sphere preview looks along -z. A position (u, v) in [0, 1]^2, v = 0 the top, is seen in the direction
+///   (sin theta sin a, cos theta, -sin theta cos a),  theta = pi v,  a = 2 pi (u - 1/2):
+/// the centre column lies straight ahead of the camera (-z), the azimuth a turns from there toward +x, to the right,
+/// and the left and right edges meet behind the camera (+z). Pixel (x, y) has its centre at u = (x + 1/2) / width, v =
+/// (y + 1/2) / height. Immutable.
 class EnvironmentMap {
  public:
   /// @throws Error when the picture is empty or has a non-finite or negative value.
@@ -22,18 +24,21 @@ class EnvironmentMap {
   const std::string& name() const { return name_; }
   const Image& image() const { return image_; }
 
-  /// Radiance from a world direction (unit), bilinear between pixels, wrapped in azimuth.
+  /// Radiance from a world direction (unit), bilinear between pixel centres, wrapped in azimuth.
   Rgb radiance(const Direction& world) const;
 
   struct Sample {
     Direction direction;  ///< world
     Rgb radiance;
-    double pdf;           ///< 1/sr
+    double pdf;  ///< 1/sr
   };
-  /// Draws a direction with a density proportional to luminance x solid angle, piecewise constant by pixel.
+  /// Draws a direction with a density constant over each pixel's solid angle and proportional to the mean luminance of
+  /// the bilinear radiance in it (1/(4 pi) everywhere for a black map). u1 chooses the row, u2 the column.
   Sample sample(double u1, double u2) const;
   /// Density of sample(), 1/sr.
   double pdf(const Direction& world) const;
+  /// Radiance and density of one direction: cheaper than asking for both.
+  Sample at(const Direction& world) const;
 
   /// World direction of a position on the picture (u, v in [0, 1], v = 0 is the top) and back: the one place of the
   /// mapping; the shader is its twin.
@@ -41,13 +46,21 @@ class EnvironmentMap {
   static glm::dvec2 positionOf(const Direction& world);
 
   /// Cumulative tables for a sampler elsewhere (the preview's shader): `marginal` has height + 1 entries, `conditional`
-  /// height rows of width + 1 entries, each from 0 to 1.
+  /// height rows of width + 1 entries, each from 0 to 1. With row y = the last entry <= u1 and column x = the last <=
+  /// u2: cos theta runs from cos(pi y / height) to cos(pi (y + 1) / height) as u1 runs through its interval, u linearly
+  /// from x / width to (x + 1) / width as u2 does; the density is (product of the two intervals' lengths) / (2 pi /
+  /// width * (cos(pi y / height) - cos(pi (y + 1) / height))).
   const std::vector<float>& marginalCdf() const { return marginal_; }
   const std::vector<float>& conditionalCdf() const { return conditional_; }
 
  private:
+  Rgb bilinear(const glm::dvec2& position) const;
+  double pixelPdf(std::size_t x, std::size_t y) const;
+  void buildTables();
+
   Image image_;
   std::string name_;
+  std::vector<double> cosEdges_;  ///< cos theta of the rows' upper edges, and of the last one's lower edge
   std::vector<float> marginal_, conditional_;
 };
 

@@ -20,4 +20,32 @@ CameraFrame cameraFrame(const OrbitCamera& camera) {
   return frame;
 }
 
+CameraRay cameraRay(const CameraFrame& frame, double x, double y, double aspect) {
+  const Direction across = x * aspect * frame.halfHeight * frame.right + y * frame.halfHeight * frame.up;
+  if (frame.orthographic) return {frame.eye + across, frame.forward};
+  return {frame.eye, glm::normalize(across + frame.forward)};
+}
+
+std::optional<Direction> sphereHit(const CameraRay& ray) {
+  const Direction closest = ray.origin - glm::dot(ray.origin, ray.direction) * ray.direction;
+  const double depth2 = 1 - glm::dot(closest, closest);
+  if (!(depth2 > 0)) return std::nullopt;
+  return glm::normalize(closest - std::sqrt(depth2) * ray.direction);
+}
+
+ShadingFrame shadingFrame(const Direction& normal) {
+  const double radius = std::hypot(normal.x, normal.z);
+  const Direction tangent = radius > 0 ? Direction{normal.z / radius, 0, -normal.x / radius} : Direction{1, 0, 0};
+  return {tangent, glm::cross(normal, tangent), normal};
+}
+
+Direction toEnvironment(const Direction& world, double environmentRotation) {
+  const double c = std::cos(environmentRotation), s = std::sin(environmentRotation);
+  return {world.x * c + world.z * s, world.y, world.z * c - world.x * s};
+}
+
+Direction fromEnvironment(const Direction& environment, double environmentRotation) {
+  return toEnvironment(environment, -environmentRotation);
+}
+
 }  // namespace gonio

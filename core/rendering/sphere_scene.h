@@ -28,6 +28,27 @@ struct CameraFrame {
 };
 CameraFrame cameraFrame(const OrbitCamera& camera);
 
+struct CameraRay {
+  Direction origin, direction;  ///< world, `direction` unit
+};
+CameraRay cameraRay(const CameraFrame& frame, double x, double y, double aspect);
+
+/// The normal (= position) at which a ray meets the unit sphere first, world; nothing where it passes by. Exact at the
+/// silhouette: from the ray's closest point to the centre. The centre lies ahead of the ray's origin, outside.
+std::optional<Direction> sphereHit(const CameraRay& ray);
+
+/// The shading frame of a point on the sphere: `tangent` points along the right-handed rotation about +y (seen from
+/// outside: to the right), `bitangent` = normal x tangent (seen from outside: up); at the poles the tangent is +x.
+struct ShadingFrame {
+  Direction tangent, bitangent, normal;  ///< world, orthonormal, right-handed
+
+  Direction toLocal(const Direction& world) const {
+    return {glm::dot(world, tangent), glm::dot(world, bitangent), glm::dot(world, normal)};
+  }
+  Direction toWorld(const Direction& local) const { return local.x * tangent + local.y * bitangent + local.z * normal; }
+};
+ShadingFrame shadingFrame(const Direction& normal);
+
 /// Radiance that arrives from one direction: `toLight` in world space (unit), `irradiance` perpendicular to it.
 struct DirectionalLight {
   Direction toLight{0.4082482904638631, 0.4082482904638631, 0.8164965809277261};
@@ -43,5 +64,10 @@ struct SphereScene {
   double environmentRotation = 0;  ///< rad about +y; positive turns the surroundings from -z toward +x
   bool showEnvironment = false;    ///< draw the environment behind the sphere (else black, alpha 0)
 };
+
+/// The direction of the environment's picture that is seen in world direction `world`, and back. With c, s the cosine
+/// and sine of the rotation: (x c + z s, y, z c - x s).
+Direction toEnvironment(const Direction& world, double environmentRotation);
+Direction fromEnvironment(const Direction& environment, double environmentRotation);
 
 }  // namespace gonio

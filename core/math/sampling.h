@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstdint>
+
+#include "core/math/types.h"
+
+namespace gonio {
+
+/// A well-mixed hash of two numbers: seeds by counter (pixel, dimension), so that no state runs through a picture.
+std::uint32_t hashCombine(std::uint32_t a, std::uint32_t b);
+
+/// Point `index` of the van der Corput sequence in base 2 with Owen's nested uniform scrambling and shuffling, in [0,
+/// 1). Burley 2020, "Practical Hash-based Owen Scrambling". O(1).
+double scrambledVanDerCorput(std::uint32_t index, std::uint32_t seed);
+
+/// Point `index` of the first two dimensions of Sobol's sequence, scrambled and shuffled as above, in [0, 1)^2: any
+/// 2^k points from an index that is a multiple of 2^k are stratified in every way that 2^k cells of one shape can be.
+/// Different seeds give independent point sets. O(1).
+glm::dvec2 scrambledSobol(std::uint32_t index, std::uint32_t seed);
+
+}  // namespace gonio

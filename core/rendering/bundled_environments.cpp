@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/common.hpp>
+
+#include "core/math/parallel.h"
+#include "core/rendering/environment.h"
+#include "core/support/error.h"
+
+namespace gonio {
+
+namespace {
+
+constexpr int mapWidth = 512, mapHeight = 256;
+
+using RadianceFunction = std::function<Rgb(const Direction& world)>;
+
+/// The mean of `perAxis` x `perAxis` positions a pixel: small bright things keep their energy.
+std::shared_ptr<const EnvironmentMap> paint(const std::string& name, int perAxis, const RadianceFunction& radiance) {
+  Image image(mapWidth, mapHeight);
+  parallelForBlocks(std::size_t(mapHeight), 8, [&](std::size_t begin, std::size_t end) {
+    for (int y = int(begin); y < int(end); ++y)
+      for (int x = 0; x < mapWidth; ++x) {
+        Rgb sum(0);
+        for (int i = 0; i < perAxis * perAxis; ++i) {
+          const double u = x + (i % perAxis + 0.5) / perAxis, v = y + (i / perAxis + 0.5) / perAxis;
+          sum += radiance(EnvironmentMap::directionAt(u / mapWidth, v / mapHeight));
+        }
+        image.at(x, y) = glm::vec3(sum / double(perAxis * perAxis));
+      }
+  });
+  return std::make_shared<const EnvironmentMap>(std::move(image), name);
+}
+
+double smoothStep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// A flat lamp on a stand: a rounded rectangle in the plane at distance 1 along `toward`, upright.
+struct SoftBox {
+  Direction toward;
+  double halfWidth, halfHeight;  ///< in units of the distance
+  double corner;                 ///< radius of the corners
+  double falloff;                ///< width of the soft edge, inward
+  double hotSpot;                ///< how much brighter the middle is than the rim, as a share of `radiance`
+  Rgb radiance;
+
+  Rgb operator()(const Direction& w) const {
+    const Direction axis = glm::normalize(toward);
+    const double along = glm::dot(w, axis);
+    if (along <= 0) return Rgb(0);
+    const Direction right = glm::normalize(glm::cross(axis, Direction{0, 1, 0}));
+    const Direction up = glm::cross(right, axis);
+    const double x = glm::dot(w, right) / along, y = glm::dot(w, up) / along;
+    const double dx = std::abs(x) - (halfWidth - corner), dy = std::abs(y) - (halfHeight - corner);
+    const double outside = std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) + std::min(std::max(dx, dy), 0.0) - corner;
+    const double r2 = (x * x) / (halfWidth * halfWidth) + (y * y) / (halfHeight * halfHeight);
+    return radiance * (smoothStep(0, falloff, -outside) * (1 - hotSpot + hotSpot * std::exp(-1.5 * r2)));
+  }
+};
+
+/// A dark grey room: a cyclorama that runs smoothly from the floor into the wall, lit from above.
+Rgb studioRoom(const Direction& w) {
+  const double floorGlow = 0.10 * std::exp(-8 * (w.y + 0.35) * (w.y + 0.35));
+  const double wall = glm::mix(0.035, 0.075, smoothStep(-0.1, 0.9, w.y));
+  const double floor = glm::mix(0.03, 0.11, smoothStep(-1.0, -0.05, w.y));
+  const double base = glm::mix(floor, wall, smoothStep(-0.10, 0.06, w.y)) + floorGlow;
+  return base * Rgb(0.97, 0.99, 1.04);
+}
+
+Rgb studioRadiance(const Direction& w) {
+  static const SoftBox boxes[] = {
+      // Key: large, high on the left, a little in front of the sphere.
+      {{-0.80, 0.62, 0.62}, 0.55, 0.62, 0.08, 0.12, 0.45, Rgb(12.0, 11.7, 11.2)},
+      // Rim: a tall strip behind on the right.
+      {{0.92, 0.28, -0.42}, 0.13, 1.05, 0.06, 0.06, 0.25, Rgb(14.0, 14.4, 15.0)},
+      // Fill: wide and weak, in front on the right.
+      {{0.85, 0.12, 0.75}, 0.60, 0.75, 0.15, 0.45, 0.30, Rgb(0.85, 0.90, 0.98)},
+      // Overhead bank, seen at the top edge of shiny things.
+      {{-0.05, 1.0, -0.55}, 0.85, 0.28, 0.10, 0.14, 0.35, Rgb(4.2, 4.2, 4.2)},
+  };
+  Rgb sum = studioRoom(w);
+  for (const SoftBox& box : boxes) sum += box(w);
+  return sum;
+}
+
+Rgb skyRadiance(const Direction& w) {
+  static const Direction sun = glm::normalize(Direction{-0.55, 0.62, 0.56});
+  static const double sunRadius = radians(1.25), sunEdge = radians(0.12);
+  constexpr double sunRadiance = 1500;
+  const double angle = 2 * std::atan2(glm::length(w - sun), glm::length(w + sun));
+  const double height = std::max(0.0, w.y);
+  const Rgb zenith(0.16, 0.33, 0.78), horizon(0.78, 0.90, 1.05);
+  Rgb sky = glm::mix(zenith, horizon, std::exp(-3.2 * height));
+  sky += Rgb(1.0, 0.86, 0.62) * (0.9 * std::exp(-angle / radians(9)) + 0.25 * std::exp(-angle / radians(35)));
+  sky += Rgb(1.0, 0.93, 0.80) * sunRadiance * (1 - smoothStep(sunRadius - sunEdge, sunRadius + sunEdge, angle));
+  const Rgb ground = glm::mix(Rgb(0.20, 0.17, 0.13), Rgb(0.42, 0.40, 0.36), std::exp(4 * std::min(0.0, w.y)));
+  return glm::mix(ground, sky, smoothStep(-0.012, 0.012, w.y));
+}
+
+/// A white Lambert sphere comes out about mid-bright (its visible half 0.5 on average) at exposure 0.
+constexpr double studioScale = 1.0, skyScale = 0.5;
+
+}  // namespace
+
+std::shared_ptr<const EnvironmentMap> studioEnvironment() {
+  static const auto map = paint("studio", 2, [](const Direction& w) { return studioScale * studioRadiance(w); });
+  return map;
+}
+
+std::shared_ptr<const EnvironmentMap> skyEnvironment() {
+  static const auto map = paint("sky", 6, [](const Direction& w) { return skyScale * skyRadiance(w); });
+  return map;
+}
+
+std::shared_ptr<const EnvironmentMap> furnaceEnvironment() {
+  static const auto map = paint("furnace", 1, [](const Direction&) { return Rgb(1); });
+  return map;
+}
+
+std::shared_ptr<const EnvironmentMap> bundledEnvironment(const std::string& name) {
+  if (name == "studio") return studioEnvironment();
+  if (name == "sky") return skyEnvironment();
+  if (name == "furnace") return furnaceEnvironment();
+  throw Error("there is no bundled environment named '" + name + "'; there are studio, sky, furnace");
+}
+
+}  // namespace gonio

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/rendering/environment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <span>
+
+#include "core/support/error.h"
+
+namespace gonio {
+
+namespace {
+
+void requireUsable(const Image& image, const std::string& name) {
+  if (image.width <= 0 || image.height <= 0 ||
+      image.pixels.size() != std::size_t(image.width) * std::size_t(image.height))
+    throw Error("environment '" + name + "': the picture is empty");
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel)
+      if (const float value = image.pixels[i][channel]; !(std::isfinite(value) && value >= 0))
+        throw Error("environment '" + name + "': pixel (" + std::to_string(i % std::size_t(image.width)) + ", " +
+                    std::to_string(i / std::size_t(image.width)) + "), channel " + std::to_string(channel) + " is " +
+                    std::to_string(value) + "; radiance is finite and not negative");
+}
+
+/// Mean luminance of the bilinear interpolant over each pixel, along one axis: neighbours reach an eighth into a pixel.
+double filtered(double before, double centre, double after) { return 0.125 * before + 0.75 * centre + 0.125 * after; }
+
+std::vector<double> meanLuminance(const Image& image) {
+  const int width = image.width, height = image.height;
+  std::vector<double> rows(image.pixels.size()), result(image.pixels.size());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto at = [&](int column) { return luminance(Rgb(image.at((column + width) % width, y))); };
+      rows[image.index(x, y)] = filtered(at(x - 1), at(x), at(x + 1));
+    }
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto at = [&](int row) { return rows[image.index(x, std::clamp(row, 0, height - 1))]; };
+      result[image.index(x, y)] = filtered(at(y - 1), at(y), at(y + 1));
+    }
+  return result;
+}
+
+/// Running sums from 0 to exactly 1; weights that are all 0 count as equal. Returns the sum.
+double accumulate(std::span<const double> weights, std::span<float> cumulative) {
+  double total = 0, sum = 0;
+  for (const double weight : weights) total += weight;
+  const bool uniform = !(total > 0);
+  cumulative[0] = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    sum += uniform ? 1.0 / double(weights.size()) : weights[i] / total;
+    cumulative[i + 1] = static_cast<float>(std::min(1.0, sum));
+  }
+  cumulative[weights.size()] = 1;
+  return total;
+}
+
+struct Interval {
+  std::size_t index;
+  double low, high;
+  double share(double u) const { return (u - low) / (high - low); }
+};
+
+/// The interval of a cumulative table that contains u; never an empty one.
+Interval find(std::span<const float> cumulative, double u) {
+  const auto inside = cumulative.subspan(1, cumulative.size() - 2);
+  const auto upper = std::upper_bound(inside.begin(), inside.end(), u,
+                                      [](double value, float entry) { return value < double(entry); });
+  const auto index = std::size_t(upper - inside.begin());
+  return {index, cumulative[index], cumulative[index + 1]};
+}
+
+std::size_t pixelOf(double share, int count) {
+  return std::size_t(std::clamp(static_cast<int>(share * count), 0, count - 1));
+}
+
+}  // namespace
+
+EnvironmentMap::EnvironmentMap(Image radiance, std::string name) : image_(std::move(radiance)), name_(std::move(name)) {
+  requireUsable(image_, name_);
+  buildTables();
+}
+
+void EnvironmentMap::buildTables() {
+  const auto width = std::size_t(image_.width), height = std::size_t(image_.height);
+  for (std::size_t y = 0; y <= height; ++y) cosEdges_.push_back(std::cos(pi * double(y) / double(height)));
+  const std::vector<double> weights = meanLuminance(image_);
+  conditional_.resize(height * (width + 1));
+  marginal_.resize(height + 1);
+  std::vector<double> rowWeights(height);
+  bool black = true;
+  for (std::size_t y = 0; y < height; ++y) {
+    const double sum = accumulate(std::span(weights).subspan(y * width, width),
+                                  std::span(conditional_).subspan(y * (width + 1), width + 1));
+    rowWeights[y] = sum * (cosEdges_[y] - cosEdges_[y + 1]);
+    black = black && !(sum > 0);
+  }
+  if (black)
+    for (std::size_t y = 0; y < height; ++y) rowWeights[y] = cosEdges_[y] - cosEdges_[y + 1];
+  accumulate(rowWeights, marginal_);
+}
+
+Direction EnvironmentMap::directionAt(double u, double v) {
+  const double theta = pi * v, a = 2 * pi * (u - 0.5), s = std::sin(theta);
+  return {s * std::sin(a), std::cos(theta), -s * std::cos(a)};
+}
+
+glm::dvec2 EnvironmentMap::positionOf(const Direction& world) {
+  const double a = world.x == 0 && world.z == 0 ? 0 : std::atan2(world.x, -world.z);
+  return {0.5 + a / (2 * pi), std::atan2(std::hypot(world.x, world.z), world.y) / pi};
+}
+
+Rgb EnvironmentMap::bilinear(const glm::dvec2& position) const {
+  const double x = position.x * image_.width - 0.5,
+               y = std::clamp(position.y * image_.height - 0.5, 0.0, image_.height - 1.0);
+  const double floorX = std::floor(x);
+  const int left = (static_cast<int>(floorX) + image_.width) % image_.width, right = (left + 1) % image_.width;
+  const int top = static_cast<int>(y), bottom = std::min(top + 1, image_.height - 1);
+  const double s = x - floorX, t = y - top;
+  const auto pixel = [&](int column, int row) { return Rgb(image_.at(column, row)); };
+  return (1 - t) * ((1 - s) * pixel(left, top) + s * pixel(right, top)) +
+         t * ((1 - s) * pixel(left, bottom) + s * pixel(right, bottom));
+}
+
+double EnvironmentMap::pixelPdf(std::size_t x, std::size_t y) const {
+  const auto width = std::size_t(image_.width);
+  const float* row = conditional_.data() + y * (width + 1);
+  const double probability = (double(marginal_[y + 1]) - double(marginal_[y])) * (double(row[x + 1]) - double(row[x]));
+  return probability / (2 * pi / image_.width * (cosEdges_[y] - cosEdges_[y + 1]));
+}
+
+Rgb EnvironmentMap::radiance(const Direction& world) const { return bilinear(positionOf(world)); }
+
+double EnvironmentMap::pdf(const Direction& world) const { return at(world).pdf; }
+
+EnvironmentMap::Sample EnvironmentMap::at(const Direction& world) const {
+  const glm::dvec2 position = positionOf(world);
+  return {world, bilinear(position), pixelPdf(pixelOf(position.x, image_.width), pixelOf(position.y, image_.height))};
+}
+
+EnvironmentMap::Sample EnvironmentMap::sample(double u1, double u2) const {
+  const auto width = std::size_t(image_.width);
+  const Interval row = find(marginal_, u1);
+  const Interval column = find(std::span(conditional_).subspan(row.index * (width + 1), width + 1), u2);
+  const double cosTheta = glm::mix(cosEdges_[row.index], cosEdges_[row.index + 1], row.share(u1));
+  const double u = (double(column.index) + column.share(u2)) / image_.width;
+  const double a = 2 * pi * (u - 0.5), sinTheta = std::sqrt(std::max(0.0, (1 - cosTheta) * (1 + cosTheta)));
+  const Direction direction{sinTheta * std::sin(a), cosTheta, -sinTheta * std::cos(a)};
+  const double v = std::atan2(sinTheta, cosTheta) / pi;
+  return {direction, bilinear({u, v}), pixelPdf(column.index, row.index)};
+}
+
+}  // namespace gonio

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/rendering/environment.h"
+
+#include <QTest>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/rendering/sphere_scene.h"
+#include "core/support/error.h"
+
+using namespace gonio;
+
+namespace {
+Direction randomDirection(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  return fromSpherical(std::acos(1 - 2 * uniform(random)), 2 * pi * uniform(random));
+}
+
+/// A few bright pixels, black ones and one in a corner: the hard shapes of a density.
+EnvironmentMap spottedMap() {
+  Image image(16, 8);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = glm::vec3(0.02f * float(i % 5));
+  for (int x = 0; x < 16; ++x) image.at(x, 5) = glm::vec3(0);
+  image.at(0, 0) = glm::vec3(3, 1, 0);
+  image.at(9, 3) = glm::vec3(40);
+  return EnvironmentMap(image, "spots");
+}
+}  // namespace
+
+class EnvironmentTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void mappingMeetsTheAxes() {
+    const auto isNear = [](const Direction& a, const Direction& b) { return glm::length(a - b) < 1e-15; };
+    QVERIFY(isNear(EnvironmentMap::directionAt(0.5, 0.5), {0, 0, -1}));
+    QVERIFY(isNear(EnvironmentMap::directionAt(0.75, 0.5), {1, 0, 0}));
+    QVERIFY(isNear(EnvironmentMap::directionAt(0.25, 0.5), {-1, 0, 0}));
+    QVERIFY(isNear(EnvironmentMap::directionAt(0.0, 0.5), {0, 0, 1}));
+    QVERIFY(isNear(EnvironmentMap::directionAt(0.3, 0.0), {0, 1, 0}));
+    QVERIFY(isNear(EnvironmentMap::directionAt(0.3, 1.0), {0, -1, 0}));
+  }
+
+  void mappingAndItsInverse() {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (int n = 0; n < 100000; ++n) {
+      const Direction w = randomDirection(random);
+      const glm::dvec2 p = EnvironmentMap::positionOf(w);
+      QVERIFY(p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1);
+      QVERIFY(glm::length(EnvironmentMap::directionAt(p.x, p.y) - w) < 1e-14);
+      const double u = uniform(random), v = uniform(random);
+      const glm::dvec2 back = EnvironmentMap::positionOf(EnvironmentMap::directionAt(u, v));
+      QVERIFY(std::abs(back.y - v) < 1e-14);
+      QVERIFY(std::abs(back.x - u) * std::sin(pi * v) < 1e-14);
+    }
+  }
+
+  void pixelCentresReadTheirPixel() {
+    const EnvironmentMap map = spottedMap();
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 16; ++x) {
+        const Rgb value = map.radiance(EnvironmentMap::directionAt((x + 0.5) / 16, (y + 0.5) / 8));
+        QVERIFY(glm::length(value - Rgb(map.image().at(x, y))) < 1e-12);
+      }
+  }
+
+  void bilinearWrapsInAzimuth() {
+    Image image(4, 2);
+    for (int y = 0; y < 2; ++y)
+      for (int x = 0; x < 4; ++x) image.at(x, y) = glm::vec3(float(x));
+    const EnvironmentMap map(image, "ramp");
+    QVERIFY(std::abs(map.radiance(EnvironmentMap::directionAt(0.0, 0.5)).x - 1.5) < 1e-12);
+    QVERIFY(std::abs(map.radiance(EnvironmentMap::directionAt(1.0, 0.5)).x - 1.5) < 1e-12);
+    QVERIFY(std::abs(map.radiance(EnvironmentMap::directionAt(0.5, 0.5)).x - 1.5) < 1e-12);
+    QVERIFY(std::abs(map.radiance(EnvironmentMap::directionAt(0.03125, 0.3)).x - (0.375 * 3)) < 1e-12);
+  }
+
+  /// Midpoint rule with a whole number of points a pixel: exact for a density that is constant over pixels, but for the
+  /// change of the sine inside a row.
+  void densityIntegratesToOne() {
+    for (const EnvironmentMap& map : {spottedMap(), EnvironmentMap(Image(6, 4), "black"), *studioEnvironment()}) {
+      const int width = 2 * map.image().width, height = 64 * map.image().height;
+      double sum = 0;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+          sum += map.pdf(EnvironmentMap::directionAt((x + 0.5) / width, (y + 0.5) / height)) *
+                 std::sin(pi * (y + 0.5) / height);
+      QVERIFY(std::abs(sum * 2 * pi / width * pi / height - 1) < 1e-4);
+    }
+  }
+
+  void samplesFollowTheDensity() {
+    const EnvironmentMap map = spottedMap();
+    constexpr int perAxis = 1000;
+    std::vector<double> counts(16 * 8, 0.0);
+    for (int i = 0; i < perAxis * perAxis; ++i) {
+      const auto s = map.sample((i % perAxis + 0.5) / perAxis, (i / perAxis + 0.5) / perAxis);
+      QVERIFY(std::abs(glm::length(s.direction) - 1) < 1e-12);
+      QVERIFY(s.pdf > 0 && std::abs(map.pdf(s.direction) / s.pdf - 1) < 1e-6);
+      QVERIFY(glm::length(map.radiance(s.direction) - s.radiance) < 1e-9);
+      const glm::dvec2 p = EnvironmentMap::positionOf(s.direction);
+      counts[std::size_t(p.y * 8) * 16 + std::size_t(p.x * 16)] += 1.0 / (perAxis * perAxis);
+    }
+    for (std::size_t y = 0; y < 8; ++y)
+      for (std::size_t x = 0; x < 16; ++x) {
+        const double solidAngle = 2 * pi / 16 * (std::cos(pi * double(y) / 8) - std::cos(pi * double(y + 1) / 8));
+        const Direction centre = EnvironmentMap::directionAt((double(x) + 0.5) / 16, (double(y) + 0.5) / 8);
+        QVERIFY(std::abs(counts[y * 16 + x] - map.pdf(centre) * solidAngle) < 2e-3);
+      }
+  }
+
+  void endsOfTheUnitIntervalAreSafe() {
+    const EnvironmentMap map = spottedMap();
+    for (const double u : {0.0, 0x1p-53, 0.5, 1 - 0x1p-32, 1 - 0x1p-53})
+      for (const double v : {0.0, 0x1p-53, 0.5, 1 - 0x1p-32, 1 - 0x1p-53}) {
+        const auto s = map.sample(u, v);
+        QVERIFY(s.pdf > 0 && std::isfinite(s.pdf) && std::abs(glm::length(s.direction) - 1) < 1e-12);
+      }
+  }
+
+  /// The cumulative tables are float: the smallest rows, at the poles, hold 2e-5 of the whole and 6e-8 of rounding.
+  void furnaceIsUniform() {
+    std::mt19937_64 random(2);
+    for (int n = 0; n < 1000; ++n) {
+      const auto at = furnaceEnvironment()->at(randomDirection(random));
+      QCOMPARE(at.radiance, Rgb(1));
+      QVERIFY(std::abs(at.pdf * 4 * pi - 1) < 5e-3);
+    }
+  }
+
+  void rotationTurnsFromAheadToTheRight() {
+    QVERIFY(glm::length(fromEnvironment({0, 0, -1}, radians(90)) - Direction(1, 0, 0)) < 1e-15);
+    std::mt19937_64 random(3);
+    for (int n = 0; n < 1000; ++n) {
+      const Direction w = randomDirection(random);
+      QVERIFY(glm::length(fromEnvironment(toEnvironment(w, 0.7), 0.7) - w) < 1e-14);
+      const double turn = EnvironmentMap::positionOf(fromEnvironment(w, 0.7)).x - EnvironmentMap::positionOf(w).x;
+      QVERIFY(std::abs(std::remainder(turn - 0.7 / (2 * pi), 1.0)) < 1e-9);
+    }
+  }
+
+  void badPicturesAreRefused() {
+    QVERIFY_THROWS_EXCEPTION(Error, EnvironmentMap(Image(), "none"));
+    Image image(2, 2);
+    image.at(1, 0).y = std::numeric_limits<float>::quiet_NaN();
+    QVERIFY_THROWS_EXCEPTION(Error, EnvironmentMap(image, "nan"));
+    image.at(1, 0).y = -1;
+    QVERIFY_THROWS_EXCEPTION(Error, EnvironmentMap(image, "negative"));
+    QVERIFY_THROWS_EXCEPTION(Error, bundledEnvironment("moon"));
+  }
+};
+
+QTEST_APPLESS_MAIN(EnvironmentTest)
+#include "environment_test.moc"
