@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/background_task.h"
+
+#include <algorithm>
+
+namespace gonio::app {
+
+namespace {
+constexpr int progressMilliseconds = 80;
+constexpr int foregroundThreads = 2;
+}  // namespace
+
+struct BackgroundTasks::Task {
+  TaskRequest request;
+  std::stop_source stop;
+  std::atomic<double> share{0};
+  Callbacks callbacks;
+};
+
+BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
+  m_pool.setMaxThreadCount(foregroundThreads);
+  m_quietPool.setMaxThreadCount(1);
+  m_quietPool.setThreadPriority(QThread::LowPriority);
+  m_progressTimer.setInterval(progressMilliseconds);
+  connect(&m_progressTimer, &QTimer::timeout, this, &BackgroundTasks::changed);
+}
+
+BackgroundTasks::~BackgroundTasks() {
+  for (const auto& task : m_tasks) task->stop.request_stop();
+  m_quietPool.clear();
+  m_pool.waitForDone();
+  m_quietPool.waitForDone();
+}
+
+void BackgroundTasks::start(const TaskRequest& request, std::function<void(const TaskControl&)> work,
+                            Callbacks callbacks) {
+  drop(request.key);
+  auto task = std::make_shared<Task>();
+  task->request = request;
+  task->callbacks = std::move(callbacks);
+  m_tasks.push_back(task);
+  m_progressTimer.start();
+
+  const auto body = [this, task, work = std::move(work)] {
+    Outcome outcome = Outcome::done;
+    QString error;
+    try {
+      const TaskControl control{task->stop.get_token(), [task](double share) { task->share = share; }};
+      control.throwIfStopped();
+      work(control);
+    } catch (const Cancelled&) {
+      outcome = Outcome::cancelled;
+    } catch (const std::bad_alloc&) {
+      outcome = Outcome::failed;
+      error = tr("There is not enough memory for this.");
+    } catch (const std::exception& exception) {
+      outcome = Outcome::failed;
+      error = QString::fromUtf8(exception.what());
+    }
+    QMetaObject::invokeMethod(
+        this, [this, task, outcome, error] { finish(task, outcome, error); }, Qt::QueuedConnection);
+  };
+  if (request.quiet)
+    m_quietPool.start(body, request.priority);
+  else
+    m_pool.start(body);
+  Q_EMIT changed();
+}
+
+void BackgroundTasks::finish(const std::shared_ptr<Task>& task, Outcome outcome, const QString& error) {
+  const auto found = std::find(m_tasks.begin(), m_tasks.end(), task);
+  if (found == m_tasks.end()) return;  // replaced or dropped: nobody waits for it any more
+  m_tasks.erase(found);
+  if (m_tasks.empty()) m_progressTimer.stop();
+  const Callbacks& callbacks = task->callbacks;
+  if (outcome == Outcome::done)
+    callbacks.done();
+  else if (outcome == Outcome::failed && callbacks.failed)
+    callbacks.failed(error);
+  else if (outcome == Outcome::cancelled && callbacks.cancelled)
+    callbacks.cancelled();
+  Q_EMIT changed();
+}
+
+std::optional<BackgroundTasks::Info> BackgroundTasks::topmost() const {
+  if (m_tasks.empty()) return std::nullopt;
+  const auto loud = std::find_if(m_tasks.rbegin(), m_tasks.rend(), [](const auto& t) { return !t->request.quiet; });
+  const auto& task = loud != m_tasks.rend() ? *loud : m_tasks.front();
+  return Info{task->request.title, task->share, task->request.quiet, quietCount()};
+}
+
+int BackgroundTasks::quietCount() const {
+  return int(std::count_if(m_tasks.begin(), m_tasks.end(), [](const auto& t) { return t->request.quiet; }));
+}
+
+bool BackgroundTasks::isRunning(const QString& key) const {
+  return std::any_of(m_tasks.begin(), m_tasks.end(), [&](const auto& t) { return t->request.key == key; });
+}
+
+void BackgroundTasks::cancel(const QString& key) {
+  for (const auto& task : m_tasks)
+    if (task->request.key == key) task->stop.request_stop();
+}
+
+void BackgroundTasks::drop(const QString& key) {
+  cancel(key);
+  std::erase_if(m_tasks, [&](const auto& task) { return task->request.key == key; });
+}
+
+void BackgroundTasks::dropQuiet() {
+  for (const auto& task : m_tasks)
+    if (task->request.quiet) task->stop.request_stop();
+  std::erase_if(m_tasks, [](const auto& task) { return task->request.quiet; });
+  Q_EMIT changed();
+}
+
+void BackgroundTasks::cancelTopmost() {
+  const auto loud = std::find_if(m_tasks.rbegin(), m_tasks.rend(), [](const auto& t) { return !t->request.quiet; });
+  if (loud != m_tasks.rend()) (*loud)->stop.request_stop();
+}
+
+}  // namespace gonio::app
+
+#include "moc_background_task.cpp"

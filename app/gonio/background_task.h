@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QTimer>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/support/task_control.h"
+
+namespace gonio::app {
+
+/// How a piece of background work is told to the user and how it relates to other work.
+struct TaskRequest {
+  QString title;       ///< "Loading chrome.binary"
+  QString key;         ///< a newer task of the same key stops and replaces an older one: its result is dropped
+  bool quiet = false;  ///< lowest priority, one at a time, shown only while nothing else runs (thumbnails)
+  int priority = 0;    ///< among quiet tasks: higher first
+};
+
+/// The one place that runs core functions off the GUI thread. Work gets a TaskControl; its result comes back to the
+/// thread of this object, unless the task was replaced meanwhile. Destroying the object stops all work and waits.
+class BackgroundTasks : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit BackgroundTasks(QObject* parent = nullptr);
+  ~BackgroundTasks() override;
+
+  /// Runs `work` in another thread, then in this one: `done` with its result, or `failed` with the text of what it
+  /// threw, or `cancelled` when it threw Cancelled. None of them for a task that was replaced.
+  template <class Result>
+  void run(const TaskRequest& request, std::function<Result(const TaskControl&)> work, std::function<void(Result)> done,
+           std::function<void(const QString&)> failed = {}, std::function<void()> cancelled = {}) {
+    auto result = std::make_shared<std::unique_ptr<Result>>();
+    start(request,
+          [result, work = std::move(work)](const TaskControl& control) {
+            *result = std::make_unique<Result>(work(control));
+          },
+          {[result, done = std::move(done)] { done(std::move(**result)); }, std::move(failed), std::move(cancelled)});
+  }
+
+  struct Info {
+    QString title;
+    double share;  ///< [0, 1]
+    bool quiet;
+    int waiting;  ///< quiet tasks in all, when this is one
+  };
+  /// What the status bar shows: the newest task that is not quiet, else a quiet one.
+  std::optional<Info> topmost() const;
+  bool isRunning(const QString& key) const;
+  bool isIdle() const { return m_tasks.empty(); }
+  int quietCount() const;
+
+  /// Asks a task to stop; its `cancelled` or `done` still comes.
+  void cancel(const QString& key);
+  /// Stops a task and drops its result.
+  void drop(const QString& key);
+  /// Drops every quiet task.
+  void dropQuiet();
+
+ public Q_SLOTS:
+  /// Cancels the newest task that is not quiet. Quiet ones end with what they belong to.
+  void cancelTopmost();
+
+ Q_SIGNALS:
+  /// A task started, ended or progressed.
+  void changed();
+
+ private:
+  struct Callbacks {
+    std::function<void()> done;
+    std::function<void(const QString&)> failed;
+    std::function<void()> cancelled;
+  };
+  struct Task;
+  enum class Outcome { done, failed, cancelled };
+
+  void start(const TaskRequest& request, std::function<void(const TaskControl&)> work, Callbacks callbacks);
+  void finish(const std::shared_ptr<Task>& task, Outcome outcome, const QString& error);
+
+  QThreadPool m_pool, m_quietPool;
+  QTimer m_progressTimer;
+  std::vector<std::shared_ptr<Task>> m_tasks;  ///< those whose result is still wanted, oldest first
+};
+
+}  // namespace gonio::app

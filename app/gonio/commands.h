@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "app/gonio/document.h"
+
+namespace gonio::app {
+
+/// Changes one parameter of the edit. Steps of one interaction (a drag of a slider) merge into one; a drag that ends
+/// where it began leaves no step.
+class ChangeParameterCommand final : public Command {
+ public:
+  ChangeParameterCommand(Document& document, int parameter, const Rgb& value, int interaction, bool reset = false);
+
+  int id() const override { return 1; }
+  bool mergeWith(const QUndoCommand* other) override;
+  std::size_t bytes() const override { return sizeof(*this); }
+
+ protected:
+  void apply() override { m_document.setEditedValue(m_parameter, m_after); }
+  void revert() override { m_document.setEditedValue(m_parameter, m_before); }
+  void release() override {}
+
+ private:
+  void describe();
+
+  Document& m_document;
+  int m_parameter, m_interaction;
+  bool m_reset;
+  Rgb m_before, m_after;
+};
+
+/// Replaces the whole edit state: choosing a fit, resetting everything, pasting.
+class ReplaceStateCommand final : public Command {
+ public:
+  ReplaceStateCommand(Document& document, EditState after, const QString& text);
+
+  std::size_t bytes() const override;
+
+ protected:
+  void apply() override { m_document.setState(m_after); }
+  void revert() override { m_document.setState(m_before); }
+  void release() override;
+
+ private:
+  Document& m_document;
+  EditState m_before, m_after;
+};
+
+}  // namespace gonio::app

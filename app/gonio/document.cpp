@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document.h"
+
+#include <QFileInfo>
+
+#include "app/gonio/commands.h"
+
+namespace gonio::app {
+
+editing::DifferentialEdit identityEdit(const fitting::FitResult& fit) {
+  editing::DifferentialEdit edit;
+  edit.model = fit.model;
+  edit.fitted = edit.edited = fit.parameters;
+  return edit;
+}
+
+Document::Document(QObject* parent) : QObject(parent) {
+  connect(&m_history, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+}
+
+QString Document::name() const {
+  if (!m_path.isEmpty()) return QFileInfo(m_path).completeBaseName();
+  return m_material ? QString::fromStdString(m_material->material.name) : tr("Untitled");
+}
+
+void Document::startAnew(LoadedMaterialPtr material, const EditState& state, const QString& path) {
+  m_material = std::move(material);
+  m_state = state;
+  m_path = path;
+  m_interacting = false;
+  m_history.clear();
+  m_history.setClean();
+  Q_EMIT materialChanged();
+  Q_EMIT stateChanged();
+  Q_EMIT titleChanged();
+}
+
+void Document::setMaterial(LoadedMaterialPtr material) { startAnew(std::move(material), {}, {}); }
+
+void Document::setMaterial(LoadedMaterialPtr material, const editing::EditDocument& stored, const QString& path) {
+  if (stored.edits.size() > 1)
+    throw Error(path.toStdString() + ": holds " + std::to_string(stored.edits.size()) +
+                " edits; this version of the editor opens documents with one");
+  EditState state;
+  if (!stored.edits.empty()) state.edit = stored.edits.front();
+  startAnew(std::move(material), state, path);
+}
+
+void Document::adoptFit(const fitting::FitResult& fit) { setState({fit, identityEdit(fit)}); }
+
+void Document::chooseFit(const fitting::FitResult& fit) {
+  const QString text = tr("Fit %1").arg(QString::fromUtf8(fit.model->spec().name.data()));
+  m_history.add(new ReplaceStateCommand(*this, {fit, identityEdit(fit)}, text));
+}
+
+void Document::beginInteraction() {
+  ++m_interaction;
+  m_interacting = true;
+}
+
+void Document::endInteraction() { m_interacting = false; }
+
+void Document::setParameter(int parameter, const Rgb& value) {
+  if (!m_state.edit || m_state.edit->edited.values[std::size_t(parameter)] == value) return;
+  if (!m_interacting) ++m_interaction;
+  m_history.add(new ChangeParameterCommand(*this, parameter, value, m_interaction));
+}
+
+void Document::resetParameter(int parameter) {
+  if (!m_state.edit) return;
+  const Rgb fitted = m_state.edit->fitted.values[std::size_t(parameter)];
+  if (m_state.edit->edited.values[std::size_t(parameter)] == fitted) return;
+  m_history.add(new ChangeParameterCommand(*this, parameter, fitted, ++m_interaction, true));
+}
+
+void Document::resetAll() {
+  if (!m_state.edit || m_state.edit->edited == m_state.edit->fitted) return;
+  editing::DifferentialEdit edit = *m_state.edit;
+  edit.edited = edit.fitted;
+  m_history.add(new ReplaceStateCommand(*this, {m_state.fit, edit}, tr("Reset all parameters")));
+}
+
+void Document::pasteEdit(const models::ParameterValues& edited, const std::optional<fitting::FitResult>& fit) {
+  EditState state;
+  if (fit)
+    state = {fit, identityEdit(*fit)};
+  else
+    state = m_state;
+  if (!state.edit || (!fit && state.edit->edited == edited)) return;
+  state.edit->edited = edited;
+  m_history.add(new ReplaceStateCommand(*this, state, tr("Paste edits")));
+}
+
+editing::EditDocument Document::toEditDocument() const {
+  editing::EditDocument document;
+  if (m_material) {
+    document.sourcePath = m_material->material.source.path.string();
+    document.sourceSha256 = m_material->material.source.sha256;
+  }
+  if (m_state.edit) document.edits.push_back(*m_state.edit);
+  return document;
+}
+
+void Document::markSaved(const QString& path) {
+  m_path = path;
+  m_history.setClean();
+  Q_EMIT titleChanged();
+}
+
+void Document::setState(const EditState& state) {
+  m_state = state;
+  Q_EMIT stateChanged();
+}
+
+void Document::setEditedValue(int parameter, const Rgb& value) {
+  m_state.edit->edited.values[std::size_t(parameter)] = value;
+  Q_EMIT editChanged();
+}
+
+}  // namespace gonio::app
+
+#include "moc_document.cpp"

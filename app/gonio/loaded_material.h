@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "core/brdf/sampling_lobe.h"
+#include "core/brdf/statistics.h"
+#include "core/io/material.h"
+
+namespace gonio::app {
+
+/// A material with all that the editor shows of it, computed once while it loads. Immutable and shared between the
+/// document, its undo steps and background work.
+struct LoadedMaterial {
+  static constexpr std::array<int, 4> albedoDegrees{0, 30, 60, 80};
+
+  io::Material material;
+  std::shared_ptr<const TabulatedBrdf> table;
+  SamplingLobe lobe;
+  TableStatistics statistics;
+  std::array<Rgb, 4> albedo;
+};
+using LoadedMaterialPtr = std::shared_ptr<const LoadedMaterial>;
+
+/// Reads and tabulates a material and measures what the source panel shows. Up to some seconds (RGL files).
+/// @throws Error, Cancelled.
+LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control = {});
+
+}  // namespace gonio::app
