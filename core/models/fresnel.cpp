@@ -12,11 +12,14 @@ double fresnelDielectric(double cosD, double eta) {
   if (std::isinf(eta)) return 1;
   if (eta == 1) return 0;
   const double c = std::clamp(cosD, 0.0, 1.0);
-  const double squaredG = eta * eta - 1 + c * c;
+  const double contrast = (eta - 1) * (eta + 1);
+  const double squaredG = contrast + c * c;
   if (squaredG < 0 || c == 0) return 1;
   const double g = std::sqrt(squaredG);
-  const double ratio = (g - c) / (g + c);
-  const double polarised = (c * (g + c) - 1) / (c * (g - c) + 1);
+  const double sum = g + c;
+  const double difference = contrast / sum;  // g - c without cancellation for an index near 1
+  const double ratio = difference / sum;
+  const double polarised = (c * sum - 1) / (c * difference + 1);
   return std::min(1.0, 0.5 * ratio * ratio * (1 + polarised * polarised));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
+#include "core/models/common_parameters.h"
 #include "core/models/fresnel.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
@@ -10,39 +11,23 @@ namespace gonio::models {
 
 namespace {
 
-constexpr std::string_view walter = "Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces, eq. 33-34";
+constexpr std::string_view walter =
+    "Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces, eq. 33-34";
 constexpr std::string_view maskingChoices[] = {"separable", "height-correlated"};
 
 enum Index { diffuse, specular, roughness, normalReflectance, masking };
 
+// clang-format off
 constexpr ParameterSpec parameters[] = {
-    {.id = "diffuse", .label = "Diffuse", .symbol = "k_d", .unit = "",
-     .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = 0.2,
-     .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
-     .description = "Share of the light that the body of the material scatters evenly.",
-     .formula = "k_d / pi", .reference = "Lambert 1760"},
-    {.id = "specular", .label = "Specular", .symbol = "k_s", .unit = "",
-     .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 100, .defaultValue = 1,
-     .perChannel = true, .linear = true,
-     .description = "Strength and tint of the highlight; 1 is a lossless microfacet surface.",
-     .formula = "k_s D F G / (4 cos theta_i cos theta_o)", .reference = walter},
-    {.id = "roughness", .label = "Roughness", .symbol = "alpha", .unit = "",
-     .softMin = 0.005, .softMax = 1, .hardMin = 1e-4, .hardMax = 1, .defaultValue = 0.3,
-     .scale = ParameterScale::logarithmic,
-     .description = "Width of the highlight: the slope scale of the microfacets.",
-     .formula = "D = alpha^2 / (pi (sin^2 theta_h + alpha^2 cos^2 theta_h)^2)", .reference = walter},
-    {.id = "f0", .label = "Reflectance at normal incidence", .symbol = "F_0", .unit = "",
-     .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.04,
-     .group = ParameterGroup::fresnel,
-     .description = "How mirror-like the surface is when seen head-on; metals are high, plastics near 0.04.",
-     .formula = "F = F(cos theta_d, eta), eta = (1 + sqrt F_0) / (1 - sqrt F_0)",
-     .reference = "Cook and Torrance 1982, A Reflectance Model for Computer Graphics, eq. 18"},
-    {.id = "masking", .label = "Masking", .symbol = "G", .unit = "",
-     .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0,
-     .group = ParameterGroup::convention,
-     .description = "How the shadowing of the light and the masking of the viewer are combined.",
-     .formula = "G1(i) G1(o), or 1 / (1 + Lambda(i) + Lambda(o))",
-     .reference = "Heitz 2014, Understanding the Masking-Shadowing Function, eq. 98-99", .choices = maskingChoices},
+    diffuseParameter(0.2),
+    specularParameter(1, "k_s D F G / (4 cos theta_i cos theta_o)", walter),
+    roughnessParameter("alpha", "Width of the highlight: the slope scale of the microfacets.",
+                       "D = alpha^2 / (pi (sin^2 theta_h + alpha^2 cos^2 theta_h)^2)", walter),
+    normalReflectanceParameter(),
+    choiceParameter("masking", "Masking", "G",
+                    "How the shadowing of the light and the masking of the viewer are combined.",
+                    "G1(i) G1(o), or 1 / (1 + Lambda(i) + Lambda(o))",
+                    "Heitz 2014, Understanding the Masking-Shadowing Function, eq. 98-99", maskingChoices),
 };
 
 constexpr ModelSpec ggxSpec = {
@@ -51,6 +36,7 @@ constexpr ModelSpec ggxSpec = {
                    "little energy at high roughness (single scattering).",
     .formula = "k_d / pi + k_s D F G / (4 cos theta_i cos theta_o)", .reference = walter,
     .parameters = parameters};
+// clang-format on
 
 /// G / (4 cos theta_i cos theta_o), folded so that nothing is divided by a cosine.
 double foldedMasking(const SurfaceGeometry& g, double alpha2, bool heightCorrelated) {
@@ -69,7 +55,7 @@ class Ggx final : public Model {
     const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
     const double alpha2 = p.values[roughness].x * p.values[roughness].x;
     const double eta = indexFromNormalReflectance(p.values[normalReflectance].x);
-    const bool heightCorrelated = p.values[masking].x >= 0.5;
+    const bool heightCorrelated = chosen(p.values[masking].x) == 1;
     return makeGeometryBrdf([=](const SurfaceGeometry& g) {
       const double slope = g.sin2H + alpha2 * g.half.z * g.half.z;
       const double distribution = alpha2 / (pi * slope * slope);

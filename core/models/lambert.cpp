@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
 
@@ -7,18 +8,14 @@ namespace gonio::models {
 
 namespace {
 
-constexpr ParameterSpec parameters[] = {
-    {.id = "diffuse", .label = "Diffuse", .symbol = "k_d", .unit = "",
-     .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = 0.5,
-     .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
-     .description = "Share of the light that the material scatters evenly: its albedo.",
-     .formula = "k_d / pi", .reference = "Lambert 1760, Photometria"},
-};
+// clang-format off
+constexpr ParameterSpec parameters[] = {diffuseParameter(0.5)};
 
 constexpr ModelSpec lambertSpec = {
     .id = "lambert", .name = "Lambert",
     .description = "The ideal matte surface: looks equally bright from everywhere. Reciprocal; albedo exactly k_d.",
     .formula = "k_d / pi", .reference = "Lambert 1760, Photometria", .parameters = parameters};
+// clang-format on
 
 class Lambert final : public Model {
  public:

@@ -18,7 +18,7 @@ struct ModelSpec {
   std::string_view name;         ///< "GGX"
   std::string_view description;  ///< one or two sentences: what it is for, where it is not reciprocal or gains energy
   std::string_view formula;
-  std::string_view reference;    ///< author, title, year, equation
+  std::string_view reference;  ///< author, title, year, equation
   std::span<const ParameterSpec> parameters;
 
   /// Index of a parameter by its id, or nothing.
@@ -43,9 +43,9 @@ class Model {
   /// @throws Error when the count of values is wrong or one is not finite; the text names the parameter.
   std::unique_ptr<const Brdf> instantiate(const ParameterValues& parameters) const;
 
-  /// What the model's shader twin (shaders/models/ID.glsl) takes as its array `p`: by default the parameters themselves,
-  /// clamped. A model overrides this where float cannot hold a parameter, or to compute beforehand what does not depend
-  /// on directions. The count of entries is the same for all parameters.
+  /// What the model's shader twin (shaders/models/ID.glsl) takes as its array `p`: by default the parameters
+  /// themselves, clamped. A model overrides this where float cannot hold a parameter, or to compute beforehand what
+  /// does not depend on directions. The count of entries is the same for all parameters.
   /// @throws Error as instantiate().
   virtual std::vector<glm::vec3> shaderParameters(const ParameterValues& parameters) const;
 

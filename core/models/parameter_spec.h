@@ -13,12 +13,12 @@ enum class ParameterGroup { diffuse, specular, fresnel, shadowing, convention };
 /// Everything there is to know of one parameter of a model. Sliders, tooltips, JSON, the command line, fitting and
 /// tests all read this record; nothing about a parameter is written anywhere else.
 struct ParameterSpec {
-  std::string_view id;           ///< key in JSON and on the command line, e.g. "roughness"
-  std::string_view label;        ///< for people, e.g. "Roughness"
-  std::string_view symbol;       ///< in formulas, e.g. "alpha"
-  std::string_view unit;         ///< "1/sr", "rad", or "" for a plain number
-  double softMin, softMax;       ///< the range that a slider covers
-  double hardMin, hardMax;       ///< the range that typing accepts; values outside are clamped and reported
+  std::string_view id;      ///< key in JSON and on the command line, e.g. "roughness"
+  std::string_view label;   ///< for people, e.g. "Roughness"
+  std::string_view symbol;  ///< in formulas, e.g. "alpha"
+  std::string_view unit;    ///< "1/sr", "rad", or "" for a plain number
+  double softMin, softMax;  ///< the range that a slider covers
+  double hardMin, hardMax;  ///< the range that typing accepts; values outside are clamped and reported
   double defaultValue;
   ParameterScale scale = ParameterScale::linear;
   ParameterGroup group = ParameterGroup::specular;

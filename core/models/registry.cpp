@@ -7,7 +7,7 @@
 namespace gonio::models {
 
 std::span<const Model* const> allModels() {
-  static const Model* const models[] = {&lambert(), &ggx(), &sgd()};
+  static const Model* const models[] = {&lambert(), &blinnPhong(), &ward(), &cookTorrance(), &ggx(), &abc(), &sgd()};
   return models;
 }
 

@@ -8,7 +8,11 @@
 namespace gonio::models {
 
 const Model& lambert();
+const Model& blinnPhong();
+const Model& ward();
+const Model& cookTorrance();
 const Model& ggx();
+const Model& abc();
 const Model& sgd();
 
 }  // namespace gonio::models

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/math/special_functions.h"
+#include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
 
@@ -24,18 +25,11 @@ constexpr std::string_view maskingFormula = "G1 = clamp(1 - lambda (exp(c max(0,
 
 enum Index { diffuse, specular, alpha, power, f0, f1, lambda, maskingScale, maskingPower, theta0 };
 
+// clang-format off
 // The hard ranges admit every published row of the 100 MERL materials (c reaches 1e109, lambda 1.5e7).
 constexpr ParameterSpec parameters[] = {
-    {.id = "diffuse", .label = "Diffuse", .symbol = "rho_d", .unit = "",
-     .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = 0.2,
-     .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
-     .description = "Share of the light that the body of the material scatters evenly.",
-     .formula = "rho_d / pi", .reference = bagher},
-    {.id = "specular", .label = "Specular", .symbol = "rho_s", .unit = "",
-     .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 100, .defaultValue = 1,
-     .perChannel = true, .linear = true,
-     .description = "Strength and tint of the highlight.",
-     .formula = "rho_s F D G1 G1 / (pi cos theta_i cos theta_o)", .reference = bagher},
+    diffuseParameter(0.2),
+    specularParameter(1, "k_s F D G1(theta_i) G1(theta_o) / (pi cos theta_i cos theta_o)", bagher),
     {.id = "alpha", .label = "Width", .symbol = "alpha", .unit = "",
      .softMin = 1e-4, .softMax = 1, .hardMin = 1e-6, .hardMax = 10, .defaultValue = 0.03,
      .scale = ParameterScale::logarithmic, .perChannel = true,
@@ -82,8 +76,9 @@ constexpr ModelSpec sgdSpec = {
     .id = "sgd", .name = "SGD",
     .description = "Shifted gamma distribution of microfacets, made to fit measured materials closely. Reciprocal. Its "
                    "Fresnel term is a fit (may exceed 1), so nothing bounds the energy.",
-    .formula = "(rho_d + rho_s F D G1(theta_i) G1(theta_o) / (cos theta_i cos theta_o)) / pi",
+    .formula = "(k_d + k_s F D G1(theta_i) G1(theta_o) / (cos theta_i cos theta_o)) / pi",
     .reference = bagher, .parameters = parameters};
+// clang-format on
 
 /// One colour channel with everything that does not depend on directions.
 struct Channel {
@@ -122,7 +117,8 @@ double evaluateChannel(const Channel& c, const SurfaceGeometry& g, const Angles&
   // In log space: exp(-A) underflows where 1 / cos^4 overflows. pi is in Channel::specular.
   const double distribution = std::exp(c.logNormalisation - shifted - c.power * std::log(shifted) - a.log4CosH);
   const double fresnel = std::max(0.0, c.f0 - c.f1 * g.cosD + (1 - c.f0) * a.oneMinusCosD5);
-  return c.diffuse + c.specular * fresnel * distribution * masking(c, a.thetaI) * masking(c, a.thetaO) * a.inverseCosines;
+  return c.diffuse +
+         c.specular * fresnel * distribution * masking(c, a.thetaI) * masking(c, a.thetaO) * a.inverseCosines;
 }
 
 class Sgd final : public Model {

@@ -12,15 +12,16 @@ namespace gonio::models {
 /// What most models ask of a pair of directions, computed once and without cancellation.
 struct SurfaceGeometry {
   Direction wi, wo;
-  Direction half;              ///< unit half vector
-  double cosI, cosO;           ///< cosines of the polar angles, > 0
-  double cosD;                 ///< cosine of the difference angle: half . wi = half . wo
-  double sin2H;                ///< sin^2 theta_h = half.x^2 + half.y^2 (not 1 - cos^2: exact at the highlight)
-  double oneMinusCosH;         ///< 1 - cos theta_h, by sin2H / (1 + cos theta_h)
+  Direction half;       ///< unit half vector
+  double cosI, cosO;    ///< cosines of the polar angles, > 0
+  double cosD;          ///< cosine of the difference angle: half . wi = half . wo
+  double sin2H;         ///< sin^2 theta_h = half.x^2 + half.y^2 (not 1 - cos^2: exact at the highlight)
+  double oneMinusCosH;  ///< 1 - cos theta_h, by sin2H / (1 + cos theta_h)
 };
 
-/// False where a BRDF is 0 by definition: wi = -wo, or a direction at or below the horizon. Models divide by cosines, so
-/// down to `horizonTolerance` above it counts as at the horizon too: cosines given to models are at least that large.
+/// False where a BRDF is 0 by definition: wi = -wo, or a direction at or below the horizon. Models divide by cosines,
+/// so down to `horizonTolerance` above it counts as at the horizon too: cosines given to models are at least that
+/// large.
 bool surfaceGeometry(const DirectionPair& pair, SurfaceGeometry& geometry);
 
 /// Makes a Brdf of a function `Rgb evaluate(const SurfaceGeometry&)`.

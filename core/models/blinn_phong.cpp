@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <cmath>
+
+#include "core/models/common_parameters.h"
+#include "core/models/registry.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view blinn = "Blinn 1977, Models of Light Reflection for Computer Synthesized Pictures";
+constexpr std::string_view normalisations[] = {"half-vector", "unit-albedo", "none"};
+
+enum Index { diffuse, specular, exponent, normalisation };
+enum Normalisation { halfVector, unitAlbedo, none };
+
+// clang-format off
+constexpr ParameterSpec parameters[] = {
+    diffuseParameter(0.2),
+    specularParameter(0.1, "k_s N cos^n theta_h", blinn),
+    {.id = "exponent", .label = "Shininess", .symbol = "n", .unit = "",
+     .softMin = 1, .softMax = 1e4, .hardMin = 1e-6, .hardMax = 1e6, .defaultValue = 50,
+     .scale = ParameterScale::logarithmic,
+     .description = "Sharpness of the highlight: large is glossy.",
+     .formula = "cos^n theta_h", .reference = blinn},
+    choiceParameter("normalisation", "Normalisation", "N",
+                    "Whether the brightness of the highlight follows its sharpness, so that its energy stays.",
+                    "half-vector: (n + 2) / (8 pi); unit-albedo: (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))); none: 1",
+                    "Schueler 2011, The Blinn-Phong Normalization Zoo", normalisations),
+};
+
+constexpr ModelSpec blinnPhongSpec = {
+    .id = "blinn-phong", .name = "Blinn-Phong",
+    .description = "A cosine lobe about the half vector; simple and fast. Reciprocal. With normalisation 'none' its "
+                   "energy depends on the exponent and exceeds 1 for broad lobes; it darkens toward grazing angles.",
+    .formula = "k_d / pi + k_s N cos^n theta_h", .reference = blinn, .parameters = parameters};
+// clang-format on
+
+double normaliser(double n, int choice) {
+  if (choice == halfVector) return (n + 2) / (8 * pi);
+  if (choice == unitAlbedo) return (n + 2) * (n + 4) / (8 * pi * (n + std::exp2(-n / 2)));
+  return 1;
+}
+
+class BlinnPhong final : public Model {
+ public:
+  const ModelSpec& spec() const override { return blinnPhongSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const double n = p.values[exponent].x;
+    const Rgb kd = p.values[diffuse] / pi;
+    const Rgb ks = p.values[specular] * normaliser(n, chosen(p.values[normalisation].x));
+    return makeGeometryBrdf(
+        [=](const SurfaceGeometry& g) { return kd + ks * std::exp(n * std::log1p(-g.oneMinusCosH)); });
+  }
+};
+
+}  // namespace
+
+const Model& blinnPhong() {
+  static const BlinnPhong model;
+  return model;
+}
+
+}  // namespace gonio::models

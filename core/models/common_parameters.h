@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/models/parameter_spec.h"
+
+/// Parameters that mean the same in several models.
+namespace gonio::models {
+
+// clang-format off
+constexpr ParameterSpec diffuseParameter(double defaultValue) {
+  return {.id = "diffuse", .label = "Diffuse", .symbol = "k_d", .unit = "",
+          .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = defaultValue,
+          .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
+          .description = "Share of the light that the body of the material scatters evenly: its albedo.",
+          .formula = "k_d / pi", .reference = "Lambert 1760, Photometria"};
+}
+
+constexpr ParameterSpec specularParameter(double defaultValue, std::string_view formula, std::string_view reference) {
+  return {.id = "specular", .label = "Specular", .symbol = "k_s", .unit = "",
+          .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 100, .defaultValue = defaultValue,
+          .perChannel = true, .linear = true,
+          .description = "Strength and tint of the highlight.",
+          .formula = formula, .reference = reference};
+}
+
+/// Roughness of microfacet models: small is glossy. Below 1e-4 a lobe is narrower than any light or measurement.
+constexpr ParameterSpec roughnessParameter(std::string_view symbol, std::string_view description,
+                                           std::string_view formula, std::string_view reference) {
+  return {.id = "roughness", .label = "Roughness", .symbol = symbol, .unit = "",
+          .softMin = 0.005, .softMax = 1, .hardMin = 1e-4, .hardMax = 1, .defaultValue = 0.3,
+          .scale = ParameterScale::logarithmic,
+          .description = description, .formula = formula, .reference = reference};
+}
+
+constexpr ParameterSpec normalReflectanceParameter() {
+  return {.id = "f0", .label = "Reflectance at normal incidence", .symbol = "F_0", .unit = "",
+          .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.04,
+          .group = ParameterGroup::fresnel,
+          .description = "How mirror-like the surface is when seen head-on; metals are high, plastics near 0.04.",
+          .formula = "F = F(cos theta_d, eta), eta = (1 + sqrt F_0) / (1 - sqrt F_0)",
+          .reference = "Cook and Torrance 1982, A Reflectance Model for Computer Graphics"};
+}
+
+/// A choice between named conventions; the first is the default.
+constexpr ParameterSpec choiceParameter(std::string_view id, std::string_view label, std::string_view symbol,
+                                        std::string_view description, std::string_view formula,
+                                        std::string_view reference, std::span<const std::string_view> choices) {
+  const double last = double(choices.size()) - 1;
+  return {.id = id, .label = label, .symbol = symbol, .unit = "",
+          .softMin = 0, .softMax = last, .hardMin = 0, .hardMax = last, .defaultValue = 0,
+          .group = ParameterGroup::convention,
+          .description = description, .formula = formula, .reference = reference, .choices = choices};
+}
+// clang-format on
+
+/// Index of the choice that a value stands for: the nearest.
+constexpr int chosen(double value) { return int(value + 0.5); }
+
+}  // namespace gonio::models
