@@ -24,7 +24,11 @@ std::unique_ptr<const Brdf> Model::instantiate(const ParameterValues& parameters
 std::vector<glm::vec3> Model::shaderParameters(const ParameterValues& parameters) const {
   ParameterValues checked = parameters;
   clampToHardRange(spec(), checked);
-  return {checked.values.begin(), checked.values.end()};
+  return createShaderParameters(checked);
+}
+
+std::vector<glm::vec3> Model::createShaderParameters(const ParameterValues& parameters) const {
+  return {parameters.values.begin(), parameters.values.end()};
 }
 
 ParameterValues defaultParameters(const ModelSpec& spec) {

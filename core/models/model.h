@@ -44,14 +44,16 @@ class Model {
   std::unique_ptr<const Brdf> instantiate(const ParameterValues& parameters) const;
 
   /// What the model's shader twin (shaders/models/ID.glsl) takes as its array `p`: by default the parameters
-  /// themselves, clamped. A model overrides this where float cannot hold a parameter, or to compute beforehand what
-  /// does not depend on directions. The count of entries is the same for all parameters.
+  /// themselves, clamped. A model changes this (createShaderParameters()) where float cannot hold a parameter, or to
+  /// compute beforehand what does not depend on directions. The count of entries is the same for all parameters.
   /// @throws Error as instantiate().
-  virtual std::vector<glm::vec3> shaderParameters(const ParameterValues& parameters) const;
+  std::vector<glm::vec3> shaderParameters(const ParameterValues& parameters) const;
 
  protected:
   /// `parameters` are valid: right count, finite, inside the hard ranges.
   virtual std::unique_ptr<const Brdf> create(const ParameterValues& parameters) const = 0;
+  /// As create(); by default the values as they are.
+  virtual std::vector<glm::vec3> createShaderParameters(const ParameterValues& parameters) const;
 };
 
 /// The defaults of the specs.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/exponential.hpp>
 
 #include "core/math/special_functions.h"
 #include "core/models/common_parameters.h"
@@ -139,6 +140,16 @@ class Sgd final : public Model {
       return Rgb(evaluateChannel(channels[0], g, angles), evaluateChannel(channels[1], g, angles),
                  evaluateChannel(channels[2], g, angles));
     });
+  }
+
+  /// c becomes ln c, and ln K stands behind the values: c exceeds float, and the shader has no incomplete gamma.
+  std::vector<glm::vec3> createShaderParameters(const ParameterValues& p) const override {
+    std::vector<glm::vec3> result = Model::createShaderParameters(p);
+    result[maskingScale] = glm::log(p.values[maskingScale]);
+    glm::vec3& logNormalisation = result.emplace_back();
+    for (int channel = 0; channel < 3; ++channel)
+      logNormalisation[channel] = float(sgdLogNormalisation(p.values[alpha][channel], p.values[power][channel]));
+    return result;
   }
 };
 
