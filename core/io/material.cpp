@@ -7,6 +7,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/format_mismatch.h"
 #include "core/io/merl_file.h"
+#include "core/io/rgl_brdf.h"
 #include "core/io/sha256.h"
 
 namespace gonio::io {
@@ -30,7 +31,18 @@ void readMerlMaterial(const ByteSource& source, const TaskControl& control, Mate
     material.source.notes.push_back(std::to_string(merl.clampedCount) + " small negative values were set to 0");
 }
 
-constexpr MaterialReader readers[] = {{"MERL", readMerlMaterial}};
+void readRglMaterial(const ByteSource& source, const TaskControl& control, Material& material) {
+  control.throwIfStopped();
+  RglFile rgl = readRgl(source);
+  material.brdf = std::move(rgl.brdf);
+  material.source.description = std::move(rgl.description);
+  material.source.grid = std::move(rgl.grid);
+  if (rgl.negativeCount > 0)
+    material.source.notes.push_back(std::to_string(rgl.negativeCount) +
+                                    " negative values; where they make a reflectance negative it is set to 0");
+}
+
+constexpr MaterialReader readers[] = {{"MERL", readMerlMaterial}, {"RGL", readRglMaterial}};
 
 Material readSource(const ByteSource& source, const TaskControl& control) {
   std::string refusals;

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <cmath>
+
+#include "core/io/format_mismatch.h"
+#include "core/io/rgl_brdf.h"
+#include "core/io/tensor_file.h"
+
+namespace gonio::io {
+
+namespace {
+
+using Shape = std::vector<std::uint64_t>;
+
+void requireShape(const TensorFile& file, std::string_view name, const Shape& expected) {
+  const Tensor& tensor = file.field(name, TensorType::float32, expected.size());
+  if (tensor.shape == expected) return;
+  Tensor wanted = tensor;
+  wanted.shape = expected;
+  throw FormatMismatch("'" + std::string(name) + "' " + tensor.describe(), wanted.describe());
+}
+
+/// The sizes of a field's last two dimensions, each at least 2.
+glm::u64vec2 gridSize(const TensorFile& file, std::string_view name, std::size_t dimensions) {
+  const Tensor& tensor = file.field(name, TensorType::float32, dimensions);
+  const std::uint64_t height = tensor.shape[dimensions - 2], width = tensor.shape[dimensions - 1];
+  if (height < 2 || width < 2)
+    throw FormatMismatch("'" + std::string(name) + "' " + tensor.describe(), "last sizes of at least 2");
+  return {width, height};
+}
+
+std::vector<float> increasing(const TensorFile& file, std::string_view name) {
+  const std::vector<float> nodes = file.floats(name, 1);
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+    if (!(nodes[i] > nodes[i - 1]))
+      throw FormatMismatch(
+          "'" + std::string(name) + "' with " + std::to_string(nodes[i]) + " after " + std::to_string(nodes[i - 1]),
+          "increasing angles");
+  if (nodes.empty()) throw FormatMismatch("'" + std::string(name) + "' without values", "at least one angle");
+  return nodes;
+}
+
+SliceStack<float> stack(const TensorFile& file, std::string_view name, std::size_t dimensions) {
+  const glm::u64vec2 size = gridSize(file, name, dimensions);
+  return {size.x, size.y, file.floats(name, dimensions)};
+}
+
+/// The field `rgb`, [phi][theta][channel][row][column], with the channels brought together.
+SliceStack<glm::vec3> colours(const TensorFile& file, std::uint64_t& negativeCount) {
+  const std::vector<float> values = file.floats("rgb", 5);
+  const glm::u64vec2 size = gridSize(file, "rgb", 5);
+  const std::size_t plane = size.x * size.y;
+  SliceStack<glm::vec3> result{size.x, size.y, std::vector<glm::vec3>(values.size() / 3)};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    result.values[i / (3 * plane) * plane + i % plane][int(i / plane % 3)] = values[i];
+  negativeCount = std::uint64_t(std::ranges::count_if(values, [](float value) { return value < 0; }));
+  return result;
+}
+
+int reductionOf(const std::vector<float>& phis) {
+  if (phis.size() <= 2) return 1;
+  const double range = double(phis.back()) - phis.front();
+  const double reduction = std::rint(2 * pi / range);
+  if (reduction != 1 && reduction != 2 && reduction != 4)
+    throw FormatMismatch("incident azimuths over " + std::to_string(degrees(range)) + " degrees", "90, 180 or 360");
+  return int(reduction);
+}
+
+}  // namespace
+
+RglFile readRgl(const ByteSource& source) {
+  const TensorFile file(source);
+  if (file.contains("spectra") && !file.contains("rgb"))
+    throw FormatMismatch("spectra in place of colours", "the material's _rgb file");
+  RglFile result;
+  RglData data;
+  data.incident = ParameterGrid(increasing(file, "phi_i"), increasing(file, "theta_i"));
+  const std::vector<float>& phis = data.incident.phis();
+  data.isotropic = phis.size() <= 2;
+  data.azimuthReduction = reductionOf(phis);
+
+  const std::uint64_t phiCount = phis.size(), thetaCount = data.incident.slices() / phis.size();
+  const glm::u64vec2 warpSize = gridSize(file, "vndf", 4), colourSize = gridSize(file, "rgb", 5);
+  requireShape(file, "vndf", {phiCount, thetaCount, warpSize.y, warpSize.x});
+  requireShape(file, "rgb", {phiCount, thetaCount, 3, colourSize.y, colourSize.x});
+  const Tensor& jacobian = file.field("jacobian", TensorType::uint8, 1);
+  if (jacobian.bytes.size() != 1) throw FormatMismatch("'jacobian' " + jacobian.describe(), "one value");
+
+  data.jacobian = jacobian.bytes[0] != std::byte{0};
+  data.ndf = stack(file, "ndf", 2);
+  data.sigma = stack(file, "sigma", 2);
+  data.vndf = stack(file, "vndf", 4);
+  data.rgb = colours(file, result.negativeCount);
+  result.description = file.text("description");
+  for (const std::uint64_t size : file.field("rgb", TensorType::float32, 5).shape) result.grid.push_back(int(size));
+  result.brdf = std::make_shared<const RglBrdf>(std::move(data));
+  return result;
+}
+
+}  // namespace gonio::io

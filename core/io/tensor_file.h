@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/io/byte_source.h"
+
+namespace gonio::io {
+
+/// The types that `tensor_file` numbers.
+enum class TensorType : std::uint8_t {
+  uint8 = 1,
+  int8,
+  uint16,
+  int16,
+  uint32,
+  int32,
+  uint64,
+  int64,
+  float16,
+  float32,
+  float64
+};
+
+/// One named array of a tensor file: row-major, the last dimension fastest.
+struct Tensor {
+  TensorType type{};
+  std::vector<std::uint64_t> shape;
+  std::span<const std::byte> bytes;  ///< inside the TensorFile, which must live on
+
+  std::uint64_t count() const;
+  /// "float32 1 x 8 x 128 x 128"
+  std::string describe() const;
+};
+
+/// A container of named arrays, format `tensor_file` 1.0, little-endian (the EPFL RGL database uses it): the magic
+/// "tensor_file\0", two version bytes, a uint32 count, then for each field a uint16 name length, the name, a uint16
+/// number of dimensions, a type byte, a uint64 offset of the data and uint64 sizes.
+class TensorFile {
+ public:
+  /// Every number of the directory is checked against the file's size; only the file itself is held in memory.
+  /// @throws FormatMismatch.
+  explicit TensorFile(const ByteSource& source);
+
+  bool contains(std::string_view name) const { return fields_.find(name) != fields_.end(); }
+  /// The field, with this type and this many dimensions.
+  /// @throws FormatMismatch telling what the file has instead.
+  const Tensor& field(std::string_view name, TensorType type, std::size_t dimensions) const;
+  /// A float32 field as numbers. @throws FormatMismatch as field(); Error naming the first that is not finite.
+  std::vector<float> floats(std::string_view name, std::size_t dimensions) const;
+  /// A uint8 field as text.
+  std::string text(std::string_view name) const;
+
+ private:
+  std::vector<std::byte> bytes_;
+  std::map<std::string, Tensor, std::less<>> fields_;
+};
+
+}  // namespace gonio::io

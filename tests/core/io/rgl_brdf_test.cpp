@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/rgl_brdf.h"
+
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+#include <sstream>
+
+#include "core/io/format_mismatch.h"
+#include "core/io/material.h"
+#include "core/io/tensor_file.h"
+#include "tests/core/io/synthetic_tensors.h"
+
+using namespace gonio;
+using namespace gonio::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+io::RglFile read(const Bytes& bytes) { return io::readRgl(io::MemorySource(bytes)); }
+Rgb value(const SyntheticRgl& rgl, const Direction& wi, const Direction& wo) {
+  return read(rgl.file()).brdf->evaluate(wi, wo);
+}
+fs::path rglPath(const std::string& name) { return fs::path(GONIO_SHARED_DIR) / "data/rgl" / (name + "_rgb.bsdf"); }
+Direction mirror(const Direction& w, const Direction& m) { return 2 * glm::dot(w, m) * m - w; }
+bool close(double a, double b, double relative) {
+  return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b));
+}
+
+/// The tensors of a real file, and what its evaluation must give at a node of the vndf's grid, straight from the sums.
+struct Tensors {
+  io::TensorFile file;
+  std::vector<float> theta, vndf, ndf, sigma, rgb;
+
+  explicit Tensors(const fs::path& path)
+      : file(io::FileSource(path)),
+        theta(file.floats("theta_i", 1)),
+        vndf(file.floats("vndf", 4)),
+        ndf(file.floats("ndf", 2)),
+        sigma(file.floats("sigma", 2)),
+        rgb(file.floats("rgb", 5)) {}
+
+  /// Trapezoids along row b of slice k, up to node a.
+  double rowSum(std::size_t k, std::size_t b, std::size_t a) const {
+    double sum = 0;
+    for (std::size_t x = 0; x < a; ++x)
+      sum += (double(vndf[(k * 128 + b) * 128 + x]) + double(vndf[(k * 128 + b) * 128 + x + 1])) / 2;
+    return sum;
+  }
+  /// Incident polar angle k, microfacet normal at column a and row b: the BRDF times cos theta_o.
+  Rgb atNode(std::size_t k, std::size_t a, std::size_t b) const {
+    double below = 0, all = 0;
+    for (std::size_t y = 0; y < 127; ++y) {
+      const double strip = (rowSum(k, y, 127) + rowSum(k, y + 1, 127)) / 2;
+      all += strip;
+      if (y < b) below += strip;
+    }
+    const double x = rowSum(k, b, a) / rowSum(k, b, 127) * 31, y = below / all * 31;
+    const std::size_t column = std::min<std::size_t>(std::size_t(x), 30),
+                      row = std::min<std::size_t>(std::size_t(y), 30);
+    const double fx = x - double(column), fy = y - double(row);
+    const double u = std::sqrt(theta[k] * 2 / pi) * 127, fu = u - std::floor(u);
+    // Both rows of sigma and ndf are the same material: isotropic.
+    const double area = (1 - fu) * sigma[std::size_t(u)] + (fu > 0 ? fu * sigma[std::size_t(u) + 1] : 0);
+    Rgb result;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const auto node = [&](std::size_t r, std::size_t c) {
+        return double(rgb[((k * 3 + channel) * 32 + r) * 32 + c]);
+      };
+      const double fr = (1 - fy) * ((1 - fx) * node(row, column) + fx * node(row, column + 1)) +
+                        fy * ((1 - fx) * node(row + 1, column) + fx * node(row + 1, column + 1));
+      result[int(channel)] = std::max(0.0, fr * ndf[a] / (4 * area));
+    }
+    return result;
+  }
+};
+
+}  // namespace
+
+class RglBrdfTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// A uniform vndf warps nothing: rgb ndf / (4 sigma cos theta_o) in closed form.
+  void constantTensors() {
+    SyntheticRgl rgl;
+    const Direction wi = fromSpherical(0.7, 0.3), wo = fromSpherical(1.1, 2.0);
+    for (int channel = 0; channel < 3; ++channel)
+      QVERIFY(close(value(rgl, wi, wo)[channel], 1 * 2 / (4 * 0.5) / wo.z, 1e-6));
+    rgl.jacobian = 0;
+    QVERIFY(close(value(rgl, wi, wo).y, 1 / wo.z, 1e-6));
+  }
+
+  /// rgb = (column, row, theta_i slice): each read back through the square's coordinates.
+  void coordinatesOfTheSquare() {
+    SyntheticRgl rgl;
+    for (std::size_t i = 0; i < rgl.rgb.size(); ++i) {
+      const std::size_t column = i % 2, row = i / 2 % 2, channel = i / 4 % 3, theta = i / 12;
+      rgl.rgb[i] = float(channel == 0 ? column : channel == 1 ? row : theta);
+    }
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const auto brdf = read(rgl.file()).brdf;
+    QVERIFY(brdf->isIsotropic());
+    for (int n = 0; n < 2000; ++n) {
+      const double thetaI = std::acos(uniform(random)), phiI = 2 * pi * uniform(random);
+      const Direction wi = fromSpherical(thetaI, phiI),
+                      wo = fromSpherical(std::acos(0.01 + 0.99 * uniform(random)), 2 * pi * uniform(random));
+      const Direction half = glm::normalize(wi + wo);
+      const Rgb f = brdf->evaluate(wi, wo) * wo.z;
+      QVERIFY(std::abs(f.x - std::sqrt(polarAngle(half) / halfPi)) < 1e-5);
+      const double turn = (azimuth(half) - phiI) / (2 * pi) + 0.5;
+      QVERIFY(std::abs(std::remainder(f.y - turn, 1)) < 1e-5);
+      QVERIFY(std::abs(f.z - thetaI / halfPi) < 1e-5);
+    }
+  }
+
+  /// Columns of the vndf 0, 1, 2: density 2x, so that a normal at u goes to u^2.
+  void visibleNormalsWarpTheSquare() {
+    SyntheticRgl rgl;
+    for (std::size_t i = 0; i < rgl.vndf.size(); ++i) rgl.vndf[i] = float(i % 3);
+    for (std::size_t i = 0; i < rgl.rgb.size(); ++i) rgl.rgb[i] = float(i % 2);
+    const Direction wi = fromSpherical(0.4, 1), wo = fromSpherical(0.9, -2);
+    const double u2 = polarAngle(glm::normalize(wi + wo)) / halfPi;
+    QVERIFY(close(value(rgl, wi, wo).x * wo.z, u2, 1e-5));
+  }
+
+  void negativeValuesBecomeZeroAndAreCounted() {
+    SyntheticRgl rgl;
+    for (std::size_t i = 4; i < 8; ++i) rgl.rgb[i] = -0.5f;  // green at theta_i = 0
+    QCOMPARE(read(rgl.file()).negativeCount, std::uint64_t(4));
+    const Rgb f = value(rgl, {0, 0, 1}, fromSpherical(0.5, 1));
+    QVERIFY(f.x > 0 && f.y == 0 && f.z > 0);
+  }
+
+  void hardCase1GrazingAndBelowIsFinite() {
+    const auto brdf = read(SyntheticRgl().file()).brdf;
+    for (const double z : {1e-17, 0.0, -1e-17, -1e-13, -0.3, 1e-8, 1e-4}) {
+      const Direction low{std::sqrt(1 - z * z), 0, z}, up = fromSpherical(0.5, 2);
+      for (const Rgb& f : {brdf->evaluate(low, up), brdf->evaluate(up, low), brdf->evaluate(low, low)}) {
+        QVERIFY(std::isfinite(f.x) && f.x >= 0 && f.x <= 1000.001);
+        QVERIFY(z > 0.5e-12 || f == Rgb(0));
+      }
+    }
+    QVERIFY(brdf->evaluate({1, 0, 0}, {-1, 0, 0}) == Rgb(0));  // hard case 4
+    QVERIFY(std::isfinite(brdf->evaluate({0, 0, 1}, {0, 0, 1}).x));
+  }
+
+  /// A value for each incident azimuth; half a turn or mirroring must bring the direction into the measured range.
+  void anisotropicAzimuthsAreReduced() {
+    for (const int reduction : {1, 2, 4}) {
+      SyntheticRgl rgl;
+      rgl.phis = {float(-pi), float(-pi + pi / reduction), float(-pi + 2 * pi / reduction)};
+      rgl.vndf.assign(54, 1);
+      rgl.rgb.clear();
+      for (int i = 0; i < 72; ++i) rgl.rgb.push_back(float(1 + i / 24));
+      const io::RglFile file = read(rgl.file());
+      QVERIFY(!file.brdf->isIsotropic());
+      QCOMPARE(file.grid, (std::vector<int>{3, 2, 3, 2, 2}));
+      for (double phi = -3.1; phi < 3.1; phi += 0.37) {
+        double reduced = phi;
+        if (reduction == 2 && phi > 0) reduced = phi - pi;
+        if (reduction == 4) reduced = std::abs(phi) > halfPi ? -std::abs(phi) : std::abs(phi) - pi;
+        const double expected = 1 + 2 * (reduced + pi) / (2 * pi / reduction);
+        const Direction wo = fromSpherical(0.3, 1.9);
+        QVERIFY2(close(file.brdf->evaluate(fromSpherical(0.8, phi), wo).y * wo.z, expected, 1e-5),
+                 std::to_string(phi).c_str());
+      }
+    }
+    SyntheticRgl odd;
+    odd.phis = {float(-pi), -2, -1};
+    odd.vndf.assign(54, 1);
+    odd.rgb.assign(72, 1);
+    QVERIFY(contains(errorOf([&] { read(odd.file()); }), "azimuths"));
+  }
+
+  void hardCase13ShapesMustAgree() {
+    const auto error = [](const std::string& name, const TensorField& replacement) {
+      std::vector<TensorField> fields = SyntheticRgl().fields();
+      std::erase_if(fields, [&](const TensorField& field) { return field.name == name; });
+      fields.push_back(replacement);
+      return errorOf([&] { read(tensorFile(fields)); });
+    };
+    QVERIFY(contains(error("rgb", byteField("spectra", "x")), "_rgb file"));
+    QVERIFY(contains(error("rgb", floatField("rgb", {1, 2, 1, 2, 2}, std::vector<float>(8))),
+                     "expected float32 1 x 2 x 3"));
+    QVERIFY(contains(error("vndf", floatField("vndf", {1, 3, 3, 3}, std::vector<float>(27, 1))), "vndf"));
+    QVERIFY(contains(error("vndf", floatField("vndf", {1, 2, 3, 1}, std::vector<float>(6, 1))), "at least 2"));
+    QVERIFY(contains(error("ndf", floatField("ndf", {0, 2}, {})), "ndf"));
+    QVERIFY(contains(error("theta_i", floatField("theta_i", {2}, {1, 1})), "increasing"));
+    QVERIFY(contains(error("theta_i", floatField("theta_i", {0}, {})), "theta_i"));
+    QVERIFY(contains(error("jacobian", byteField("jacobian", "")), "jacobian"));
+    QVERIFY(contains(error("sigma", byteField("x", "")), "sigma"));
+  }
+
+  /// Values by hand from the tensors of a measured file, at nodes of the incident angles and of the vndf's grid.
+  void measuredFileAtGridNodes() {
+    for (const std::string name : {"vch_golden_yellow", "acrylic_felt_green", "chm_light_blue"}) {
+      if (!fs::exists(rglPath(name))) QSKIP("the development data is absent");
+      const Tensors tensors(rglPath(name));
+      const io::Material material = io::readMaterial(rglPath(name));
+      QCOMPARE(material.source.format, std::string("RGL"));
+      QCOMPARE(material.source.description, tensors.file.text("description"));
+      int compared = 0;
+      for (const std::size_t k : {1, 3, 5})
+        for (const std::size_t a : {20, 45, 70})
+          for (const std::size_t b : {10, 40, 63, 64, 90, 120}) {
+            const double u = double(a) / 127, phi = double(b) / 127 * 2 * pi - pi;
+            const Direction wi = fromSpherical(tensors.theta[k], 0.4);
+            const Direction wo = mirror(wi, fromSpherical(u * u * halfPi, phi + 0.4));
+            if (wo.z < 0.05) continue;
+            ++compared;
+            const Rgb expected = tensors.atNode(k, a, b), found = material.brdf->evaluate(wi, wo) * wo.z;
+            for (int channel = 0; channel < 3; ++channel)
+              QVERIFY2(std::abs(found[channel] - expected[channel]) < 1e-4 * maxChannel(expected) + 1e-7,
+                       (name + " " + std::to_string(k) + " " + std::to_string(a) + " " + std::to_string(b)).c_str());
+          }
+      QVERIFY(compared > 30);
+    }
+  }
+
+  /// The file's own luminance is that of its colours in linear sRGB: the channels are in the right places.
+  void luminanceOfTheNodes() {
+    if (!fs::exists(rglPath("cm_toxic_green"))) QSKIP("the development data is absent");
+    const io::TensorFile file{io::FileSource(rglPath("cm_toxic_green"))};
+    const std::vector<float> rgb = file.floats("rgb", 5), expected = file.floats("luminance", 4);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const float* red = &rgb[i / 1024 * 3072 + i % 1024];
+      QVERIFY(std::abs(luminance({red[0], red[1024], red[2048]}) - expected[i]) < 2e-4);
+    }
+  }
+
+  void agreesWithTheNearMeasuredCopy() {
+    const fs::path tool = fs::path(GONIO_SHARED_DIR) / "tools/make-merl",
+                   folder = outputPath("io/near/x").parent_path();
+    if (!fs::exists(tool)) QSKIP("the development data is absent");
+    std::ostringstream command;
+    command << tool << ' ' << folder << " rgl vch_golden_yellow > /dev/null";
+    if (std::system(command.str().c_str()) != 0) QSKIP("make-merl does not run here");
+    const io::Material measured = io::readMaterial(rglPath("vch_golden_yellow"));
+    const io::Material near = io::readMaterial(folder / "vch_golden_yellow.binary");
+    const auto table = measured.tabulated();
+    QCOMPARE(table->validCount(), std::size_t(1111432));
+    std::vector<double> ratios;
+    for (std::size_t cell = 0; cell < table->grid().size(); cell += 5) {
+      if (!table->valid()[cell] || !table->grid().nodeWithin(cell, radians(75))) continue;
+      ratios.push_back(luminance(Rgb(table->values()[cell])) / luminance(Rgb(near.table->values()[cell])));
+    }
+    std::ranges::nth_element(ratios, ratios.begin() + std::ptrdiff_t(ratios.size() / 2));
+    const double median = ratios[ratios.size() / 2];
+    QVERIFY2(median > 0.9 && median < 1.1, std::to_string(median).c_str());
+    // The table holds what the file's own parameterisation gives.
+    const std::size_t cell = table->grid().index(12, 30, 70);
+    const auto [wi, wo] = table->grid().directions(cell);
+    QVERIFY(table->values()[cell] == glm::vec3(measured.brdf->evaluate(wi, wo)));
+  }
+};
+
+QTEST_APPLESS_MAIN(RglBrdfTest)
+#include "rgl_brdf_test.moc"
