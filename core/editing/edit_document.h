@@ -4,29 +4,40 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/editing/differential_edit.h"
 
 namespace gonio::editing {
 
-/// What a .gonio file holds: which source, which edits; never measured data. JSON, versioned.
+/// What a .gonio file holds: which source, which edits; never measured data. JSON, versioned:
+///   {"format": "gonio document", "version": 1, "source": {"path": "a.binary", "sha256": "..."},
+///    "edits": [{"type": "differential", "model": "ggx", "fitted": {..}, "edited": {..}, "strength": 1,
+///               "enabled": true}], "view": {..}}
 struct EditDocument {
   static constexpr int currentVersion = 1;
 
-  std::string sourcePath;     ///< relative to the document where possible; "library:sgd/chrome" for a bundled material
+  /// Absolute, or relative to the folder of the document; "library:sgd/chrome" for a bundled material.
+  std::string sourcePath;
   std::string sourceSha256;
   std::vector<DifferentialEdit> edits;
   nlohmann::json view = nlohmann::json::object();  ///< the editor's camera, light, exposure: opaque to core
 };
 
+/// @throws Error when an edit's values do not fit its model.
 nlohmann::json toJson(const EditDocument& document);
+/// Keys that this version does not know are left out.
 /// @throws Error telling the key, what was found and what was expected; unknown models and newer versions too.
 EditDocument documentFromJson(const nlohmann::json& json);
 
 /// @throws Error naming the file.
 EditDocument readDocument(const std::filesystem::path& path);
-/// Atomic. `sourcePath` is written relative to the document's folder when it lies beside or below it.
+/// The same of text; the error names no file.
+EditDocument documentFromText(std::string_view text);
+/// Atomic. An absolute `sourcePath` beside or below the document's folder is written relative to it, so that both can
+/// be moved together. @throws Error naming the file.
 void writeDocument(const EditDocument& document, const std::filesystem::path& path);
 /// The source's path as readMaterial() takes it: relative ones resolved against the document's folder.
 std::filesystem::path resolveSource(const EditDocument& document, const std::filesystem::path& documentPath);

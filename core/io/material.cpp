@@ -71,7 +71,7 @@ Material readMaterial(const std::filesystem::path& path, const TaskControl& cont
   try {
     Material material = readSource(source, control);
     material.name = path.stem().string();
-    material.source.path = path;
+    material.source.path = std::filesystem::absolute(path).lexically_normal();
     material.source.sha256 = hash.get();
     return material;
   } catch (const Cancelled&) {

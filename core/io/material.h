@@ -13,7 +13,7 @@ namespace gonio::io {
 
 /// Where a material comes from.
 struct MaterialSource {
-  std::filesystem::path path;      ///< of the file; "library:sgd/chrome" for a bundled material
+  std::filesystem::path path;      ///< of the file, absolute; "library:sgd/chrome" for a bundled material
   std::string format;              ///< "MERL", "RGL", "SGD fit"
   std::string sha256;              ///< of the file's bytes, or of a bundled material's parameters; lower-case hex
   std::string description;         ///< from the file or for people: "SGD fit of MERL chrome, Bagher et al. 2012"

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/editing/edit_document.h"
+
+#include <algorithm>
+
+#include "core/io/atomic_file.h"
+#include "core/io/byte_source.h"
+#include "core/models/parameters_json.h"
+#include "core/support/error.h"
+#include "core/support/json_object.h"
+
+namespace gonio::editing {
+
+namespace {
+
+constexpr std::string_view formatName = "gonio document";
+constexpr std::string_view differentialType = "differential";
+constexpr std::string_view libraryScheme = "library:";
+constexpr std::uint64_t maxDocumentBytes = std::uint64_t(1) << 26;
+constexpr int maxDepth = 64;
+
+bool isLibraryPath(std::string_view path) { return path.starts_with(libraryScheme); }
+
+bool isSha256(const std::string& text) {
+  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+nlohmann::json editToJson(const DifferentialEdit& edit) {
+  if (!edit.model) throw Error("an edit without a model cannot be written");
+  const models::ModelSpec& spec = edit.model->spec();
+  return {{"type", differentialType},
+          {"model", spec.id},
+          {"fitted", models::parametersToJson(spec, edit.fitted)},
+          {"edited", models::parametersToJson(spec, edit.edited)},
+          {"strength", edit.strength},
+          {"enabled", edit.enabled}};
+}
+
+const models::Model& modelFromJson(const JsonObject& object) {
+  try {
+    return models::findModel(object.text("model"));
+  } catch (const Error& error) {
+    throw Error(object.place("model") + ": " + error.what());
+  }
+}
+
+DifferentialEdit editFromJson(const nlohmann::json& json, const std::string& where) {
+  const JsonObject object(json, where);
+  if (object.text("type") != differentialType) object.fail("type", "\"differential\"");
+  DifferentialEdit edit;
+  edit.model = &modelFromJson(object);
+  const auto values = [&](const char* key) {
+    return models::parametersFromJson(edit.model->spec(), object.member(key, "an object"), object.place(key));
+  };
+  edit.fitted = values("fitted");
+  edit.edited = values("edited");
+  edit.strength = object.number("strength", 0, 1);
+  edit.enabled = object.flag("enabled");
+  return edit;
+}
+
+void checkVersion(const JsonObject& root) {
+  if (root.text("format") != formatName) root.fail("format", "\"" + std::string(formatName) + "\"");
+  const std::string expected = "a version from 1 to " + std::to_string(EditDocument::currentVersion);
+  const nlohmann::json& version = root.member("version", expected);
+  if (!version.is_number_integer() || version.get<double>() < 1) root.fail("version", expected);
+  if (version.get<double>() > EditDocument::currentVersion)
+    root.fail("version", expected + "; a newer Gonio wrote this document");
+}
+
+template <typename Work>
+auto namingFile(const std::filesystem::path& path, Work work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Error(path.string() + ": " + error.what());
+  }
+}
+
+/// The source as it is written: relative where it lies beside or below the document.
+std::string portableSource(const std::string& source, const std::filesystem::path& documentPath) {
+  const std::filesystem::path path(source);
+  if (isLibraryPath(source) || !path.is_absolute()) return source;
+  const auto folder = std::filesystem::weakly_canonical(std::filesystem::absolute(documentPath).parent_path());
+  const auto relative = std::filesystem::weakly_canonical(path).lexically_relative(folder);
+  return relative.empty() || *relative.begin() == ".." ? source : relative.generic_string();
+}
+
+}  // namespace
+
+nlohmann::json toJson(const EditDocument& document) {
+  nlohmann::json edits = nlohmann::json::array();
+  for (const DifferentialEdit& edit : document.edits) edits.push_back(editToJson(edit));
+  return {{"format", formatName},
+          {"version", EditDocument::currentVersion},
+          {"source", {{"path", document.sourcePath}, {"sha256", document.sourceSha256}}},
+          {"edits", std::move(edits)},
+          {"view", document.view}};
+}
+
+EditDocument documentFromJson(const nlohmann::json& json) {
+  const JsonObject root(json, "");
+  checkVersion(root);
+  EditDocument document;
+  const JsonObject source = root.object("source");
+  document.sourcePath = source.text("path");
+  if (document.sourcePath.empty()) source.fail("path", "the path of a material");
+  document.sourceSha256 = source.text("sha256");
+  if (!isSha256(document.sourceSha256)) source.fail("sha256", "64 digits 0-9 and a-f");
+  const nlohmann::json& edits = root.array("edits");
+  for (std::size_t i = 0; i < edits.size(); ++i)
+    document.edits.push_back(editFromJson(edits[i], "edits[" + std::to_string(i) + "]"));
+  if (root.contains("view")) {
+    if (!root.member("view", "an object").is_object()) root.fail("view", "an object");
+    document.view = root.member("view", "an object");
+  }
+  return document;
+}
+
+EditDocument documentFromText(std::string_view text) {
+  // Copies and comparisons of JSON recurse: without a limit a few megabytes of brackets exhaust the stack.
+  const auto limitDepth = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    if (depth > maxDepth) throw Error("found values nested deeper than " + std::to_string(maxDepth));
+    return true;
+  };
+  try {
+    return documentFromJson(nlohmann::json::parse(text, limitDepth));
+  } catch (const nlohmann::json::exception& exception) {
+    throw Error(std::string("found text that is not JSON (") + exception.what() + "), expected a gonio document");
+  }
+}
+
+EditDocument readDocument(const std::filesystem::path& path) {
+  const io::FileSource source(path);
+  return namingFile(path, [&] {
+    const std::vector<std::byte> bytes = source.readAll(maxDocumentBytes);
+    return documentFromText({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  });
+}
+
+void writeDocument(const EditDocument& document, const std::filesystem::path& path) {
+  const std::string text = namingFile(path, [&] {
+    EditDocument portable = document;
+    portable.sourcePath = portableSource(document.sourcePath, path);
+    try {
+      return toJson(portable).dump(2) + "\n";
+    } catch (const nlohmann::json::exception& exception) {
+      throw Error(std::string("cannot be written as JSON: ") + exception.what());
+    }
+  });
+  io::writeFileAtomically(path, text);
+}
+
+std::filesystem::path resolveSource(const EditDocument& document, const std::filesystem::path& documentPath) {
+  const std::filesystem::path source(document.sourcePath);
+  if (isLibraryPath(document.sourcePath) || source.is_absolute()) return source;
+  return (std::filesystem::absolute(documentPath).parent_path() / source).lexically_normal();
+}
+
+}  // namespace gonio::editing

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/support/json_object.h"
+
+#include "core/support/error.h"
+
+namespace gonio {
+
+namespace {
+constexpr std::size_t maxDescribed = 60;
+
+std::string formatNumber(double value) { return nlohmann::json(value).dump(); }
+}  // namespace
+
+std::string describeJson(const nlohmann::json& value) {
+  if (value.is_object()) return "an object";
+  if (value.is_array()) return "a list of " + std::to_string(value.size());
+  if (value.is_null()) return "null";
+  std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  if (text.size() > maxDescribed) text = text.substr(0, maxDescribed) + "...";
+  if (value.is_string()) return "the text " + text;
+  return value.is_number() ? "the number " + text : text;
+}
+
+JsonObject::JsonObject(const nlohmann::json& value, std::string where) : value_(value), where_(std::move(where)) {
+  if (!value_.is_object())
+    throw Error((where_.empty() ? "the document" : where_) + ": found " + describeJson(value) + ", expected an object");
+}
+
+std::string JsonObject::place(std::string_view key) const {
+  return where_.empty() ? std::string(key) : where_ + "." + std::string(key);
+}
+
+void JsonObject::fail(std::string_view key, std::string_view expected) const {
+  const auto found = value_.find(key);
+  throw Error(place(key) + ": found " + (found == value_.end() ? "nothing" : describeJson(*found)) + ", expected " +
+              std::string(expected));
+}
+
+const nlohmann::json& JsonObject::member(std::string_view key, std::string_view expected) const {
+  const auto found = value_.find(key);
+  if (found == value_.end()) fail(key, expected);
+  return *found;
+}
+
+std::string JsonObject::text(std::string_view key) const {
+  const nlohmann::json& found = member(key, "a text");
+  if (!found.is_string()) fail(key, "a text");
+  return found.get<std::string>();
+}
+
+bool JsonObject::flag(std::string_view key) const {
+  const nlohmann::json& found = member(key, "true or false");
+  if (!found.is_boolean()) fail(key, "true or false");
+  return found.get<bool>();
+}
+
+double JsonObject::number(std::string_view key, double min, double max) const {
+  const std::string expected = "a number from " + formatNumber(min) + " to " + formatNumber(max);
+  const nlohmann::json& found = member(key, expected);
+  if (!found.is_number()) fail(key, expected);
+  const double value = found.get<double>();
+  if (!(value >= min && value <= max)) fail(key, expected);
+  return value;
+}
+
+JsonObject JsonObject::object(std::string_view key) const { return {member(key, "an object"), place(key)}; }
+
+const nlohmann::json& JsonObject::array(std::string_view key) const {
+  const nlohmann::json& found = member(key, "a list");
+  if (!found.is_array()) fail(key, "a list");
+  return found;
+}
+
+}  // namespace gonio

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/editing/edit_document.h"
+
+#include <QFile>
+#include <QTest>
+#include <cmath>
+
+#include "core/models/parameters_json.h"
+#include "tests/core/io/test_files.h"
+
+using namespace gonio;
+using namespace gonio::editing;
+using namespace gonio::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string someHash(64, 'a');
+
+EditDocument example() {
+  EditDocument document;
+  document.sourcePath = "library:sgd/chrome";
+  document.sourceSha256 = someHash;
+  document.view = {{"exposure", 1.5}, {"light", {0.1, 0.2, 0.97}}};
+  for (const models::Model* model : models::allModels()) {
+    DifferentialEdit edit;
+    edit.model = model;
+    edit.fitted = edit.edited = models::defaultParameters(model->spec());
+    for (std::size_t i = 0; i < edit.edited.values.size(); ++i)
+      if (model->spec().parameters[i].perChannel) edit.edited.values[i] *= Rgb(1.0 / 3, 0.1 + 0.2, 1e-17);
+    edit.strength = 1.0 / 7;
+    edit.enabled = document.edits.size() % 2 == 0;
+    document.edits.push_back(edit);
+  }
+  return document;
+}
+
+/// The error of a document that was changed at a place.
+std::string errorWith(const std::string& pointer, const nlohmann::json& value) {
+  nlohmann::json json = toJson(example());
+  json[nlohmann::json::json_pointer(pointer)] = value;
+  return errorOf([&] { documentFromJson(json); });
+}
+std::string errorWithout(const std::string& parent, const std::string& key) {
+  nlohmann::json json = toJson(example());
+  json[nlohmann::json::json_pointer(parent)].erase(key);
+  return errorOf([&] { documentFromJson(json); });
+}
+
+}  // namespace
+
+class EditDocumentTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void everyBitComesBack() {
+    const EditDocument document = example();
+    const fs::path path = outputPath("editing/example.gonio");
+    writeDocument(document, path);
+    const EditDocument again = readDocument(path);
+    QCOMPARE(again.sourcePath, document.sourcePath);
+    QCOMPARE(again.sourceSha256, document.sourceSha256);
+    QVERIFY(again.view == document.view);
+    QCOMPARE(again.edits.size(), document.edits.size());
+    for (std::size_t i = 0; i < document.edits.size(); ++i) {
+      QVERIFY(again.edits[i].model == document.edits[i].model);
+      QVERIFY(again.edits[i].fitted == document.edits[i].fitted);
+      QVERIFY(again.edits[i].edited == document.edits[i].edited);
+      QVERIFY(again.edits[i].strength == document.edits[i].strength);
+      QVERIFY(again.edits[i].enabled == document.edits[i].enabled);
+    }
+    QVERIFY(toJson(again) == toJson(document));
+  }
+
+  void sourceIsRelativeBesideAndBelowTheDocument() {
+    const fs::path folder = outputPath("editing/materials/x").parent_path(), path = folder / "a.gonio";
+    EditDocument document = example();
+    const auto stored = [&](const fs::path& source) {
+      document.sourcePath = source.string();
+      writeDocument(document, path);
+      const EditDocument again = readDocument(path);
+      QFile(QString::fromStdString(path.string())).remove();
+      return std::pair(again.sourcePath, resolveSource(again, path));
+    };
+    QCOMPARE(stored(folder / "chrome.binary").first, std::string("chrome.binary"));
+    QCOMPARE(stored(folder / "chrome.binary").second, folder / "chrome.binary");
+    QCOMPARE(stored(folder / "merl" / "chrome.binary").first, std::string("merl/chrome.binary"));
+    const fs::path outside = folder.parent_path() / "chrome.binary";
+    QCOMPARE(stored(outside).first, outside.string());
+    QCOMPARE(stored(outside).second, outside);
+    QCOMPARE(stored("library:sgd/chrome").second, fs::path("library:sgd/chrome"));
+    QCOMPARE(stored("../x.binary").second, outside.parent_path() / "x.binary");
+  }
+
+  void errorsNameKeyFoundAndExpected() {
+    const auto tells = [](const std::string& error, const std::string& key, const std::string& found) {
+      const bool all = contains(error, key + ": found " + found) && contains(error, "expected");
+      if (!all) qWarning("%s", error.c_str());
+      return all;
+    };
+    QVERIFY(tells(errorWith("/format", "other"), "format", "the text \"other\""));
+    QVERIFY(tells(errorWith("/version", 2), "version", "the number 2"));
+    QVERIFY(contains(errorWith("/version", 2), "newer"));
+    QVERIFY(tells(errorWith("/version", 1.5), "version", "the number 1.5"));
+    QVERIFY(tells(errorWith("/version", -1), "version", "the number -1"));
+    QVERIFY(tells(errorWithout("/source", "path"), "source.path", "nothing"));
+    QVERIFY(tells(errorWith("/source/sha256", "ABC"), "source.sha256", "the text \"ABC\""));
+    QVERIFY(tells(errorWith("/edits", 3), "edits", "the number 3"));
+    QVERIFY(tells(errorWith("/edits/0", "x"), "edits[0]", "the text \"x\""));
+    QVERIFY(tells(errorWith("/edits/1/type", "factor"), "edits[1].type", "the text \"factor\""));
+    QVERIFY(tells(errorWith("/edits/0/strength", 1.5), "edits[0].strength", "the number 1.5"));
+    QVERIFY(tells(errorWith("/edits/0/enabled", 1), "edits[0].enabled", "the number 1"));
+    QVERIFY(tells(errorWith("/edits/0/fitted/diffuse", nullptr), "edits[0].fitted.diffuse", "null"));
+    QVERIFY(tells(errorWith("/edits/0/fitted/diffuse", {1, 2}), "edits[0].fitted.diffuse", "a list of 2"));
+    QVERIFY(tells(errorWith("/edits/0/fitted/diffuse", {1, 2, "3"}), "edits[0].fitted.diffuse", "a list of 3"));
+    QVERIFY(tells(errorWith("/edits/0/edited/shine", 1), "edits[0].edited.shine", "the number 1"));
+    QVERIFY(tells(errorWithout("/edits/0/edited", "diffuse"), "edits[0].edited.diffuse", "nothing"));
+    QVERIFY(tells(errorWith("/view", 1), "view", "the number 1"));
+    const std::string unknown = errorWith("/edits/0/model", "phlogiston");
+    QVERIFY(contains(unknown, "edits[0].model") && contains(unknown, "phlogiston") && contains(unknown, "ggx"));
+  }
+
+  void unknownKeysAreLeftOut() {
+    nlohmann::json json = toJson(example());
+    json["future"] = 1;
+    json["source"]["mood"] = "blue";
+    json["edits"][0]["colour"] = {1, 2};
+    json.erase("view");
+    json["view"] = example().view;
+    QVERIFY(toJson(documentFromJson(json)) == toJson(example()));
+  }
+
+  void oneNumberStandsForThree() {
+    nlohmann::json json = toJson(example());
+    json["edits"][0]["edited"]["diffuse"] = 0.25;
+    QVERIFY(documentFromJson(json).edits[0].edited.values[0] == Rgb(0.25));
+  }
+
+  void brokenTextIsRefused() {
+    const std::string text = toJson(example()).dump();
+    for (std::size_t size = 0; size < text.size(); size += 7)
+      QVERIFY(!errorOf([&] { documentFromText(std::string_view(text).substr(0, size)); }).empty());
+    for (const std::string bad : {"", "[]", "nul", "{\"format\": 1e999}", "\xff\xfe", "{\"a\": \"\xff\"}"})
+      QVERIFY(!errorOf([&] { documentFromText(bad); }).empty());
+    QVERIFY(contains(errorOf([&] { documentFromText(std::string(3000000, '[')); }), "nested"));
+    const auto path = writeFile("editing/broken.gonio", std::as_bytes(std::span("{", 1)));
+    QVERIFY(contains(errorOf([&] { readDocument(path); }), "broken.gonio"));
+    EditDocument document = example();
+    document.sourcePath = "\xff";
+    QVERIFY(contains(errorOf([&] { writeDocument(document, path); }), "broken.gonio"));
+    document.edits[0].model = nullptr;
+    QVERIFY(!errorOf([&] { toJson(document); }).empty());
+  }
+
+  void valuesThatAreNotNumbersAreNotWritten() {
+    EditDocument document = example();
+    document.edits[0].fitted.values[0].y = std::nan("");
+    QVERIFY(contains(errorOf([&] { toJson(document); }), "diffuse"));
+  }
+};
+
+QTEST_APPLESS_MAIN(EditDocumentTest)
+#include "edit_document_test.moc"
