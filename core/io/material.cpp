@@ -8,11 +8,14 @@
 #include "core/io/format_mismatch.h"
 #include "core/io/merl_file.h"
 #include "core/io/rgl_brdf.h"
+#include "core/io/sgd_library.h"
 #include "core/io/sha256.h"
 
 namespace gonio::io {
 
 namespace {
+
+constexpr std::string_view libraryScheme = "library:";
 
 /// One format: fills all of a material but its name, path and hash.
 /// `read` throws FormatMismatch where the bytes are not of the format.
@@ -66,6 +69,7 @@ std::shared_ptr<const TabulatedBrdf> Material::tabulated(const TaskControl& cont
 }
 
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control) {
+  if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string());
   const FileSource source(path);
   auto hash = std::async(std::launch::async, [&source] { return sha256Hex(source); });
   try {
@@ -92,11 +96,6 @@ void writeMerl(const Material& material, const std::filesystem::path& path, cons
     throw Error(material.source.path.string() + ": found other content than when it was read; read it again");
   control.throwIfStopped();
   writeFileAtomically(path, bytes);
-}
-
-const std::vector<LibraryEntry>& bundledLibrary() {
-  static const std::vector<LibraryEntry> entries;
-  return entries;
 }
 
 }  // namespace gonio::io
