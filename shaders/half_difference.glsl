@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 // Twin of core/coordinates/half_difference.h: (theta_h, theta_d, phi_d) of two directions in the local frame, rad.
 // phi_d lies in (-pi, pi].
-const float pi = 3.14159265358979;
+#include "math.glsl"
 
 // Returns false when wi = -wo.
 bool toHalfDifference(vec3 wi, vec3 wo, out vec3 coordinates) {

@@ -13,8 +13,6 @@
 /// What the tests of the models share.
 namespace gonio::models::test {
 
-inline constexpr std::string_view lobeParameters[] = {"specular", "a"};
-
 /// The defaults of a model with named parameters replaced, the same in all channels.
 inline ParameterValues parametersOf(const Model& model,
                                     std::initializer_list<std::pair<std::string_view, double>> changes) {
@@ -46,6 +44,18 @@ inline ParameterValues randomParameters(const ModelSpec& spec, std::mt19937_64& 
       const double value = p.softMin + u * (p.softMax - p.softMin);
       return p.choices.empty() ? value : std::round(value);
     };
+    Rgb value(draw());
+    if (p.perChannel) value.y = draw(), value.z = draw();
+    values.values.push_back(value);
+  }
+  return values;
+}
+
+/// Every parameter at one end of its hard range.
+inline ParameterValues randomCorner(const ModelSpec& spec, std::mt19937_64& random) {
+  ParameterValues values;
+  for (const ParameterSpec& p : spec.parameters) {
+    const auto draw = [&] { return random() & 1 ? p.hardMax : p.hardMin; };
     Rgb value(draw());
     if (p.perChannel) value.y = draw(), value.z = draw();
     values.values.push_back(value);

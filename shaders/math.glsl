@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+const float pi = 3.14159265358979;
+
+// ln(1 + x), x > -1, accurate near 0 (GLSL has no log1p).
+float logOnePlus(float x) {
+  if (abs(x) > 0.3) return log(1.0 + x);
+  float s = x / (2.0 + x);
+  float s2 = s * s;
+  return 2.0 * s * (1.0 + s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0 + s2 / 9.0))));
+}
+
+// exp(x) - 1, accurate near 0 (GLSL has no expm1).
+float expMinusOne(float x) {
+  if (abs(x) > 0.3) return exp(x) - 1.0;
+  return x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0 * (1.0 + x / 5.0 * (1.0 + x / 6.0 * (1.0 + x / 7.0))))));
+}

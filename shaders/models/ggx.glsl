@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+// p: diffuse, specular, roughness, f0, masking (0 separable, 1 height-correlated)
+#include "math.glsl"
+#include "fresnel.glsl"
+#include "surface_geometry.glsl"
+
+const int PARAMETER_COUNT_GGX = 5;
+
+vec3 evaluate_ggx(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX]) {
+  SurfaceGeometry g;
+  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  float alpha2 = p[2].x * p[2].x;
+  float slope = g.sin2H + alpha2 * g.h.z * g.h.z;
+  float distribution = alpha2 / (pi * slope * slope);
+  float rootI = sqrt(alpha2 + (1.0 - alpha2) * g.cosI * g.cosI);
+  float rootO = sqrt(alpha2 + (1.0 - alpha2) * g.cosO * g.cosO);
+  float masking = p[4].x < 0.5 ? 1.0 / ((g.cosI + rootI) * (g.cosO + rootO))
+                               : 0.5 / (g.cosO * rootI + g.cosI * rootO);
+  return p[0] / pi + p[1] * (distribution * fresnelOfNormalReflectance(g.cosD, p[3].x) * masking);
+}
