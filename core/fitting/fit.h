@@ -20,13 +20,13 @@ struct FitOptions {
 
 struct FitResult {
   const models::Model* model = nullptr;
-  models::ParameterValues parameters;   ///< always inside the hard ranges
-  std::vector<double> errors;           ///< over the full table, in the order of metrics::allBrdfMetrics()
+  models::ParameterValues parameters;  ///< always inside the hard ranges
+  std::vector<double> errors;          ///< over the full table, in the order of metrics::allBrdfMetrics()
   double seconds = 0;
-  std::size_t usedCells = 0;            ///< cells of the table that count
-  std::size_t invalidCells = 0;         ///< left out: below the horizon or not measured
-  std::size_t grazingCells = 0;         ///< left out: beyond maxPolarAngle
-  bool cancelled = false;               ///< stopped early: the parameters are the best so far
+  std::size_t usedCells = 0;     ///< cells of the table that count
+  std::size_t invalidCells = 0;  ///< left out: below the horizon or not measured
+  std::size_t grazingCells = 0;  ///< left out: beyond maxPolarAngle
+  bool cancelled = false;        ///< stopped early: the parameters are the best so far
 };
 
 /// Fits a model to a table. Variable projection: the linear parameters are solved inside, non-negative, in the

@@ -114,6 +114,7 @@ struct Angles {
 };
 
 double evaluateChannel(const Channel& c, const SurfaceGeometry& g, const Angles& a) {
+  if (c.specular == 0) return c.diffuse;
   const double shifted = c.alpha + a.tan2H * c.inverseAlpha;
   // In log space: exp(-A) underflows where 1 / cos^4 overflows. pi is in Channel::specular.
   const double distribution = std::exp(c.logNormalisation - shifted - c.power * std::log(shifted) - a.log4CosH);

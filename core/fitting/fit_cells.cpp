@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/fitting/fit_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/parallel.h"
+
+namespace gonio::fitting {
+
+namespace {
+
+/// Scrambles an index (the finaliser of SplitMix64, Steele et al. 2014): cells are picked without a visible pattern.
+std::uint64_t scramble(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15ull;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+  return x ^ (x >> 31);
+}
+
+struct Range {
+  int begin, end;
+};
+Range stratum(int index, int strata, int count) { return {index * count / strata, (index + 1) * count / strata}; }
+
+/// One patch of cells: picks the cell that stands for it and adds up their measure.
+struct Patch {
+  std::vector<std::size_t> cells;
+  double measure = 0;
+
+  void collect(const HalfDifferenceGrid& grid, const CellCensus& census, int row, Range thetaD, Range phiD) {
+    cells.clear();
+    measure = 0;
+    for (int j = thetaD.begin; j < thetaD.end; ++j) {
+      const double cellMeasure = grid.cellMeasure(grid.index(row, j, 0));
+      for (int k = phiD.begin; k < phiD.end; ++k) {
+        const std::size_t cell = grid.index(row, j, k);
+        if (!census.counts[cell]) continue;
+        cells.push_back(cell);
+        measure += cellMeasure;
+      }
+    }
+  }
+};
+
+void append(FitCells& result, const TabulatedBrdf& table, std::size_t cell, double weight) {
+  const DirectionPair pair = table.grid().directions(cell);
+  result.pairs.push_back(pair);
+  result.cosI.push_back(std::max(0.0, pair.wi.z));
+  result.rootWeight.push_back(weight);
+  for (int channel = 0; channel < 3; ++channel) result.values[channel].push_back(table.values()[cell][channel]);
+}
+
+}  // namespace
+
+CellCensus takeCensus(const TabulatedBrdf& table, double maxPolarAngle) {
+  constexpr std::size_t block = 4096;
+  const std::size_t size = table.grid().size();
+  CellCensus census;
+  census.counts.assign(size, 0);
+  std::vector<std::size_t> used((size + block - 1) / block, 0);
+  parallelForBlocks(size, block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      if (!table.valid()[cell] || !table.grid().nodeWithin(cell, maxPolarAngle)) continue;
+      census.counts[cell] = 1;
+      ++used[begin / block];
+    }
+  });
+  for (const std::size_t count : used) census.used += count;
+  census.invalid = size - table.validCount();
+  census.grazing = table.validCount() - census.used;
+  return census;
+}
+
+FitCells stratifiedCells(const TabulatedBrdf& table, const CellCensus& census, int thetaDStrata, int phiDStrata) {
+  const HalfDifferenceGrid& grid = table.grid();
+  const int strataD = std::min(thetaDStrata, grid.thetaDCount), strataF = std::min(phiDStrata, grid.phiDCount);
+  FitCells result;
+  Patch patch;
+  double total = 0;
+  for (int i = 0; i < grid.thetaHCount; ++i)
+    for (int d = 0; d < strataD; ++d)
+      for (int f = 0; f < strataF; ++f) {
+        patch.collect(grid, census, i, stratum(d, strataD, grid.thetaDCount), stratum(f, strataF, grid.phiDCount));
+        if (!(patch.measure > 0)) continue;
+        const std::uint64_t seed = (std::uint64_t(i) * std::uint64_t(strataD) + std::uint64_t(d)) * strataF + f;
+        append(result, table, patch.cells[scramble(seed) % patch.cells.size()], patch.measure);
+        total += patch.measure;
+      }
+  for (double& weight : result.rootWeight) weight = std::sqrt(weight / total);
+  return result;
+}
+
+}  // namespace gonio::fitting

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/fitting/group_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/fitting/nonlinear_solve.h"
+#include "core/math/parallel.h"
+
+namespace gonio::fitting {
+
+namespace {
+
+constexpr std::size_t startsPerDimension = 24, maxStarts = 64;
+constexpr std::size_t refinedStarts = 3;
+/// Starts closer than this (units, largest coordinate) lead to the same minimum.
+constexpr double sameStart = 0.12;
+constexpr SolveOptions searchOptions{.maxIterations = 20, .functionTolerance = 1e-4};
+constexpr SolveOptions polishOptions{.maxIterations = 40, .functionTolerance = 1e-6};
+
+constexpr double startsShare = 0.25, searchShare = 0.35, polishShare = 0.4;
+
+struct Candidate {
+  models::ParameterValues parameters;
+  std::vector<double> units;
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+/// Radical inverse (Halton 1960): fills [0, 1] evenly for any number of points.
+double halton(std::size_t index, int base) {
+  double result = 0, digit = 1;
+  for (; index > 0; index /= std::size_t(base)) {
+    digit /= base;
+    result += digit * double(index % std::size_t(base));
+  }
+  return result;
+}
+
+/// The defaults, then points spread over the soft ranges of the free parameters.
+std::vector<models::ParameterValues> startingPoints(const models::Model& model, const models::ParameterValues& base,
+                                                    const std::vector<std::size_t>& free) {
+  constexpr int primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29};
+  std::vector<models::ParameterValues> starts{base};
+  const std::size_t count = std::min(maxStarts, startsPerDimension * free.size());
+  for (std::size_t s = 1; s <= count; ++s) {
+    models::ParameterValues values = base;
+    for (std::size_t d = 0; d < free.size(); ++d) {
+      const UnitScale scale(model.spec().parameters[free[d]]);
+      values.values[free[d]] = Rgb(scale.toValue(halton(s, primes[d % std::size(primes)])));
+    }
+    starts.push_back(std::move(values));
+  }
+  return starts;
+}
+
+bool isNear(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
+  return largest < sameStart;
+}
+
+/// The cheapest candidates that are apart from each other; the first wins among equals.
+std::vector<Candidate> selectDistinct(std::vector<Candidate> candidates, std::size_t count) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+  std::vector<Candidate> selected;
+  for (Candidate& candidate : candidates) {
+    if (selected.size() == count) break;
+    const bool isNew = std::none_of(selected.begin(), selected.end(),
+                                    [&](const Candidate& other) { return isNear(candidate.units, other.units); });
+    if (isNew) selected.push_back(std::move(candidate));
+  }
+  return selected;
+}
+
+class GroupFit {
+ public:
+  GroupFit(const models::Model& model, const std::vector<int>& channels, const std::stop_token& stop,
+           ProgressMeter& progress, double share)
+      : model_(model), channels_(channels), stop_(stop), progress_(progress), share_(share) {}
+
+  /// The cost of each start; when stopped, of the first at least.
+  std::vector<Candidate> rate(const FitTarget& target, const std::vector<models::ParameterValues>& starts,
+                              const std::vector<std::size_t>& free) {
+    std::vector<Candidate> candidates(starts.size());
+    parallelForBlocks(starts.size(), 1, [&](std::size_t s, std::size_t) {
+      if (s > 0 && stop_.stop_requested()) return;
+      ProjectedProblem problem(model_, target, starts[s], free, channels_);
+      candidates[s].units = problem.unitsOf(starts[s]);
+      candidates[s].cost = problem.cost(candidates[s].units);
+      candidates[s].parameters = problem.bestParameters();
+      progress_.add(share_ * startsShare / double(starts.size()));
+    });
+    return candidates;
+  }
+
+  /// Runs the solver from each candidate; never returns a worse one.
+  void refine(const FitTarget& target, std::vector<Candidate>& candidates, const std::vector<std::size_t>& free,
+              const SolveOptions& options, double share) {
+    parallelForBlocks(candidates.size(), 1, [&](std::size_t c, std::size_t) {
+      double left = share_ * share / double(candidates.size());
+      const double step = left / (options.maxIterations + 1);
+      if (!stop_.stop_requested()) {
+        ProjectedProblem problem(model_, target, candidates[c].parameters, free, channels_);
+        minimise(problem, problem.unitsOf(candidates[c].parameters), options, stop_, [&] {
+          progress_.add(std::min(step, left));
+          left -= std::min(step, left);
+        });
+        candidates[c].cost = problem.bestCost();
+        candidates[c].parameters = problem.bestParameters();
+        candidates[c].units = problem.unitsOf(candidates[c].parameters);
+      }
+      progress_.add(left);
+    });
+  }
+
+ private:
+  const models::Model& model_;
+  const std::vector<int>& channels_;
+  const std::stop_token& stop_;
+  ProgressMeter& progress_;
+  double share_;
+};
+
+const Candidate& cheapest(const std::vector<Candidate>& candidates) {
+  return *std::min_element(candidates.begin(), candidates.end(),
+                           [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+}
+
+/// Only the values that were fitted, so that groups of channels can be merged.
+models::ParameterValues merged(const models::ModelSpec& spec, models::ParameterValues base,
+                               const models::ParameterValues& fitted, const std::vector<int>& channels) {
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    if (!spec.parameters[i].perChannel)
+      base.values[i] = fitted.values[i];
+    else
+      for (const int channel : channels) base.values[i][channel] = fitted.values[i][channel];
+  }
+  return base;
+}
+
+}  // namespace
+
+void ProgressMeter::add(double share) {
+  const std::lock_guard lock(mutex_);
+  done_ = std::min(1.0, done_ + std::max(0.0, share));
+  control_.report(done_);
+}
+
+models::ParameterValues fitGroup(const models::Model& model, const FitTarget& search, const FitTarget& polish,
+                                 const models::ParameterValues& base, const std::vector<int>& channels,
+                                 const std::stop_token& stop, ProgressMeter& progress, double share) {
+  std::vector<std::size_t> early, all;
+  for (std::size_t i = 0; i < model.spec().parameters.size(); ++i) {
+    const models::ParameterSpec& spec = model.spec().parameters[i];
+    if (!isNonlinear(spec)) continue;
+    all.push_back(i);
+    if (spec.group != models::ParameterGroup::shadowing) early.push_back(i);
+  }
+  const bool isStaged = early.size() < all.size();
+  GroupFit group(model, channels, stop, progress, share);
+  std::vector<Candidate> candidates =
+      selectDistinct(group.rate(search, startingPoints(model, base, early), early), refinedStarts);
+  group.refine(search, candidates, early, searchOptions, isStaged ? searchShare / 2 : searchShare);
+  if (isStaged) {
+    candidates = selectDistinct(std::move(candidates), 2);
+    group.refine(search, candidates, all, searchOptions, searchShare / 2);
+  }
+  std::vector<Candidate> best{cheapest(candidates)};
+  group.refine(polish, best, all, polishOptions, polishShare);
+  return merged(model.spec(), base, best[0].parameters, channels);
+}
+
+}  // namespace gonio::fitting

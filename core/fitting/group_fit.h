@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <mutex>
+
+#include "core/fitting/projected_problem.h"
+#include "core/support/task_control.h"
+
+namespace gonio::fitting {
+
+/// Adds up the shares of steps that end in any order, on any thread; never falls.
+class ProgressMeter {
+ public:
+  explicit ProgressMeter(const TaskControl& control) : control_(control) {}
+  void add(double share);
+
+ private:
+  const TaskControl& control_;
+  std::mutex mutex_;
+  double done_ = 0;
+};
+
+/// Fits the parameters of some colour channels together: starts spread over the soft ranges, the best of them refined
+/// on few cells, the best of these on many. Parameters of shadowing join late: they only bend what the others explain.
+/// Deterministic for any number of threads. A stop request ends it early with the best so far.
+/// @param base values of everything that is not fitted here.
+/// @param share of the progress that this fit may report.
+/// @return `base` with the parameters of `channels` (all channels of shared ones) replaced.
+models::ParameterValues fitGroup(const models::Model& model, const FitTarget& search, const FitTarget& polish,
+                                 const models::ParameterValues& base, const std::vector<int>& channels,
+                                 const std::stop_token& stop, ProgressMeter& progress, double share);
+
+}  // namespace gonio::fitting

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/fitting/projected_problem.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "core/math/parallel.h"
+
+namespace gonio::fitting {
+
+namespace {
+
+constexpr std::size_t evaluationBlock = 2048;
+bool isLinear(const models::ParameterSpec& spec) { return spec.linear && spec.perChannel && spec.hardMin <= 0; }
+
+/// The linear parameter's value whose basis is evaluated.
+double unitStrength(const models::ParameterSpec& spec) { return std::min(1.0, spec.hardMax); }
+
+}  // namespace
+
+bool isNonlinear(const models::ParameterSpec& spec) { return !isLinear(spec) && spec.choices.empty(); }
+
+FitTarget::FitTarget(FitCells fitCells, metrics::BrdfMetric fitMetric) : cells(std::move(fitCells)), metric(fitMetric) {
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    transformed[channel].resize(cells.size());
+    startWeight[channel].resize(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const double x = cells.values[channel][i] * cells.cosI[i];
+      transformed[channel][i] = metric.transform(x);
+      startWeight[channel][i] = cells.rootWeight[i] * metric.slope(x) * cells.cosI[i];
+    }
+  }
+}
+
+ProjectedProblem::ProjectedProblem(const models::Model& model, const FitTarget& target,
+                                   const models::ParameterValues& base, std::vector<std::size_t> freeParameters,
+                                   std::vector<int> channels)
+    : model_(model),
+      target_(target),
+      base_(base),
+      channels_(std::move(channels)),
+      sharesBases_(true),
+      bestCost_(std::numeric_limits<double>::infinity()) {
+  const std::span<const models::ParameterSpec> specs = model.spec().parameters;
+  for (std::size_t i = 0; i < specs.size(); ++i) {
+    if (isLinear(specs[i])) linear_.push_back(i);
+    // With channels fitted together, per-channel values outside the unknowns still make their bases differ.
+    if (isNonlinear(specs[i]) && specs[i].perChannel && channels_.size() > 1) sharesBases_ = false;
+  }
+  assert(linear_.size() <= maxLinearParameters);
+  for (const std::size_t parameter : freeParameters) {
+    const UnitScale scale(specs[parameter]);
+    const double unit = scale.toUnit(specs[parameter].defaultValue);
+    if (specs[parameter].perChannel)
+      for (const int channel : channels_) unknowns_.push_back({parameter, channel, scale, unit});
+    else
+      unknowns_.push_back({parameter, -1, scale, unit});
+  }
+  solutions_.resize(channels_.size());
+  bases_.resize((sharesBases_ ? 1 : channels_.size()) * linear_.size());
+}
+
+std::vector<double> ProjectedProblem::unitsOf(const models::ParameterValues& values) const {
+  std::vector<double> units;
+  for (const Unknown& u : unknowns_)
+    units.push_back(u.scale.toUnit(values.values[u.parameter][std::max(0, u.channel)]));
+  return units;
+}
+
+/// Of one channel alone all channels get the values, so that the evaluation's three channels can do different work.
+models::ParameterValues ProjectedProblem::valuesAt(std::span<const double> units) const {
+  models::ParameterValues values = base_;
+  for (std::size_t k = 0; k < unknowns_.size(); ++k) {
+    const Unknown& u = unknowns_[k];
+    const double value = u.scale.toValue(units[k]);
+    if (u.channel < 0 || channels_.size() == 1)
+      values.values[u.parameter] = Rgb(value);
+    else
+      values.values[u.parameter][u.channel] = value;
+  }
+  if (channels_.size() == 1)
+    for (Rgb& value : values.values) {
+      const std::size_t parameter = std::size_t(&value - values.values.data());
+      const bool isUnknown =
+          std::any_of(unknowns_.begin(), unknowns_.end(), [&](const Unknown& u) { return u.parameter == parameter; });
+      if (!isUnknown) value = Rgb(value[channels_[0]]);
+    }
+  return values;
+}
+
+void ProjectedProblem::evaluateModel(const models::ParameterValues& values, std::vector<Rgb>& result) const {
+  const std::unique_ptr<const Brdf> brdf = model_.instantiate(values);
+  const std::span<const DirectionPair> pairs = target_.cells.pairs;
+  result.resize(pairs.size());
+  parallelForBlocks(pairs.size(), evaluationBlock, [&](std::size_t begin, std::size_t end) {
+    brdf->evaluate(pairs.subspan(begin, end - begin), std::span(result).subspan(begin, end - begin));
+  });
+}
+
+void ProjectedProblem::evaluateBases(const models::ParameterValues& at) {
+  const std::span<const models::ParameterSpec> specs = model_.spec().parameters;
+  models::ParameterValues values = at;
+  std::vector<Rgb> result;
+  // Shared bases: three of them a time, one in each channel. Else one a time, for all channels.
+  const std::size_t stride = sharesBases_ ? 3 : 1;
+  for (std::size_t first = 0; first < linear_.size(); first += stride) {
+    const std::size_t last = std::min(first + stride, linear_.size());
+    for (const std::size_t parameter : linear_) values.values[parameter] = Rgb(0);
+    for (std::size_t j = first; j < last; ++j) {
+      Rgb& value = values.values[linear_[j]];
+      if (sharesBases_)
+        value[int(j - first)] = unitStrength(specs[linear_[j]]);
+      else
+        value = Rgb(unitStrength(specs[linear_[j]]));
+    }
+    evaluateModel(values, result);
+    for (std::size_t j = first; j < last; ++j)
+      for (std::size_t slot = 0; slot < (sharesBases_ ? 1 : channels_.size()); ++slot) {
+        const int channel = sharesBases_ ? int(j - first) : channels_[slot];
+        std::vector<double>& column = bases_[slot * linear_.size() + j];
+        column.resize(result.size());
+        const double scale = 1 / unitStrength(specs[linear_[j]]);
+        for (std::size_t i = 0; i < result.size(); ++i) column[i] = result[i][channel] * scale;
+      }
+  }
+}
+
+ChannelProblem ProjectedProblem::channelProblem(std::size_t slot) const {
+  const std::size_t channel = std::size_t(channels_[slot]);
+  ChannelProblem problem{.metric = target_.metric,
+                         .cosI = target_.cells.cosI,
+                         .rootWeight = target_.cells.rootWeight,
+                         .transformed = target_.transformed[channel],
+                         .startWeight = target_.startWeight[channel],
+                         .values = target_.cells.values[channel],
+                         .bases = {},
+                         .upper = LinearVector(Eigen::Index(linear_.size()))};
+  for (std::size_t j = 0; j < linear_.size(); ++j) {
+    problem.bases.emplace_back(basis(slot, j));
+    problem.upper[Eigen::Index(j)] = model_.spec().parameters[linear_[j]].hardMax;
+  }
+  return problem;
+}
+
+double ProjectedProblem::preferenceFactor(std::span<const double> units) const {
+  double square = 0;
+  for (std::size_t k = 0; k < unknowns_.size(); ++k) {
+    const double distance = units[k] - unknowns_[k].defaultUnit;
+    square += distance * distance;
+  }
+  return std::sqrt(1 + preference * square);
+}
+
+double ProjectedProblem::cost(std::span<const double> units) {
+  units_.assign(units.begin(), units.end());
+  evaluateBases(valuesAt(units));
+  parallelForBlocks(channels_.size(), 1, [&](std::size_t slot, std::size_t) {
+    solutions_[slot] = solveLinearParameters(channelProblem(slot), solutions_[slot].parameters);
+  });
+  const double factor = preferenceFactor(units_);
+  double total = 0;
+  for (const ChannelSolution& solution : solutions_) total += solution.cost;
+  total *= factor * factor;
+  if (total < bestCost_) {
+    bestCost_ = total;
+    bestUnits_ = units_;
+    bestLinear_.clear();
+    for (const ChannelSolution& solution : solutions_) bestLinear_.push_back(solution.parameters);
+  }
+  return total;
+}
+
+void ProjectedProblem::residuals(double* out) const {
+  const double factor = preferenceFactor(units_);
+  for (const ChannelSolution& solution : solutions_)
+    for (const double residual : solution.residuals) *out++ = factor * residual;
+}
+
+models::ParameterValues ProjectedProblem::bestParameters() const {
+  models::ParameterValues values = base_;
+  if (bestUnits_.empty() && !unknowns_.empty()) return values;
+  const models::ParameterValues at = valuesAt(bestUnits_);
+  for (const Unknown& u : unknowns_) {
+    if (u.channel < 0)
+      values.values[u.parameter] = at.values[u.parameter];
+    else
+      values.values[u.parameter][u.channel] = at.values[u.parameter][u.channel];
+  }
+  for (std::size_t slot = 0; slot < bestLinear_.size(); ++slot)
+    for (std::size_t j = 0; j < linear_.size(); ++j)
+      values.values[linear_[j]][channels_[slot]] = bestLinear_[slot][Eigen::Index(j)];
+  return values;
+}
+
+}  // namespace gonio::fitting
