@@ -19,7 +19,6 @@ const int maxSamples = 64;
 uniform int sampleCount;
 uniform vec4 sampleNumbers[maxSamples];  // three numbers for the lobe, the index of the light
 uniform vec2 pixelOffsets[maxSamples];   // of the camera ray, in pixels about the centre
-uniform float decorrelation;             // 0: all pixels share the numbers (bands, no noise); 1: each its own
 uniform vec2 pictureSize;
 
 uniform vec3 eye;
@@ -85,8 +84,9 @@ vec3 contribution(vec3 wi, vec3 world, vec3 wo) {
 }
 
 vec3 reflected(mat3 frame, vec3 wo, vec4 numbers, uvec3 hash) {
-  vec3 rotation = vec3(hash >> 8u) * (decorrelation / 16777216.0);
-  vec3 light = environmentSample(int(numbers.w) + int(float(hash.x >> 16u) * decorrelation));
+  // Each pixel turns the shared numbers by its own amount: noise that fades, where bands would look like the material.
+  vec3 rotation = vec3(hash >> 8u) / 16777216.0;
+  vec3 light = environmentSample(int(numbers.w) + int(hash.x >> 16u));
   vec3 sum = contribution(light * frame, light, wo);
   vec3 wi = sampleLobe(wo, fract(numbers.xyz + rotation));
   return sum + contribution(wi, frame * wi, wo);

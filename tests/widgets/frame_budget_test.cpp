@@ -12,17 +12,17 @@ class FrameBudgetTest : public QObject {
   void slowMachineDrawsTheFirstFrameAtHalfResolution() {
     FrameBudget budget;
     for (int i = 0; i < 20; ++i) budget.record(1e6, 1, 40);  // 40 ns a sample: not one sample in the budget
-    const auto first = budget.next(1e6, 0, false);
+    const auto first = budget.next(1e6, 0, 1024, false);
     QCOMPARE(first.scale, 0.5);
     QVERIFY(first.samples >= 1);
-    QCOMPARE(budget.next(1e6, 0, true).scale, 1.0);
-    QCOMPARE(budget.next(1e6, 8, false).scale, 1.0);
+    QCOMPARE(budget.next(1e6, 0, 1024, true).scale, 1.0);
+    QCOMPARE(budget.next(1e6, 8, 1024, false).scale, 1.0);
   }
 
   void fastMachineTakesAllSamplesItMay() {
     FrameBudget budget;
     for (int i = 0; i < 20; ++i) budget.record(1e6, 64, 0.5);
-    const auto frame = budget.next(1e6, 0, false);
+    const auto frame = budget.next(1e6, 0, 1024, false);
     QCOMPARE(frame.scale, 1.0);
     QCOMPARE(frame.samples, FrameBudget::maxSamplesPerFrame);
   }
@@ -32,7 +32,7 @@ class FrameBudgetTest : public QObject {
     for (const double nsPerSample : {0.1, 1.0, 10.0, 35.0}) {
       FrameBudget budget;
       for (int i = 0; i < 30; ++i) budget.record(5e5, 4, nsPerSample * 4 * 5e5 * 1e-6);
-      const auto frame = budget.next(5e5, 100, true);
+      const auto frame = budget.next(5e5, 100, 1024, true);
       QVERIFY(frame.samples == 1 || frame.samples * nsPerSample * 5e5 * 1e-6 <= FrameBudget::restingMs * 1.001);
     }
   }
@@ -40,7 +40,7 @@ class FrameBudgetTest : public QObject {
   void neverMoreThanConvergence() {
     FrameBudget budget;
     for (int i = 0; i < 20; ++i) budget.record(1e4, 64, 0.001);
-    QCOMPARE(budget.next(1e4, FrameBudget::convergedSamples - 3, true).samples, 3);
+    QCOMPARE(budget.next(1e4, 1021, 1024, true).samples, 3);
   }
 };
 

@@ -6,14 +6,14 @@
 
 namespace gonio::widgets {
 
-FrameBudget::Frame FrameBudget::next(double pixels, int accumulated, bool resting) const {
+FrameBudget::Frame FrameBudget::next(double pixels, int accumulated, int wanted, bool resting) const {
   const double budget = (resting ? restingMs : interactiveMs) * 1e6;
   const auto affordable = [&](double atPixels) {
     return std::clamp(static_cast<int>(budget / std::max(1.0, nsPerSample_ * atPixels)), 1, maxSamplesPerFrame);
   };
   const int full = affordable(pixels);
   if (accumulated == 0 && !resting && full < fewestFirstSamples) return {affordable(pixels / 4), 0.5};
-  return {std::min(full, std::max(1, convergedSamples - accumulated)), 1.0};
+  return {std::min(full, std::max(1, wanted - accumulated)), 1.0};
 }
 
 void FrameBudget::record(double pixels, int samples, double milliseconds) {

@@ -11,7 +11,6 @@ class FrameBudget {
   static constexpr double interactiveMs = 30;
   static constexpr double restingMs = 80;
   static constexpr int maxSamplesPerFrame = 64;
-  static constexpr int convergedSamples = 1024;
   /// Below this many samples the first frame is drawn at half the resolution instead.
   static constexpr int fewestFirstSamples = 6;
 
@@ -20,8 +19,8 @@ class FrameBudget {
     double scale;  ///< of the resolution: 1 or 0.5
   };
   /// @param pixels of the picture at full scale; @param accumulated samples so far (0: first frame after a change);
-  /// @param resting nothing has changed for a while.
-  Frame next(double pixels, int accumulated, bool resting) const;
+  /// @param wanted samples of the converged picture; @param resting nothing has changed for a while.
+  Frame next(double pixels, int accumulated, int wanted, bool resting) const;
 
   /// Takes in what a frame cost.
   void record(double pixels, int samples, double milliseconds);

@@ -149,7 +149,6 @@ void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count
   program.setUniformValue("sampleCount", count);
   program.setUniformValueArray("sampleNumbers", numbers, count);
   program.setUniformValueArray("pixelOffsets", offsets, count);
-  program.setUniformValue("decorrelation", 1.0f);
 }
 
 void PreviewRenderer::uploadEnvironment() {

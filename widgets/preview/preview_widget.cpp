@@ -87,8 +87,7 @@ void PreviewWidget::setOverlayVisible(bool visible) {
 }
 
 bool PreviewWidget::converged() const {
-  return renderer_.hasMaterial() && renderer_.size() == pixelSize() &&
-         renderer_.samples() >= FrameBudget::convergedSamples;
+  return renderer_.hasMaterial() && renderer_.size() == pixelSize() && renderer_.samples() >= wantedSamples();
 }
 
 QImage PreviewWidget::grabPicture() {
@@ -117,6 +116,11 @@ void PreviewWidget::resetView() {
   scene.light = DirectionalLight{};
   scene.environmentRotation = 0;
   setScene(scene);
+}
+
+int PreviewWidget::wantedSamples() const {
+  // One light has no noise: its samples smooth the edge alone.
+  return scene_.environment ? 1024 : 64;
 }
 
 QSize PreviewWidget::pixelSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1}); }
@@ -159,7 +163,7 @@ void PreviewWidget::applyPending() {
 void PreviewWidget::renderFrame() {
   const bool resting = !sinceChange_.isValid() || sinceChange_.elapsed() >= restMs;
   const double fullPixels = double(pixelSize().width()) * pixelSize().height();
-  const FrameBudget::Frame frame = budget_.next(fullPixels, renderer_.samples(), resting);
+  const FrameBudget::Frame frame = budget_.next(fullPixels, renderer_.samples(), wantedSamples(), resting);
   renderer_.setSize(frame.scale == 1 ? pixelSize() : pixelSize() / 2);
   QElapsedTimer timer;
   timer.start();

@@ -72,6 +72,7 @@ class PreviewWidget : public QOpenGLWidget {
   void updateOverlay(double milliseconds);
   void dragLight(const QPointF& position);
   QSize pixelSize() const;
+  int wantedSamples() const;
   void fail(const QString& message);
 
   PreviewRenderer renderer_;

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/preview_renderer.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "core/metrics/image_metrics.h"
+#include "core/models/model.h"
+#include "core/rendering/sphere_renderer.h"
+#include "offscreen_context.h"
+
+using namespace gonio;
+
+namespace {
+
+constexpr int side = 64;
+
+std::shared_ptr<const TabulatedBrdf> bakedModel(const char* id,
+                                                const std::vector<std::pair<const char*, double>>& set) {
+  const models::Model& model = models::findModel(id);
+  models::ParameterValues values = models::defaultParameters(model.spec());
+  for (const auto& [name, value] : set) values.values[*model.spec().find(name)] = Rgb(value);
+  return bakeTable(*model.instantiate(values));
+}
+
+/// SNR of the shader's converged picture against the CPU's, dB.
+double agreement(widgets::PreviewRenderer& renderer, const std::shared_ptr<const TabulatedBrdf>& table,
+                 const std::optional<editing::DifferentialEdit>& edit, const SphereScene& scene) {
+  const SamplingLobe lobe = estimateSamplingLobe(*table);
+  renderer.setTable(table, lobe);
+  renderer.setEdit(edit);
+  renderer.setScene(scene);
+  renderer.setSize({side, side});
+  const int samples = 512;
+  for (int i = 0; i < samples / 64; ++i) renderer.accumulate(64);
+  std::shared_ptr<const Brdf> brdf = table;
+  if (edit) brdf = editing::applyEdits(table, std::span(&*edit, 1));
+  const Image reference =
+      renderSphere(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = lobe});
+  return metrics::signalToNoiseRatio(reference, renderer.readPicture());
+}
+
+}  // namespace
+
+class PreviewRendererTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    context_ = std::make_unique<tests::OffscreenContext>();
+    if (!context_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
+    renderer_ = std::make_unique<widgets::PreviewRenderer>();
+    renderer_->initialize();
+  }
+  void cleanupTestCase() {
+    if (renderer_) renderer_->release();
+  }
+
+  /// Under one light both pictures are sums over the same sphere with different edge samples and float tables: they
+  /// agree to 40 dB at least (the edge pixels' coverage differs by some percent).
+  void pictureUnderADirectionalLight() {
+    const auto table = bakedModel("ggx", {{"roughness", 0.2}});
+    QVERIFY2(agreement(*renderer_, table, {}, {}) > 40, "shader and CPU differ");
+  }
+
+  /// Under an environment both are Monte Carlo estimates of the same integral with 512 samples of each kind.
+  void pictureUnderTheStudio() {
+    SphereScene scene{
+        .camera = {.yaw = 0.4, .pitch = 0.2}, .environment = studioEnvironment(), .environmentRotation = 0.6};
+    for (const double roughness : {0.03, 0.2, 0.7}) {
+      const auto table = bakedModel("ggx", {{"roughness", roughness}, {"f0", 0.5}});
+      const double snr = agreement(*renderer_, table, {}, scene);
+      qInfo("roughness %g: %.1f dB", roughness, snr);
+      QVERIFY2(snr > 30, qPrintable(QString("roughness %1: %2 dB").arg(roughness).arg(snr)));
+    }
+  }
+
+  void orthographicViewWithTheEnvironmentShown() {
+    SphereScene scene{.camera = {.fieldOfView = 0}, .environment = skyEnvironment(), .showEnvironment = true};
+    const auto table = bakedModel("lambert", {});
+    const double snr = agreement(*renderer_, table, {}, scene);
+    QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
+  }
+
+  /// The live edit of the shader is the edit of the core.
+  void editedPicture() {
+    const auto table = bakedModel("ggx", {{"roughness", 0.3}});
+    for (const models::Model* model : models::allModels()) {
+      editing::DifferentialEdit edit{.model = model, .fitted = models::defaultParameters(model->spec())};
+      edit.edited = edit.fitted;
+      for (std::size_t i = 0; i < edit.edited.values.size(); ++i)
+        if (model->spec().parameters[i].linear) edit.edited.values[i] *= Rgb(1.4, 1.1, 0.8);
+      edit.strength = 0.7;
+      const double snr = agreement(*renderer_, table, edit, {});
+      QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
+    }
+  }
+
+  /// An edit with nothing changed draws the same bits as no edit.
+  void identityEditDrawsTheSameBits() {
+    const auto table = bakedModel("ggx", {{"roughness", 0.3}});
+    const models::Model& model = models::findModel("ggx");
+    editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
+    edit.edited = edit.fitted;
+    renderer_->setTable(table, {});
+    renderer_->setScene({});
+    renderer_->setSize({side, side});
+    renderer_->setEdit({});
+    renderer_->accumulate(8);
+    const Image plain = renderer_->readPicture();
+    renderer_->setEdit(edit);
+    renderer_->accumulate(8);
+    QVERIFY(renderer_->readPicture().pixels == plain.pixels);
+  }
+
+  /// Cells without data around the valid ones are NaN-free and do not darken them: a constant table with holes renders
+  /// like the constant table wherever an interpolation corner is valid.
+  void invalidCellsDoNotBleed() {
+    const HalfDifferenceGrid grid;
+    std::vector<glm::vec3> values(grid.size(), glm::vec3(0.25f));
+    std::vector<std::uint8_t> all(grid.size(), 1), holes(grid.size(), 1);
+    for (std::size_t i = 0; i < holes.size(); ++i) holes[i] = i % 2 == 0;  // every second phi_d
+    const auto full = std::make_shared<const TabulatedBrdf>(grid, values, all);
+    const auto sparse = std::make_shared<const TabulatedBrdf>(grid, values, holes);
+    renderer_->setScene({});
+    renderer_->setEdit({});
+    renderer_->setSize({side, side});
+    renderer_->setTable(full, {});
+    renderer_->accumulate(4);
+    const Image expected = renderer_->readPicture();
+    renderer_->setTable(sparse, {});
+    renderer_->accumulate(4);
+    const Image actual = renderer_->readPicture();
+    for (std::size_t i = 0; i < expected.pixels.size(); ++i)
+      QVERIFY(glm::length(expected.pixels[i] - actual.pixels[i]) <= 1e-5f * (1 + glm::length(expected.pixels[i])));
+  }
+
+ private:
+  std::unique_ptr<tests::OffscreenContext> context_;
+  std::unique_ptr<widgets::PreviewRenderer> renderer_;
+};
+
+QTEST_MAIN(PreviewRendererTest)
+#include "preview_renderer_test.moc"

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/preview_widget.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/models/model.h"
+#include "offscreen_context.h"
+
+using namespace gonio;
+using widgets::PreviewWidget;
+
+namespace {
+std::shared_ptr<const TabulatedBrdf> grey() {
+  const models::Model& model = models::findModel("lambert");
+  return bakeTable(*model.instantiate(models::defaultParameters(model.spec())));
+}
+}  // namespace
+
+class PreviewWidgetTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    // Qt's offscreen platform offers a context but crashes once a QOpenGLWidget is shown.
+    if (QGuiApplication::platformName() == "offscreen") QSKIP("needs a display");
+    const tests::OffscreenContext context;
+    if (!context.isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
+    table_ = grey();
+  }
+
+  void init() {
+    widget_ = std::make_unique<PreviewWidget>();
+    widget_->resize(220, 220);
+    widget_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(widget_.get()));
+  }
+  void cleanup() { widget_.reset(); }
+
+  void emptyStateShowsAHintAndNothingElse() {
+    QVERIFY(!widget_->hasMaterial());
+    QVERIFY(!widget_->converged());
+    const QImage picture = widget_->grabPicture();
+    QCOMPARE(picture.pixel(2, 2), picture.pixel(110, 4));
+  }
+
+  void convergesAndThenRests() {
+    widget_->setMaterial(table_, {});
+    QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    const auto count = frames.count();
+    QTest::qWait(200);
+    QCOMPARE(frames.count(), count);
+    // A grey ball under a white light: grey in the middle, background in the corner.
+    const QColor centre = widget_->grabPicture().pixelColor(110, 110);
+    QVERIFY(centre.red() > 60 && centre.red() == centre.green() && centre.green() == centre.blue());
+  }
+
+  void dragMovesTheDirectionalLight() {
+    widget_->setMaterial(table_, {});
+    QSignalSpy changes(widget_.get(), &PreviewWidget::sceneChanged);
+    const Direction before = widget_->scene().light.toLight;
+    QTest::mousePress(widget_.get(), Qt::LeftButton, {}, {60, 110});
+    QTest::mouseRelease(widget_.get(), Qt::LeftButton, {}, {60, 110});
+    QVERIFY(changes.count() >= 1);
+    QVERIFY(widget_->scene().light.toLight != before);
+    QVERIFY(widget_->scene().light.toLight.x < 0);
+  }
+
+  void keyboardOrbitsZoomsAndResets() {
+    widget_->setMaterial(table_, {});
+    const double distance = widget_->scene().camera.distance;
+    QTest::keyClick(widget_.get(), Qt::Key_Left);
+    QTest::keyClick(widget_.get(), Qt::Key_Up);
+    QTest::keyClick(widget_.get(), Qt::Key_Plus);
+    QVERIFY(widget_->scene().camera.yaw > 0);
+    QVERIFY(widget_->scene().camera.pitch < 0);
+    QVERIFY(widget_->scene().camera.distance < distance);
+    QTest::keyClick(widget_.get(), Qt::Key_R);
+    QCOMPARE(widget_->scene().camera.yaw, 0.0);
+    QCOMPARE(widget_->scene().camera.distance, distance);
+  }
+
+  /// Taking the material away shows the empty state again, never a stale picture.
+  void materialCanBeTakenAway() {
+    widget_->setMaterial(table_, {});
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    widget_->setMaterial(nullptr, {});
+    QTest::qWait(50);
+    const QImage picture = widget_->grabPicture();
+    QCOMPARE(picture.pixel(110, 110), picture.pixel(2, 2));
+  }
+
+ private:
+  std::shared_ptr<const TabulatedBrdf> table_;
+  std::unique_ptr<PreviewWidget> widget_;
+};
+
+QTEST_MAIN(PreviewWidgetTest)
+#include "preview_widget_test.moc"
