@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "tests/core/models/white_furnace.h"
+
+#include <QTest>
+#include <array>
+#include <cmath>
+
+#include "tests/core/models/model_test_support.h"
+
+using namespace gonio;
+using namespace gonio::models;
+using namespace gonio::models::test;
+
+/// How much of a uniform light a lobe alone sends back (k_s = 1, F = 1, no diffuse part).
+class WhiteFurnaceTest : public QObject {
+  Q_OBJECT
+ private:
+  static double albedo(const Model& model, const ParameterValues& parameters, double thetaO, double width) {
+    return whiteFurnaceAlbedo(*model.instantiate(parameters), direction(thetaO, 0), width);
+  }
+
+  static ParameterValues lobe(const Model& model, double roughness) {
+    if (&model == &ward()) return parametersOf(model, {{"diffuse", 0}, {"specular", 1}, {"roughness", roughness}});
+    return parametersOf(model, {{"diffuse", 0}, {"specular", 1}, {"roughness", roughness}, {"f0", 1}});
+  }
+
+ private Q_SLOTS:
+  void lambertSendsBackItsAlbedo() {
+    for (const double theta : {0.0, 45.0, 75.0, 89.0})
+      QVERIFY(std::abs(albedo(lambert(), parametersOf(lambert(), {{"diffuse", 0.7}}), theta, 0.1) - 0.7) < 1e-3);
+  }
+
+  /// Figures of an independent computation at roughness 0.2 and 0, 45, 75, 89 degrees, given to three digits.
+  void albedoAsPublished() {
+    const std::pair<const Model*, std::array<double, 4>> expected[] = {{&ward(), {0.960, 0.937, 0.821, 0.899}},
+                                                                       {&cookTorrance(), {1.000, 0.992, 0.928, 0.991}},
+                                                                       {&ggx(), {0.948, 0.924, 0.851, 0.901}}};
+    constexpr double angles[] = {0, 45, 75, 89};
+    for (const auto& [model, albedos] : expected)
+      for (std::size_t n = 0; n < albedos.size(); ++n)
+        QVERIFY(std::abs(albedo(*model, lobe(*model, 0.2), angles[n], 0.2) - albedos[n]) < 6e-4);
+  }
+
+  void closedFormsAtNormalIncidence() {
+    for (const double alpha : {0.1, 0.2, 0.5, 1.0}) {
+      const double a2 = alpha * alpha;
+      QVERIFY(std::abs(albedo(ward(), lobe(ward(), alpha), 0, alpha) - (1 - a2 + a2 * std::exp(-1 / a2))) < 1e-3);
+    }
+    QVERIFY(std::abs(albedo(ggx(), lobe(ggx(), 1), 0, 1) - (1 - std::log(2))) < 1e-3);
+    // SGD divides by pi where a microfacet BRDF divides by 4.
+    const ParameterValues mirrorLike =
+        parametersOf(sgd(), {{"diffuse", 0}, {"specular", 1}, {"alpha", 1e-3}, {"f0", 1}});
+    QVERIFY(std::abs(albedo(sgd(), mirrorLike, 0, 1e-3) - 4 / pi) < 1e-3);
+  }
+
+  /// A narrow lobe without loss mirrors all the light.
+  void narrowLobesSendBackEverything() {
+    for (const Model* model : {&ward(), &cookTorrance(), &ggx()})
+      for (const double theta : {0.0, 30.0, 60.0})
+        QVERIFY(std::abs(albedo(*model, lobe(*model, 0.005), theta, 0.005) - 1) < 1e-3);
+  }
+
+  void hardCase47EnergyIsBounded() {
+    for (const Model* model : {&ward(), &cookTorrance(), &ggx()})
+      for (const double roughness : {0.005, 0.05, 0.1, 0.2, 0.5, 1.0})
+        for (const double theta : {0.0, 30.0, 60.0, 80.0, 89.0})
+          QVERIFY(albedo(*model, lobe(*model, roughness), theta, roughness) < 1 + 1e-3);
+  }
+
+  /// At normal incidence only the polar angle matters. Exponents over twelve decades.
+  void hardCase34BlinnPhongAtNormalIncidence() {
+    const auto albedoAtNormal = [](double exponent, double normalisation) {
+      const auto brdf = blinnPhong().instantiate(parametersOf(
+          blinnPhong(), {{"diffuse", 0}, {"specular", 1}, {"exponent", exponent}, {"normalisation", normalisation}}));
+      // theta = e^u resolves a lobe of any width.
+      return compositeGaussLegendre(16, 100, std::log(1e-7), std::log(halfPi)).integrate([&](double u) {
+        const double theta = std::exp(u);
+        return brdf->evaluate(fromSpherical(theta, 0), {0, 0, 1}).x * 2 * pi * std::cos(theta) * std::sin(theta) *
+               theta;
+      });
+    };
+    for (double exponent = 1e-6; exponent < 1.1e6; exponent *= 10) {
+      QVERIFY(std::abs(albedoAtNormal(exponent, 1) - 1) < 1e-6);
+      const double halfVector = (exponent + std::exp2(-exponent / 2)) / (exponent + 4);
+      QVERIFY(std::abs(albedoAtNormal(exponent, 0) / halfVector - 1) < 1e-6);
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(WhiteFurnaceTest)
+#include "white_furnace_test.moc"
