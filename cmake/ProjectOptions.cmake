@@ -5,6 +5,8 @@ add_library(gonio_options INTERFACE)
 target_compile_features(gonio_options INTERFACE cxx_std_20)
 target_compile_options(gonio_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wconversion -Wno-sign-conversion
+  # Designated initializers leave fields at their defaults on purpose.
+  -Wno-missing-field-initializers
   # The same expression must give the same bits wherever it is inlined: an unchanged edit is the identity.
   -ffp-contract=off)
 # GCC 12 warns of its own AVX-512 headers wherever Eigen's small factorisations are inlined (GCC bug 105593).
