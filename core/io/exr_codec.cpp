@@ -64,6 +64,42 @@ class MemoryOutput final : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
+/// OpenEXR allocates what an attribute says it takes before it looks for its bytes. This walks the attributes of all
+/// headers first: name, type, int32 size, value; an empty name ends a header, and an empty header those of many parts.
+void checkAttributeSizes(std::span<const std::byte> bytes) {
+  constexpr std::uint32_t manyPartsFlag = 0x1000;
+  std::size_t at = 2 * sizeof(std::uint32_t);
+  const auto fail = [&](const std::string& found) {
+    throw Error("found " + found + " at byte " + std::to_string(at) + " of " + std::to_string(bytes.size()) +
+                ", expected a whole OpenEXR header");
+  };
+  const auto number = [&](std::size_t offset) {
+    std::uint32_t value = 0;
+    if (offset + sizeof value > bytes.size()) fail("the end");
+    std::memcpy(&value, bytes.data() + offset, sizeof value);
+    return value;
+  };
+  const auto skipText = [&] {
+    const auto end = std::find(bytes.begin() + std::ptrdiff_t(std::min(at, bytes.size())), bytes.end(), std::byte{0});
+    if (end == bytes.end()) fail("a name without an end");
+    const bool empty = std::size_t(end - bytes.begin()) == at;
+    at = std::size_t(end - bytes.begin()) + 1;
+    return !empty;
+  };
+  const bool manyParts = number(sizeof(std::uint32_t)) & manyPartsFlag;
+  for (bool anyAttribute = true; anyAttribute;) {
+    anyAttribute = false;
+    while (skipText()) {
+      anyAttribute = manyParts;
+      skipText();
+      const std::uint32_t size = number(at);
+      at += sizeof size;
+      if (size > bytes.size() - at) fail("an attribute of " + std::to_string(size) + " bytes");
+      at += size;
+    }
+  }
+}
+
 /// Names of the channels for red, green, blue; all three the luminance where there is nothing else.
 std::array<std::string, 3> colourChannels(const Imf::ChannelList& channels) {
   std::string names;
@@ -86,6 +122,7 @@ Imf::Slice slice(float* first, std::size_t stride, const Imath::Box2i& window, i
 }
 
 Image decode(std::span<const std::byte> bytes) {
+  checkAttributeSizes(bytes);
   MemoryInput stream(bytes);
   Imf::InputFile file(stream);
   const Imath::Box2i window = file.header().dataWindow();

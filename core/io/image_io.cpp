@@ -24,7 +24,8 @@ namespace {
 constexpr std::size_t maxHdrPixelsPerByte = 16;
 constexpr int stbBufferBytes = 128;
 
-/// Feeds stb, and notices when it wanted more than there is: it would go on with zeros.
+/// Feeds stb, and notices when it wants more than there is: left alone it would go on with zeros, or for ever. What it
+/// gets then are run lengths that end its loops.
 struct HdrStream {
   std::span<const std::byte> bytes;
   std::size_t position = 0;
@@ -36,8 +37,10 @@ struct HdrStream {
     std::memcpy(target, stream.bytes.data() + stream.position, given);
     stream.position += given;
     // A refill of the buffer may come back short; a pixel may not.
-    if (given == 0 || (count != stbBufferBytes && given < std::size_t(count))) stream.endedEarly = true;
-    return int(given);
+    if (given > 0 && (count == stbBufferBytes || given == std::size_t(count))) return int(given);
+    stream.endedEarly = true;
+    std::memset(target + given, 0xff, std::size_t(count) - given);
+    return count;
   }
   static void skip(void* user, int count) {
     HdrStream& stream = *static_cast<HdrStream*>(user);
@@ -59,10 +62,17 @@ bool isHdr(std::span<const std::byte> bytes) {
   return false;
 }
 
+/// Whether the lines of the header, an empty one and the line of the size are all there: stb looks for their ends.
+bool hasWholeHeader(std::span<const std::byte> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::size_t emptyLine = text.find("\n\n");
+  return emptyLine != text.npos && text.find('\n', emptyLine + 2) != text.npos;
+}
+
 Image decodeHdr(std::span<const std::byte> bytes) {
   int width = 0, height = 0, channels = 0;
   HdrStream header{bytes};
-  if (!stbi_info_from_callbacks(&hdrCallbacks, &header, &width, &height, &channels))
+  if (!hasWholeHeader(bytes) || !stbi_info_from_callbacks(&hdrCallbacks, &header, &width, &height, &channels))
     throw Error("found a Radiance HDR header without '-Y HEIGHT +X WIDTH' and 'FORMAT=32-bit_rle_rgbe', expected both");
   checkImageSize(width, height, bytes.size(), maxHdrPixelsPerByte);
   HdrStream stream{bytes};

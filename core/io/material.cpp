@@ -47,7 +47,7 @@ void readRglMaterial(const ByteSource& source, const TaskControl& control, Mater
 
 constexpr MaterialReader readers[] = {{"MERL", readMerlMaterial}, {"RGL", readRglMaterial}};
 
-Material readSource(const ByteSource& source, const TaskControl& control) {
+Material readFormat(const ByteSource& source, const TaskControl& control) {
   std::string refusals;
   for (const MaterialReader& reader : readers) {
     try {
@@ -68,15 +68,20 @@ std::shared_ptr<const TabulatedBrdf> Material::tabulated(const TaskControl& cont
   return table ? table : bakeTable(*brdf, {}, control);
 }
 
+Material readMaterial(const ByteSource& source, const TaskControl& control) {
+  auto hash = std::async(std::launch::async, [&source] { return sha256Hex(source); });
+  Material material = readFormat(source, control);
+  material.source.sha256 = hash.get();
+  return material;
+}
+
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control) {
   if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string());
   const FileSource source(path);
-  auto hash = std::async(std::launch::async, [&source] { return sha256Hex(source); });
   try {
-    Material material = readSource(source, control);
+    Material material = readMaterial(source, control);
     material.name = path.stem().string();
     material.source.path = std::filesystem::absolute(path).lexically_normal();
-    material.source.sha256 = hash.get();
     return material;
   } catch (const Cancelled&) {
     throw;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
+#include "core/io/byte_source.h"
 
 namespace gonio::io {
 
@@ -36,6 +37,8 @@ struct Material {
 /// @throws Error naming the file; one that no reader takes lists every reader, what it found and what it expected.
 /// @throws Cancelled.
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control = {});
+/// The same of bytes; the material has no name and no path, an error names no file.
+Material readMaterial(const ByteSource& source, const TaskControl& control = {});
 
 /// Writes a table as MERL .binary, atomically.
 /// @throws Error naming the file.

@@ -190,7 +190,8 @@ class MerlFileTest : public QObject {
   void refusedFileTellsEveryReader() {
     const auto path = writeFile("io/merl/notes.txt", std::as_bytes(std::span("these are only words")));
     const std::string error = errorOf([&] { io::readMaterial(path); });
-    QVERIFY2(contains(error, "notes.txt") && contains(error, "\n  MERL: found") && contains(error, "expected"),
+    QVERIFY2(contains(error, "notes.txt") && contains(error, "\n  MERL: found axis counts") &&
+                 contains(error, "\n  RGL: found") && contains(error, "expected the signature 'tensor_file'"),
              error.c_str());
   }
 };

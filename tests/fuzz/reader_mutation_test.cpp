@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <new>
+#include <random>
+
+#include "tests/fuzz/reader_seeds.h"
+#include "tests/fuzz/reader_targets.h"
+
+namespace {
+/// The largest request for memory since it was last set to 0.
+std::atomic<std::size_t> largestRequest = 0;
+}  // namespace
+
+void* operator new(std::size_t bytes) {
+  std::size_t known = largestRequest;
+  while (bytes > known && !largestRequest.compare_exchange_weak(known, bytes)) continue;
+  if (void* memory = std::malloc(bytes ? bytes : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace gonio;
+using namespace gonio::fuzz;
+
+namespace {
+
+using Random = std::mt19937_64;
+using Target = std::function<void(std::span<const std::byte>)>;
+
+constexpr int mutationsOfASeed = 2000;
+/// No seed is longer than some kilobytes; an OpenEXR file may promise 16384 pixels a byte.
+constexpr std::size_t maxRequest = std::size_t(1) << 29;
+
+std::size_t below(Random& random, std::size_t count) { return count == 0 ? 0 : std::size_t(random() % count); }
+
+/// Numbers at which sizes, counts and offsets go wrong.
+constexpr std::uint64_t nastyNumbers[] = {0,
+                                          1,
+                                          2,
+                                          0x7f,
+                                          0x80,
+                                          0xff,
+                                          0xffff,
+                                          0x7fffffff,
+                                          1u << 31,
+                                          0xffffffff,
+                                          1u << 16,
+                                          std::uint64_t(1) << 62,
+                                          std::uint64_t(1) << 63,
+                                          ~std::uint64_t(0)};
+
+void mutate(Bytes& bytes, Random& random) {
+  const std::size_t at = below(random, bytes.size());
+  switch (below(random, 6)) {
+    case 0:
+      if (!bytes.empty()) bytes[at] ^= std::byte(1u << below(random, 8));
+      break;
+    case 1: {
+      const std::uint64_t number = nastyNumbers[below(random, std::size(nastyNumbers))];
+      const std::size_t width = std::min<std::size_t>(std::size_t(1) << below(random, 4), bytes.size() - at);
+      std::memcpy(bytes.data() + at, &number, width);
+      break;
+    }
+    case 2:
+      bytes.resize(at);
+      break;
+    case 3:
+      bytes.insert(bytes.begin() + std::ptrdiff_t(at), below(random, 40), std::byte(random()));
+      break;
+    case 4: {
+      const std::size_t count = std::min(below(random, 40), bytes.size() - at);
+      bytes.erase(bytes.begin() + std::ptrdiff_t(at), bytes.begin() + std::ptrdiff_t(at + count));
+      break;
+    }
+    default:
+      if (!bytes.empty()) bytes[at] = std::byte(random());
+  }
+}
+
+Bytes exrSeed() {
+  Image image(16, 12);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] = glm::vec3(float(i), float(i % 7), 0.5f);
+    image.alpha.push_back(float(i % 2));
+  }
+  const auto path = test::outputPath("fuzz/seed.exr");
+  io::writeExr(image, path, {{"scene", "seed"}});
+  return test::readFile(path);
+}
+
+/// "" when all mutations of the seed were read or refused as they should.
+std::string firstFailure(const std::string& name, const Bytes& seed, const Target& target) {
+  test::writeFile("fuzz/seeds/" + name, seed);  // libFuzzer starts from these
+  Random random(20260101);
+  for (int i = 0; i < mutationsOfASeed; ++i) {
+    Bytes bytes = seed;
+    for (std::size_t count = 1 + below(random, 4); count > 0; --count) mutate(bytes, random);
+    largestRequest = 0;
+    std::string failure;
+    try {
+      target(bytes);
+    } catch (const Error&) {
+    } catch (const std::exception& exception) {
+      failure = exception.what();
+    }
+    if (largestRequest > maxRequest) failure = "requested " + std::to_string(largestRequest) + " bytes";
+    if (failure.empty()) continue;
+    return name + ", mutation " + std::to_string(i) + " (" + test::writeFile("fuzz/failed_" + name, bytes).string() +
+           "): " + failure;
+  }
+  return {};
+}
+
+void check(const std::string& name, const Bytes& seed, const Target& target) {
+  const std::string failure = firstFailure(name, seed, target);
+  QVERIFY2(failure.empty(), failure.c_str());
+}
+
+}  // namespace
+
+class ReaderMutationTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void seedsAreValid() {
+    readMaterialBytes(merlSeed());
+    readMaterialBytes(rglSeed());
+    readImageBytes(hdrSeed());
+    readImageBytes(exrSeed());
+    readDocumentBytes(documentSeed());
+  }
+
+  void merl() { check("merl.binary", merlSeed(), readMaterialBytes); }
+  void rgl() { check("rgl.bsdf", rglSeed(), readMaterialBytes); }
+  void hdr() { check("picture.hdr", hdrSeed(), readImageBytes); }
+  void exr() { check("picture.exr", exrSeed(), readImageBytes); }
+  void document() { check("edit.gonio", documentSeed(), readDocumentBytes); }
+};
+
+QTEST_APPLESS_MAIN(ReaderMutationTest)
+#include "reader_mutation_test.moc"

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/core/io/synthetic_tensors.h"
+
+/// Small valid files of every format, from which mutations start.
+namespace gonio::fuzz {
+
+using test::append;
+using test::Bytes;
+
+inline Bytes bytesOf(std::string_view text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+inline Bytes merlSeed() {
+  Bytes bytes;
+  for (const std::int32_t count : {2, 3, 4}) append(bytes, count);
+  for (int i = 0; i < 72; ++i) append(bytes, i % 11 == 3 ? -1.0 : 10.0 * i);
+  return bytes;
+}
+
+inline Bytes rglSeed() {
+  test::SyntheticRgl rgl;
+  for (std::size_t i = 0; i < rgl.rgb.size(); ++i) rgl.rgb[i] = float(i) * 0.1f - 0.3f;
+  for (std::size_t i = 0; i < rgl.vndf.size(); ++i) rgl.vndf[i] = float(i % 5);
+  return rgl.file();
+}
+
+/// Two run-length coded lines of 16 pixels: a run of ten, then six of their own.
+inline Bytes hdrSeed() {
+  Bytes bytes = bytesOf("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 16\n");
+  for (int row = 0; row < 2; ++row) {
+    for (const int value : {2, 2, 0, 16}) bytes.push_back(std::byte(value));
+    for (int channel = 0; channel < 4; ++channel)
+      for (const int value : {128 + 10, 120 + channel, 6, 1, 2, 3, 4, 5, 6}) bytes.push_back(std::byte(value));
+  }
+  return bytes;
+}
+
+inline Bytes documentSeed() {
+  return bytesOf(R"({"format": "gonio document", "version": 1,
+    "source": {"path": "a.binary", "sha256": "0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef"},
+    "edits": [{"type": "differential", "model": "lambert", "fitted": {"diffuse": [0.1, 0.2, 0.3]},
+               "edited": {"diffuse": 0.5}, "strength": 0.75, "enabled": true}],
+    "view": {"exposure": 1, "light": [0, 0, 1]}})");
+}
+
+}  // namespace gonio::fuzz

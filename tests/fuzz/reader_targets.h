@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "core/editing/edit_document.h"
+#include "core/io/image_io.h"
+#include "core/io/material.h"
+
+/// What is done with bytes that nobody vouches for. Each reads and uses the result; every outcome but a result that
+/// keeps its promises and a gonio::Error is a bug. Shared by the mutation test and the libFuzzer programs.
+namespace gonio::fuzz {
+
+/// @throws std::logic_error where a promise is broken; Error where the bytes are refused.
+inline void readMaterialBytes(std::span<const std::byte> bytes) {
+  const io::Material material = io::readMaterial(io::MemorySource(bytes));
+  for (const double thetaI : {0.0, 0.3, 1.2, 1.57})
+    for (const double phi : {0.0, 1.0, 3.0, -2.0}) {
+      const Rgb value = material.brdf->evaluate(fromSpherical(thetaI, 0.5), fromSpherical(0.9, phi));
+      for (int channel = 0; channel < 3; ++channel)
+        if (!std::isfinite(value[channel]) || value[channel] < 0) throw std::logic_error("a value that is no BRDF's");
+    }
+  if (material.table && material.table->values().size() != material.table->grid().size())
+    throw std::logic_error("a table of another size than its grid");
+}
+
+inline void readImageBytes(std::span<const std::byte> bytes) {
+  const Image image = io::readImage(bytes);
+  const std::size_t count = std::size_t(image.width) * std::size_t(image.height);
+  if (count == 0 || image.pixels.size() != count || (!image.alpha.empty() && image.alpha.size() != count))
+    throw std::logic_error("a picture of another size than it says");
+}
+
+inline void readDocumentBytes(std::span<const std::byte> bytes) {
+  const auto document = editing::documentFromText({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  for (const editing::DifferentialEdit& edit : document.edits) edit.model->instantiate(edit.edited);
+  editing::toJson(document).dump();
+}
+
+}  // namespace gonio::fuzz
