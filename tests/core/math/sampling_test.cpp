@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/math/sampling.h"
+
+#include <QTest>
+#include <cmath>
+#include <set>
+#include <vector>
+
+using namespace gonio;
+
+class SamplingTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// A (0, 2)-sequence: of 2^k points from a multiple of 2^k each elementary interval of area 2^-k holds exactly one.
+  void everyElementaryIntervalHoldsOnePoint() {
+    for (const std::uint32_t seed : {0u, 1u, 77u, 0xdeadbeefu})
+      for (int k = 0; k <= 10; ++k)
+        for (const std::uint32_t block : {0u, 1u, 5u})
+          for (int across = 0; across <= k; ++across) {
+            const std::uint32_t columns = 1u << across, rows = 1u << (k - across);
+            std::set<std::uint32_t> cells;
+            for (std::uint32_t i = 0; i < (1u << k); ++i) {
+              const glm::dvec2 p = scrambledSobol((block << k) + i, seed);
+              QVERIFY(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1);
+              cells.insert(std::uint32_t(p.x * columns) * rows + std::uint32_t(p.y * rows));
+            }
+            QCOMPARE(cells.size(), std::size_t(1) << k);
+          }
+  }
+
+  void vanDerCorputIsStratified() {
+    for (const std::uint32_t seed : {3u, 4u}) {
+      std::set<int> cells;
+      for (std::uint32_t i = 0; i < 64; ++i) cells.insert(int(scrambledVanDerCorput(i, seed) * 64));
+      QCOMPARE(cells.size(), std::size_t(64));
+    }
+  }
+
+  /// The product of the two numbers of different seeds integrates to 1/4: no seed follows another.
+  void seedsAreIndependent() {
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+      double sum = 0;
+      for (std::uint32_t i = 0; i < 4096; ++i)
+        sum += scrambledVanDerCorput(i, seed) * scrambledVanDerCorput(i, seed + 1);
+      QVERIFY(std::abs(sum / 4096 - 0.25) < 0.01);
+    }
+  }
+
+  /// The first point of many pixels is uniform: the hash of neighbouring counters is well mixed.
+  void firstPointsOfPixelsAreUniform() {
+    std::vector<double> counts(64, 0.0);
+    constexpr int pixels = 1 << 16;
+    for (std::uint32_t pixel = 0; pixel < pixels; ++pixel) {
+      const glm::dvec2 p = scrambledSobol(0, hashCombine(pixel, 2));
+      counts[std::size_t(p.x * 8) * 8 + std::size_t(p.y * 8)] += 1;
+    }
+    double chiSquared = 0;
+    for (const double count : counts) chiSquared += (count - pixels / 64.0) * (count - pixels / 64.0) / (pixels / 64.0);
+    QVERIFY(chiSquared < 104);  // 63 degrees of freedom, 0.1 %
+  }
+};
+
+QTEST_APPLESS_MAIN(SamplingTest)
+#include "sampling_test.moc"
