@@ -58,7 +58,7 @@ class SgdTest : public QObject {
   }
 
   void hardCase36MaskingInLogSpace() {
-    for (const double lambda : {1e-12, 1.0, 1.5e7, 1e12})
+    for (const double lambda : {0.0, 1e-12, 1.0, 1.5e7, 1e12})
       for (const double c : {1e-12, 1.0, 1e109, 1e120})
         for (const double k : {0.1, 5.57, 856.0, 2000.0})
           for (const double theta0 : {-halfPi, -0.66, 0.0, 1.2, halfPi}) {
