@@ -62,7 +62,7 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
         this, [this, task, outcome, error] { finish(task, outcome, error); }, Qt::QueuedConnection);
   };
   if (request.quiet)
-    m_quietPool.start(body, request.priority);
+    m_quietPool.start(body);
   else
     m_pool.start(body);
   Q_EMIT changed();
@@ -87,11 +87,7 @@ std::optional<BackgroundTasks::Info> BackgroundTasks::topmost() const {
   if (m_tasks.empty()) return std::nullopt;
   const auto loud = std::find_if(m_tasks.rbegin(), m_tasks.rend(), [](const auto& t) { return !t->request.quiet; });
   const auto& task = loud != m_tasks.rend() ? *loud : m_tasks.front();
-  return Info{task->request.title, task->share, task->request.quiet, quietCount()};
-}
-
-int BackgroundTasks::quietCount() const {
-  return int(std::count_if(m_tasks.begin(), m_tasks.end(), [](const auto& t) { return t->request.quiet; }));
+  return Info{task->request.title, task->share, task->request.quiet};
 }
 
 bool BackgroundTasks::isRunning(const QString& key) const {
@@ -106,13 +102,6 @@ void BackgroundTasks::cancel(const QString& key) {
 void BackgroundTasks::drop(const QString& key) {
   cancel(key);
   std::erase_if(m_tasks, [&](const auto& task) { return task->request.key == key; });
-}
-
-void BackgroundTasks::dropQuiet() {
-  for (const auto& task : m_tasks)
-    if (task->request.quiet) task->stop.request_stop();
-  std::erase_if(m_tasks, [](const auto& task) { return task->request.quiet; });
-  Q_EMIT changed();
 }
 
 void BackgroundTasks::cancelTopmost() {

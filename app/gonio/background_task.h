@@ -19,8 +19,7 @@ namespace gonio::app {
 struct TaskRequest {
   QString title;       ///< "Loading chrome.binary"
   QString key;         ///< a newer task of the same key stops and replaces an older one: its result is dropped
-  bool quiet = false;  ///< lowest priority, one at a time, shown only while nothing else runs (thumbnails)
-  int priority = 0;    ///< among quiet tasks: higher first
+  bool quiet = false;  ///< at low priority, shown only while nothing else runs, not cancelled by Esc (thumbnails)
 };
 
 /// The one place that runs core functions off the GUI thread. Work gets a TaskControl; its result comes back to the
@@ -49,20 +48,16 @@ class BackgroundTasks : public QObject {
     QString title;
     double share;  ///< [0, 1]
     bool quiet;
-    int waiting;  ///< quiet tasks in all, when this is one
   };
   /// What the status bar shows: the newest task that is not quiet, else a quiet one.
   std::optional<Info> topmost() const;
   bool isRunning(const QString& key) const;
   bool isIdle() const { return m_tasks.empty(); }
-  int quietCount() const;
 
   /// Asks a task to stop; its `cancelled` or `done` still comes.
   void cancel(const QString& key);
   /// Stops a task and drops its result.
   void drop(const QString& key);
-  /// Drops every quiet task.
-  void dropQuiet();
 
  public Q_SLOTS:
   /// Cancels the newest task that is not quiet. Quiet ones end with what they belong to.

@@ -126,7 +126,7 @@ class BackgroundTaskTest : public QObject {
     QCOMPARE(tasks.topmost()->title, QStringLiteral("Quiet"));
     tasks.cancelTopmost();
     QVERIFY(tasks.isRunning("quiet"));
-    tasks.dropQuiet();
+    tasks.drop("quiet");
     QVERIFY(tasks.isIdle());
   }
 

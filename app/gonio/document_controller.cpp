@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document_controller.h"
+
+#include <QFileInfo>
+
+#include "app/gonio/edit_transfer.h"
+#include "core/io/image_io.h"
+#include "core/rendering/sphere_renderer.h"
+#include "widgets/inputs/number_field.h"
+#include "widgets/parameters/parameter_text.h"
+
+namespace gonio::app {
+
+namespace {
+const QString openKey = QStringLiteral("open"), fitKey = QStringLiteral("fit"), exportKey = QStringLiteral("export");
+constexpr int exrSide = 1024, exrSamples = 128;
+
+bool isDocument(const QString& path) { return path.endsWith(".gonio", Qt::CaseInsensitive); }
+QString shortName(const QString& path) { return path.section('/', -1); }
+}  // namespace
+
+const models::Model& defaultModel() { return models::findModel("ggx"); }
+
+DocumentController::DocumentController(Document& document, BackgroundTasks& tasks, QObject* parent)
+    : QObject(parent), m_document(document), m_tasks(tasks) {}
+
+void DocumentController::open(const QString& path) { start(path, isDocument(path) ? path : QString(), false); }
+
+void DocumentController::openRecovered(const QString& autosavePath, const QString& originalPath) {
+  start(autosavePath, originalPath, true);
+}
+
+void DocumentController::start(const QString& path, const QString& documentPath, bool recovered) {
+  m_opening = path;
+  const bool stored = recovered || isDocument(path);
+  m_tasks.run<Opened>(
+      {tr("Opening %1").arg(shortName(path)), openKey},
+      [path, documentPath, stored](const TaskControl& control) {
+        Opened opened;
+        std::filesystem::path source = path.toStdString();
+        if (stored) {
+          opened.stored = editing::readDocument(source);
+          // A recovered copy names its source as the document that it stands for would.
+          const std::string document = (documentPath.isEmpty() ? path : documentPath).toStdString();
+          source = editing::resolveSource(*opened.stored, document);
+        }
+        opened.material = loadMaterial(source, control);
+        return opened;
+      },
+      [=, this](const Opened& opened) {
+        m_opening.clear();
+        try {
+          install(opened, path, documentPath, recovered);
+        } catch (const Error& error) {
+          Q_EMIT failed(tr("Cannot open %1").arg(shortName(path)), QString::fromUtf8(error.what()));
+        }
+      },
+      [=, this](const QString& error) {
+        m_opening.clear();
+        Q_EMIT failed(tr("Cannot open %1").arg(shortName(path)), error);
+      },
+      [this] { m_opening.clear(); });
+}
+
+void DocumentController::install(const Opened& opened, const QString& path, const QString& documentPath,
+                                 bool recovered) {
+  m_tasks.drop(fitKey);
+  m_fits.clear();
+  m_proposal.reset();
+  if (!opened.stored) {
+    m_document.setMaterial(opened.material);
+  } else {
+    m_document.setMaterial(opened.material, *opened.stored, documentPath);
+    if (recovered) m_document.markUnsaved();
+    Q_EMIT viewRestored(opened.stored->view);
+    if (opened.stored->sourceSha256 != opened.material->material.source.sha256)
+      Q_EMIT warned(
+          tr("The measured file %1 has changed since this document was saved. The edit is applied to the file "
+             "as it is now.")
+              .arg(QString::fromStdString(opened.material->material.source.path.string())));
+  }
+  for (const std::string& note : opened.material->material.source.notes)
+    Q_EMIT warned(QString::fromStdString(opened.material->material.name + ": " + note));
+  Q_EMIT this->opened(path);
+  if (!m_document.edit()) automaticFit();
+}
+
+void DocumentController::automaticFit() {
+  runFit(defaultModel(), [this](const fitting::FitResult& fit) {
+    if (!m_document.edit())
+      m_document.adoptFit(fit);
+    else
+      m_document.chooseFit(fit);
+  });
+}
+
+bool DocumentController::isFitting() const { return m_tasks.isRunning(fitKey); }
+
+void DocumentController::runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done) {
+  const LoadedMaterialPtr material = m_document.material();
+  if (!material) return;
+  const QString name = widgets::fromView(model.spec().name);
+  m_tasks.run<fitting::FitResult>(
+      {tr("Fitting %1").arg(name), fitKey},
+      [material, &model](const TaskControl& control) { return fitting::fit(*material->table, model, {}, control); },
+      [this, name, done = std::move(done)](const fitting::FitResult& fit) {
+        if (!fit.cancelled) {
+          m_fits[fit.model] = fit;
+          return done(fit);
+        }
+        m_proposal = fit;
+        const QString error = fit.errors.empty() ? tr("unknown") : widgets::formatNumber(fit.errors.front());
+        Q_EMIT proposalOffered(
+            tr("The fit of %1 was stopped. Its best so far has a log error of %2.").arg(name, error));
+      },
+      [this, name](const QString& error) { Q_EMIT failed(tr("Cannot fit %1").arg(name), error); });
+}
+
+void DocumentController::chooseModel(const models::Model& model) {
+  if (const auto known = m_fits.find(&model); known != m_fits.end()) {
+    m_tasks.drop(fitKey);
+    if (!m_document.edit() || m_document.edit()->model != &model) m_document.chooseFit(known->second);
+    return;
+  }
+  runFit(model, [this](const fitting::FitResult& fit) { m_document.chooseFit(fit); });
+}
+
+void DocumentController::fit() {
+  const models::Model& model = m_document.edit() ? *m_document.edit()->model : defaultModel();
+  runFit(model, [this](const fitting::FitResult& fit) { m_document.chooseFit(fit); });
+}
+
+void DocumentController::applyProposal() {
+  if (m_proposal) m_document.chooseFit(*m_proposal);
+  m_proposal.reset();
+}
+
+bool DocumentController::save(const QString& path, const nlohmann::json& view) {
+  try {
+    editing::EditDocument stored = m_document.toEditDocument();
+    stored.view = view;
+    editing::writeDocument(stored, path.toStdString());
+  } catch (const Error& error) {
+    Q_EMIT failed(tr("Cannot save %1").arg(shortName(path)), QString::fromUtf8(error.what()));
+    return false;
+  }
+  m_document.markSaved(path);
+  Q_EMIT saved(path);
+  return true;
+}
+
+void DocumentController::exportMerl(const QString& path) {
+  const LoadedMaterialPtr material = m_document.material();
+  if (!material) return;
+  const auto edit = m_document.edit();
+  m_tasks.run<bool>(
+      {tr("Exporting %1").arg(shortName(path)), exportKey},
+      [material, edit, path](const TaskControl& control) {
+        const std::filesystem::path target = path.toStdString();
+        if (!edit || edit->isIdentity())
+          io::writeMerl(material->material, target, control);
+        else
+          io::writeMerl(*editing::bakeEdits(material->table, std::span(&*edit, 1), control), target);
+        return true;
+      },
+      [this, path](bool) { Q_EMIT exported(path); },
+      [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(shortName(path)), error); });
+}
+
+void DocumentController::exportExr(const QString& path, const SphereScene& scene) {
+  const LoadedMaterialPtr material = m_document.material();
+  if (!material) return;
+  std::vector<editing::DifferentialEdit> edits;
+  if (m_document.edit()) edits.push_back(*m_document.edit());
+  m_tasks.run<bool>(
+      {tr("Rendering %1").arg(shortName(path)), exportKey},
+      [material, edits, scene, path](const TaskControl& control) {
+        SphereRenderOptions options;
+        options.width = options.height = exrSide;
+        options.samples = exrSamples;
+        const auto brdf = editing::applyEdits(material->table, edits);
+        const Image picture = renderSphere(*brdf, scene, options, control);
+        io::writeExr(picture, path.toStdString(), {{"material", material->material.name}});
+        return true;
+      },
+      [this, path](bool) { Q_EMIT exported(path); },
+      [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(shortName(path)), error); });
+}
+
+void DocumentController::paste(const editing::DifferentialEdit& edit) {
+  const auto& current = m_document.edit();
+  if (current && current->model == edit.model) return m_document.pasteEdit(transferredEdit(edit, current->fitted));
+  runFit(*edit.model, [this, edit](const fitting::FitResult& fit) {
+    m_document.pasteEdit(transferredEdit(edit, fit.parameters), fit);
+  });
+}
+
+}  // namespace gonio::app
+
+#include "moc_document_controller.cpp"

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/edit_transfer.h"
+
+#include <QMimeData>
+
+#include "core/editing/edit_document.h"
+
+namespace gonio::app {
+
+namespace {
+
+const QString mimeType = QStringLiteral("application/x-gonio-edit+json");
+
+double transferred(const models::ParameterSpec& spec, double from, double to, double fitted) {
+  if (from == to) return fitted;
+  if (!spec.choices.empty() || from == fitted) return to;
+  if (spec.scale == models::ParameterScale::logarithmic && from > 0) return fitted * (to / from);
+  return fitted + (to - from);
+}
+
+}  // namespace
+
+models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, const models::ParameterValues& fitted) {
+  const models::ModelSpec& spec = edit.model->spec();
+  models::ParameterValues result = fitted;
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i)
+    for (int c = 0; c < 3; ++c)
+      result.values[i][c] =
+          transferred(spec.parameters[i], edit.fitted.values[i][c], edit.edited.values[i][c], fitted.values[i][c]);
+  models::clampToHardRange(spec, result);
+  return result;
+}
+
+QMimeData* editToClipboard(const editing::DifferentialEdit& edit) {
+  editing::EditDocument document;
+  document.edits.push_back(edit);
+  const std::string text = editing::toJson(document).dump(2);
+  auto* data = new QMimeData;
+  data->setData(mimeType, QByteArray::fromStdString(text));
+  data->setText(QString::fromStdString(text));
+  return data;
+}
+
+std::optional<editing::DifferentialEdit> editFromClipboard(const QMimeData* data) {
+  if (!data) return std::nullopt;
+  const QByteArray text = data->hasFormat(mimeType) ? data->data(mimeType) : data->text().toUtf8();
+  try {
+    const auto document = editing::documentFromJson(nlohmann::json::parse(text.toStdString()));
+    if (document.edits.size() == 1) return document.edits.front();
+  } catch (const std::exception&) {
+    // Some other text: nothing to paste.
+  }
+  return std::nullopt;
+}
+
+}  // namespace gonio::app

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/help_pages.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "app/gonio/command_search.h"
+#include "core/models/model.h"
+#include "widgets/parameters/parameter_text.h"
+
+namespace gonio::app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("HelpPages", text); }
+QString escaped(std::string_view text) { return widgets::fromView(text).toHtmlEscaped(); }
+
+QString row(const QString& left, const QString& right) {
+  return QStringLiteral("<tr><td style='padding: 2px 24px 2px 0'>%1</td><td style='padding: 2px 0'>%2</td></tr>")
+      .arg(left, right);
+}
+
+/// What the mouse and single widgets do: nothing that an action could tell.
+QString gestures() {
+  return row(tr("Drag in the preview"), tr("orbit (directional light: move the light)")) +
+         row(tr("Wheel in the preview"), tr("zoom")) +
+         row(tr("Shift + right drag in the preview"), tr("turn the environment")) +
+         row(tr("F, R in the preview"), tr("frame the sphere, reset the view")) +
+         row(tr("Shift, Ctrl while dragging a slider"), tr("a tenth as far, snap")) +
+         row(tr("Double-click on a label or slider"), tr("reset the parameter")) +
+         row(tr("Arrow keys, Page Up, Page Down"), tr("step a slider or a number")) +
+         row(tr("Typing into a number"), tr("arithmetic works: 0.3*2")) +
+         row(tr("Enter in the library"), tr("open the material"));
+}
+
+}  // namespace
+
+QString shortcutsPage(const QWidget* window) {
+  QString table;
+  for (const NamedAction& named : allActions(window)) {
+    QStringList keys;
+    for (const QKeySequence& key : named.action->shortcuts())
+      keys << key.toString(QKeySequence::NativeText).toHtmlEscaped();
+    if (!keys.isEmpty())
+      table += row(named.path.toHtmlEscaped(), QStringLiteral("<b>%1</b>").arg(keys.join(tr(" or "))));
+  }
+  return QStringLiteral("<h2>%1</h2><table>%2</table><h3>%3</h3><table>%4</table>")
+      .arg(tr("Shortcuts"), table, tr("Mouse and keys"), gestures());
+}
+
+QString formulaePage() {
+  QString page = QStringLiteral("<h2>%1</h2><p>%2</p>")
+                     .arg(tr("Formulae"),
+                          tr("Directions point away from the surface, the normal is z. Values are linear RGB in 1/sr, "
+                             "without the cosine. An edit adds the change of the model to the measurement: edited = "
+                             "max(0, measured + model(edited) − model(fitted))."));
+  for (const models::Model* model : models::allModels()) {
+    const models::ModelSpec& spec = model->spec();
+    page += QStringLiteral("<h3>%1</h3><p>%2</p><p><tt>%3</tt></p><p><i>%4</i></p><table>")
+                .arg(escaped(spec.name), escaped(spec.description), escaped(spec.formula), escaped(spec.reference));
+    for (const models::ParameterSpec& parameter : spec.parameters)
+      page += row(QStringLiteral("<b>%1</b> <i>%2</i>").arg(escaped(parameter.label), escaped(parameter.symbol)),
+                  QStringLiteral("%1<br><tt>%2</tt><br><i>%3</i>")
+                      .arg(escaped(parameter.description), escaped(parameter.formula), escaped(parameter.reference)));
+    page += QStringLiteral("</table>");
+  }
+  return page;
+}
+
+QString aboutPage() {
+  QString page = QStringLiteral("<h2>Gonio %1</h2><p>%2</p><h3>%3</h3><p>%4</p><p>%5</p><h3>%6</h3><table>")
+                     .arg(QStringLiteral(GONIO_VERSION), tr("An editor for measured materials (BRDFs)."),
+                          tr("Licences"), tr("The modelling library (core) and goniotool: Apache-2.0."),
+                          tr("This editor: GPL-3.0-or-later. It comes with no warranty."), tr("Third parties"));
+  const std::pair<const char*, const char*> parties[] = {
+      {"Qt 6", "LGPL-3.0-only"},   {"Eigen", "MPL-2.0"},      {"GLM", "MIT"},
+      {"OpenEXR", "BSD-3-Clause"}, {"oneTBB", "Apache-2.0"},  {"Ceres Solver", "BSD-3-Clause"},
+      {"nlohmann/json", "MIT"},    {"OpenSSL", "Apache-2.0"}, {"stb", "MIT or public domain"}};
+  for (const auto& [name, licence] : parties) page += row(QString::fromLatin1(name), QString::fromLatin1(licence));
+  page +=
+      QStringLiteral("</table><h3>%1</h3><p>%2</p>")
+          .arg(tr("Data"), tr("The bundled library holds published figures: SGD fits of the MERL materials, Bagher, "
+                              "Soler and Holzschuch, Accurate fitting of measured reflectances using a Shifted Gamma "
+                              "micro-facet distribution, 2012. The environments are made by the project itself."));
+  return page;
+}
+
+void showPage(const QString& title, const QString& html, QWidget* parent) {
+  auto* dialog = new QDialog(parent);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(title);
+  auto* text = new QTextBrowser(dialog);
+  text->setHtml(html);
+  text->setFrameShape(QFrame::NoFrame);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  auto* layout = new QVBoxLayout(dialog);
+  layout->addWidget(text);
+  layout->addWidget(buttons);
+  const int em = dialog->fontMetrics().height();
+  dialog->resize(em * 42, em * 38);
+  dialog->show();
+}
+
+}  // namespace gonio::app

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/source_facts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "widgets/inputs/number_field.h"
+
+namespace gonio::app {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("SourceFacts", text); }
+QString number(double value) { return QString::number(value, 'g', 3); }
+QString percent(double share) { return QStringLiteral("%1 %").arg(QString::number(100 * share, 'f', 1)); }
+
+QString gridText(const std::vector<int>& grid) {
+  QStringList sizes;
+  for (const int size : grid) sizes << QString::number(size);
+  return sizes.join(QStringLiteral(" × "));
+}
+
+QString rangeText(const std::array<ChannelRange, 3>& channels) {
+  QStringList lines;
+  const QString names[] = {tr("R"), tr("G"), tr("B")};
+  for (std::size_t c = 0; c < 3; ++c)
+    lines << tr("%1  %2 to %3").arg(names[c], number(channels[c].min), number(channels[c].max));
+  return lines.join('\n');
+}
+
+}  // namespace
+
+std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded) {
+  const io::MaterialSource& source = loaded.material.source;
+  const QString path = QString::fromStdString(source.path.string()), hash = QString::fromStdString(source.sha256);
+  std::vector<widgets::Fact> facts;
+  const QString description = QString::fromStdString(source.description);
+  facts.push_back({tr("Material"), description.isEmpty() ? QString::fromStdString(loaded.material.name) : description});
+  if (!path.startsWith(QStringLiteral("library:"))) facts.push_back({tr("File"), path.section('/', -1), path});
+  facts.push_back({tr("Format"), QString::fromStdString(source.format)});
+  if (!source.grid.empty()) facts.push_back({tr("Data"), gridText(source.grid)});
+  const HalfDifferenceGrid& grid = loaded.table->grid();
+  facts.push_back({tr("Table"), gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount}),
+                   tr("Half-difference grid: theta_h, theta_d, phi_d")});
+  facts.push_back({tr("Range, 1/sr"), rangeText(loaded.statistics.channels)});
+  facts.push_back(
+      {tr("Invalid"), percent(loaded.statistics.invalidShare), tr("Cells below the horizon or not measured")});
+  QStringList albedo;
+  for (std::size_t i = 0; i < loaded.albedo.size(); ++i)
+    albedo << tr("%1°  %2").arg(LoadedMaterial::albedoDegrees[i]).arg(number(luminance(loaded.albedo[i])));
+  facts.push_back({tr("Albedo"), albedo.join(QStringLiteral("   ")),
+                   tr("Share of the light that is reflected (luminance), by angle of incidence")});
+  facts.push_back({tr("SHA-256"), hash.left(16) + QStringLiteral("…"), hash});
+  return facts;
+}
+
+QString fitSummary(const fitting::FitResult& fit) {
+  QString text;
+  const auto metrics = metrics::allBrdfMetrics();
+  for (std::size_t i = 0; i < std::min<std::size_t>(fit.errors.size(), 2); ++i) {
+    const std::string_view name = metrics::metricName(metrics[i]);
+    text += tr("%1 error %2").arg(QString::fromUtf8(name.data(), qsizetype(name.size())), number(fit.errors[i])) + ", ";
+  }
+  return text + tr("%1 s, %2 cells").arg(number(fit.seconds), QLocale().toString(qulonglong(fit.usedCells)));
+}
+
+}  // namespace gonio::app

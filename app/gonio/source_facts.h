@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <vector>
+
+#include "app/gonio/loaded_material.h"
+#include "core/fitting/fit.h"
+#include "widgets/panels/fact_list.h"
+
+namespace gonio::app {
+
+/// What the source section tells of a material: file, hash, grid, range of values, invalid share, albedo.
+std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& material);
+/// The residual of a fit in one or two lines.
+QString fitSummary(const fitting::FitResult& fit);
+
+}  // namespace gonio::app

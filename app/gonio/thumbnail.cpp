@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/thumbnail.h"
+
+#include <QDir>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <cmath>
+
+#include "core/io/material.h"
+#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/tone_map.h"
+
+namespace gonio::app {
+
+namespace {
+
+/// Part of the cache's file names: a change of the renderer, the scene or the tone curve needs a new one.
+constexpr int rendererVersion = 1;
+constexpr int side = 256, samplesPerPixel = 24;
+constexpr double exposure = 0;
+
+widgets::LibraryLook fromImage(const QImage& image) {
+  return {image, image.text("hue").toDouble(), image.text("roughness").toDouble()};
+}
+
+/// Hue of the mean colour in degrees; -1 for a grey.
+double meanHue(const QImage& image) {
+  double red = 0, green = 0, blue = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const QRgb pixel = image.pixel(x, y);
+      if (qAlpha(pixel) < 255) continue;
+      red += qRed(pixel), green += qGreen(pixel), blue += qBlue(pixel);
+    }
+  const double scale = 1 / std::max({red, green, blue, 1.0});
+  const QColor mean = QColor::fromRgbF(float(red * scale), float(green * scale), float(blue * scale));
+  constexpr float greySaturation = 0.04f;
+  return mean.saturationF() < greySaturation ? -1 : mean.hueF() * 360.0;
+}
+
+QImage render(const io::Material& material, const TaskControl& control) {
+  SphereScene scene = comparisonScene();
+  scene.showEnvironment = false;
+  SphereRenderOptions options;
+  options.width = options.height = side;
+  options.samples = samplesPerPixel;
+  options.lobe = estimateSamplingLobe(*material.brdf);
+  const Image picture = renderSphere(*material.brdf, scene, options, control);
+  const std::vector<std::uint8_t> bytes = toDisplayBytes(picture, exposure, ToneMap::filmic);
+  QImage image = QImage(bytes.data(), side, side, side * 4, QImage::Format_RGBA8888).copy();
+  image.setText("roughness", QString::number(options.lobe->roughness));
+  image.setText("hue", QString::number(meanHue(image)));
+  return image;
+}
+
+}  // namespace
+
+QString thumbnailCacheFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/thumbnails");
+}
+
+widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control) {
+  const io::Material material = io::readMaterial(id.toStdString(), control);
+  const QString cached = QStringLiteral("%1/%2-%3-%4.png")
+                             .arg(cacheFolder, QString::fromStdString(material.source.sha256))
+                             .arg(rendererVersion)
+                             .arg(side);
+  const QImage known(cached);
+  if (!known.isNull()) return fromImage(known);
+  const QImage image = render(material, control);
+  // A cache that cannot be written costs time and nothing else.
+  QDir().mkpath(cacheFolder);
+  QSaveFile file(cached);
+  if (file.open(QIODevice::WriteOnly) && image.save(&file, "PNG")) file.commit();
+  return fromImage(image);
+}
+
+}  // namespace gonio::app

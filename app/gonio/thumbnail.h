@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QString>
+
+#include "core/support/task_control.h"
+#include "widgets/library/library_model.h"
+
+namespace gonio::app {
+
+/// The picture of a material for the library: a sphere in the studio, on a transparent ground, 256 x 256. Read from the
+/// disk cache under `cacheFolder`, where it lies under the material's content hash and the version of the renderer;
+/// else rendered from the material's own form (no table is made) and put there. Some 100 ms when it is rendered.
+/// @throws Error, Cancelled.
+widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control);
+
+/// Under the user's cache folder.
+QString thumbnailCacheFolder();
+
+}  // namespace gonio::app

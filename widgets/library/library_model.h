@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QAbstractListModel>
+#include <QImage>
+#include <QPixmap>
+#include <optional>
+#include <vector>
+
+namespace gonio::widgets {
+
+/// A material that can be opened from the library.
+struct LibraryItem {
+  QString id;  ///< what opening it needs: a path, or "library:sgd/chrome"
+  QString name;
+  QString toolTip;  ///< the format, and what the material is
+};
+
+/// What is known of a material once its thumbnail is rendered.
+struct LibraryLook {
+  QImage thumbnail;
+  double hue = 0;        ///< of the thumbnail, degrees; greys lie before all hues (-1)
+  double roughness = 0;  ///< width of the highlight, GGX alpha
+};
+
+/// The materials of a library and their looks, which others render and hand in.
+class LibraryModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  enum Role { IdRole = Qt::UserRole, HueRole, RoughnessRole, FailureRole };
+
+  using QAbstractListModel::QAbstractListModel;
+
+  void setItems(std::vector<LibraryItem> items);
+  void setLook(const QString& id, const LibraryLook& look);
+  /// Why a material has no picture; shown in its tool tip.
+  void setFailure(const QString& id, const QString& reason);
+  /// Ids without a look and without a failure, in order.
+  QStringList pending() const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+
+ private:
+  struct Entry {
+    LibraryItem item;
+    std::optional<LibraryLook> look;
+    QPixmap pixmap;
+    QString failure;
+  };
+  int find(const QString& id) const;
+
+  std::vector<Entry> m_entries;
+};
+
+}  // namespace gonio::widgets

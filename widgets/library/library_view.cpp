@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/library/library_view.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QScrollBar>
+#include <QSlider>
+#include <QSortFilterProxyModel>
+#include <QVBoxLayout>
+
+#include "widgets/inputs/icons.h"
+#include "widgets/library/library_delegate.h"
+#include "widgets/library/library_model.h"
+
+namespace gonio::widgets {
+
+namespace {
+constexpr int smallestTile = 64, largestTile = 256, defaultTile = 88;
+constexpr int visibleDelayMilliseconds = 60;
+}  // namespace
+
+LibraryView::LibraryView(LibraryModel* model, QWidget* parent)
+    : QWidget(parent),
+      m_model(model),
+      m_proxy(new QSortFilterProxyModel(this)),
+      m_delegate(new LibraryDelegate(this)),
+      m_title(new QLabel(this)),
+      m_search(new QLineEdit(this)),
+      m_sort(new QComboBox(this)),
+      m_list(new QListView(this)),
+      m_empty(new QLabel(m_list)),
+      m_size(new QSlider(Qt::Horizontal, this)) {
+  m_proxy->setSourceModel(model);
+  m_proxy->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  m_proxy->setSortCaseSensitivity(Qt::CaseInsensitive);
+  buildControls();
+  connectList();
+
+  auto* top = new QHBoxLayout;
+  top->addWidget(m_search, 1);
+  top->addWidget(m_sort);
+  auto* bottom = new QHBoxLayout;
+  bottom->addWidget(m_title, 1);
+  bottom->addWidget(m_size);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addLayout(top);
+  layout->addWidget(m_list, 1);
+  layout->addLayout(bottom);
+  setTileSize(defaultTile);
+  setSortMode(0);
+}
+
+void LibraryView::buildControls() {
+  m_search->setPlaceholderText(tr("Search materials"));
+  m_search->setAccessibleName(tr("Search materials"));
+  m_search->setClearButtonEnabled(true);
+  m_search->addAction(glyphIcon(Glyph::search), QLineEdit::LeadingPosition);
+  m_search->installEventFilter(this);
+  connect(m_search, &QLineEdit::textChanged, this, [this](const QString& text) {
+    m_proxy->setFilterFixedString(text);
+    updateEmptyState();
+    m_visibleTimer.start();
+  });
+  m_sort->addItems({tr("Name"), tr("Hue"), tr("Roughness")});
+  m_sort->setAccessibleName(tr("Sort by"));
+  m_sort->setToolTip(tr("The order of the materials"));
+  connect(m_sort, &QComboBox::currentIndexChanged, this, &LibraryView::setSortMode);
+
+  m_size->setRange(smallestTile, largestTile);
+  m_size->setAccessibleName(tr("Size of the pictures"));
+  m_size->setToolTip(tr("Size of the pictures"));
+  m_size->setFixedWidth(fontMetrics().height() * 6);
+  connect(m_size, &QSlider::valueChanged, this, &LibraryView::setTileSize);
+  m_title->setForegroundRole(QPalette::PlaceholderText);
+
+  m_empty->setAlignment(Qt::AlignCenter);
+  m_empty->setWordWrap(true);
+  m_empty->setForegroundRole(QPalette::PlaceholderText);
+  auto* over = new QVBoxLayout(m_list->viewport());
+  over->addWidget(m_empty);
+}
+
+void LibraryView::connectList() {
+  m_list->setModel(m_proxy);
+  m_list->setItemDelegate(m_delegate);
+  m_list->setViewMode(QListView::IconMode);
+  m_list->setResizeMode(QListView::Adjust);
+  m_list->setMovement(QListView::Static);
+  m_list->setUniformItemSizes(true);
+  m_list->setSpacing(2);
+  m_list->setMouseTracking(true);
+  m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_list->setAccessibleName(tr("Materials"));
+  m_list->installEventFilter(this);
+  m_list->viewport()->installEventFilter(this);
+  connect(m_list, &QListView::doubleClicked, this, &LibraryView::openIndex);
+
+  m_visibleTimer.setSingleShot(true);
+  m_visibleTimer.setInterval(visibleDelayMilliseconds);
+  connect(&m_visibleTimer, &QTimer::timeout, this, [this] { Q_EMIT visibleIdsChanged(visibleIds()); });
+  const auto later = [this] { m_visibleTimer.start(); };
+  connect(m_list->verticalScrollBar(), &QScrollBar::valueChanged, this, later);
+  connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
+    updateEmptyState();
+    m_visibleTimer.start();
+  });
+}
+
+void LibraryView::openIndex(const QModelIndex& index) {
+  if (index.isValid()) Q_EMIT openRequested(index.data(LibraryModel::IdRole).toString());
+}
+
+bool LibraryView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_list->viewport() && (event->type() == QEvent::Resize || event->type() == QEvent::Show))
+    m_visibleTimer.start();
+  if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+  if (watched == m_list && enter) {
+    openIndex(m_list->currentIndex());
+    return true;
+  }
+  // From the search field: Down goes into the grid, Enter opens the first match.
+  if (watched == m_search && (key == Qt::Key_Down || enter)) {
+    if (!m_list->currentIndex().isValid() || enter) m_list->setCurrentIndex(m_proxy->index(0, 0));
+    m_list->setFocus();
+    if (enter) openIndex(m_list->currentIndex());
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void LibraryView::setTitle(const QString& title) {
+  m_title->setText(title);
+  m_title->setToolTip(title);
+}
+
+void LibraryView::setEmptyText(const QString& text) {
+  m_emptyText = text;
+  updateEmptyState();
+}
+
+void LibraryView::updateEmptyState() {
+  m_empty->setText(m_model->rowCount() == 0 ? m_emptyText : tr("No material is named so."));
+  m_empty->setVisible(m_proxy->rowCount() == 0);
+}
+
+void LibraryView::setTileSize(int pixels) {
+  m_size->setValue(pixels);
+  m_delegate->setTileSize(m_size->value());
+  m_list->setGridSize({});
+  m_list->doItemsLayout();
+  m_visibleTimer.start();
+}
+
+int LibraryView::tileSize() const { return m_size->value(); }
+
+void LibraryView::setSortMode(int mode) {
+  m_sort->setCurrentIndex(mode);
+  constexpr int roles[] = {Qt::DisplayRole, LibraryModel::HueRole, LibraryModel::RoughnessRole};
+  m_proxy->setSortRole(roles[m_sort->currentIndex()]);
+  m_proxy->sort(0);
+  m_visibleTimer.start();
+}
+
+int LibraryView::sortMode() const { return m_sort->currentIndex(); }
+
+void LibraryView::selectItem(const QString& id) {
+  for (int row = 0; row < m_proxy->rowCount(); ++row)
+    if (m_proxy->index(row, 0).data(LibraryModel::IdRole).toString() == id) {
+      m_list->setCurrentIndex(m_proxy->index(row, 0));
+      m_list->scrollTo(m_proxy->index(row, 0));
+      return;
+    }
+  m_list->clearSelection();
+}
+
+QStringList LibraryView::visibleIds() const {
+  QStringList ids;
+  const QRect area = m_list->viewport()->rect();
+  for (int row = 0; row < m_proxy->rowCount(); ++row) {
+    const QModelIndex index = m_proxy->index(row, 0);
+    if (m_list->visualRect(index).intersects(area)) ids << index.data(LibraryModel::IdRole).toString();
+  }
+  return ids;
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_library_view.cpp"

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QListView;
+class QSlider;
+class QSortFilterProxyModel;
+
+namespace gonio::widgets {
+
+class LibraryDelegate;
+class LibraryModel;
+
+/// A grid of materials with search, sorting and a size slider. Enter or a double-click opens; arrow keys move. It tells
+/// which materials are in sight, so that their pictures are made first.
+class LibraryView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LibraryView(LibraryModel* model, QWidget* parent = nullptr);
+
+  /// Where the materials come from, above the grid.
+  void setTitle(const QString& title);
+  /// Shown instead of an empty grid.
+  void setEmptyText(const QString& text);
+  void setTileSize(int pixels);
+  int tileSize() const;
+  void setSortMode(int mode);
+  int sortMode() const;
+  void selectItem(const QString& id);
+  QStringList visibleIds() const;
+
+  QListView* list() const { return m_list; }
+  QLineEdit* search() const { return m_search; }
+
+ Q_SIGNALS:
+  void openRequested(const QString& id);
+  void visibleIdsChanged(const QStringList& ids);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void buildControls();
+  void connectList();
+  void updateEmptyState();
+  void openIndex(const QModelIndex& index);
+
+  LibraryModel* m_model;
+  QSortFilterProxyModel* m_proxy;
+  LibraryDelegate* m_delegate;
+  QLabel* m_title;
+  QLineEdit* m_search;
+  QComboBox* m_sort;
+  QListView* m_list;
+  QLabel* m_empty;
+  QSlider* m_size;
+  QTimer m_visibleTimer;
+  QString m_emptyText;
+};
+
+}  // namespace gonio::widgets

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+namespace gonio::widgets {
+
+/// An outline over a widget while something is dragged above it, with a text that says what dropping will do.
+class DropOverlay : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DropOverlay(QWidget* target);
+  void announce(const QString& text);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString m_text;
+};
+
+}  // namespace gonio::widgets

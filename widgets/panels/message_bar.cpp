@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/panels/message_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "widgets/inputs/icons.h"
+
+namespace gonio::widgets {
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent),
+      m_text(new QLabel(this)),
+      m_apply(new QPushButton(tr("&Apply"), this)),
+      m_discard(new QPushButton(tr("&Discard"), this)),
+      m_close(new QToolButton(this)) {
+  setObjectName(QStringLiteral("messageBar"));
+  setAutoFillBackground(true);
+  setBackgroundRole(QPalette::AlternateBase);
+  m_text->setWordWrap(true);
+  m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_close->setIcon(glyphIcon(Glyph::close));
+  m_close->setAutoRaise(true);
+  m_close->setToolTip(tr("Dismiss"));
+  m_close->setAccessibleName(tr("Dismiss the message"));
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(10, 6, 6, 6);
+  layout->addWidget(m_text, 1);
+  layout->addWidget(m_apply);
+  layout->addWidget(m_discard);
+  layout->addWidget(m_close);
+  connect(m_apply, &QPushButton::clicked, this, [this] {
+    hide();
+    Q_EMIT applied();
+  });
+  connect(m_discard, &QPushButton::clicked, this, &MessageBar::dismiss);
+  connect(m_close, &QToolButton::clicked, this, &MessageBar::dismiss);
+  hide();
+}
+
+void MessageBar::dismiss() {
+  const bool proposal = isProposal();
+  hide();
+  if (proposal) Q_EMIT discarded();
+}
+
+bool MessageBar::isProposal() const { return !isHidden() && !m_apply->isHidden(); }
+
+void MessageBar::present(const QString& text, bool proposal) {
+  if (isProposal()) Q_EMIT discarded();
+  m_text->setText(text);
+  m_apply->setVisible(proposal);
+  m_discard->setVisible(proposal);
+  m_close->setVisible(!proposal);
+  show();
+}
+
+void MessageBar::showMessage(const QString& text) { present(text, false); }
+void MessageBar::showProposal(const QString& text) { present(text, true); }
+
+}  // namespace gonio::widgets
+
+#include "moc_message_bar.cpp"

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace gonio::widgets {
+
+/// A message across the top of the window that waits for nobody: a warning, or a proposal with Apply and Discard.
+class MessageBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit MessageBar(QWidget* parent = nullptr);
+
+  void showMessage(const QString& text);
+  void showProposal(const QString& text);
+  bool isProposal() const;
+
+ Q_SIGNALS:
+  void applied();
+  void discarded();
+
+ private:
+  void present(const QString& text, bool proposal);
+  void dismiss();
+
+  QLabel* m_text;
+  QPushButton* m_apply;
+  QPushButton* m_discard;
+  QToolButton* m_close;
+};
+
+}  // namespace gonio::widgets
