@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/dropped_files.h"
+
+#include <QCoreApplication>
+#include <QMimeData>
+#include <QUrl>
+
+namespace gonio::app {
+
+QString droppedFile(const QMimeData* data) {
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile()) return url.toLocalFile();
+  return {};
+}
+
+bool isPicture(const QString& path) {
+  return path.endsWith(QStringLiteral(".hdr"), Qt::CaseInsensitive) ||
+         path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive);
+}
+
+QString dropDescription(const QString& path) {
+  const QString text = isPicture(path) ? QCoreApplication::translate("DroppedFiles", "Light the preview with %1")
+                                       : QCoreApplication::translate("DroppedFiles", "Open %1");
+  return text.arg(path.section('/', -1));
+}
+
+}  // namespace gonio::app

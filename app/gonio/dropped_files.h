@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QString>
+
+class QMimeData;
+
+namespace gonio::app {
+
+/// The local file that is dragged; empty when there is none.
+QString droppedFile(const QMimeData* data);
+/// Whether a file is meant as an environment, by its name.
+bool isPicture(const QString& path);
+/// What dropping a file will do.
+QString dropDescription(const QString& path);
+
+}  // namespace gonio::app

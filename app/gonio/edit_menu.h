@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+
+class QMenu;
+
+namespace gonio::app {
+
+class MainWindow;
+
+/// The Edit and the Material menu.
+class EditMenu : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit EditMenu(MainWindow& window);
+
+ private:
+  void addHistory(QMenu* menu);
+  void addEdits(QMenu* menu);
+  void addMaterial();
+  void showPreferences();
+
+  MainWindow& m_window;
+};
+
+}  // namespace gonio::app

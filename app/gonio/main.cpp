@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFileInfo>
+#include <QSettings>
+#include <QSurfaceFormat>
+
+#include "app/gonio/main_window.h"
+#include "app/gonio/screenshot.h"
+#include "app/gonio/theme.h"
+
+namespace {
+
+using namespace gonio::app;
+
+struct Options {
+  QStringList files;
+  QString screenshot;
+  QSize size;
+  double waitSeconds;
+  QString theme;
+};
+
+Options readOptions(const QApplication& application) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QObject::tr("An editor for measured materials (BRDFs)."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument(
+      "file", QObject::tr("Measured materials (.binary, .bsdf) or documents (.gonio) to open."), "[FILE ...]");
+  const auto hidden = [&parser](const char* name, const char* value) {
+    QCommandLineOption option(name, {}, value);
+    option.setFlags(QCommandLineOption::HiddenFromHelp);
+    parser.addOption(option);
+  };
+  // For scripts/screenshots.sh.
+  hidden("screenshot", "OUT.png");
+  hidden("size", "WxH");
+  hidden("wait", "SECONDS");
+  hidden("theme", "NAME");
+  parser.process(application);
+  const QStringList size = parser.value("size").split('x');
+  return {parser.positionalArguments(), parser.value("screenshot"),
+          size.size() == 2 ? QSize(size[0].toInt(), size[1].toInt()) : QSize(),
+          parser.isSet("wait") ? parser.value("wait").toDouble() : 60, parser.value("theme")};
+}
+
+QString asGiven(const QString& file) {
+  return file.startsWith(QStringLiteral("library:")) ? file : QFileInfo(file).absoluteFilePath();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(4, 1);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication::setApplicationName(QStringLiteral("gonio"));
+  QApplication::setOrganizationName(QStringLiteral("gonio"));
+  QApplication::setApplicationDisplayName(QStringLiteral("Gonio"));
+  QApplication::setApplicationVersion(QStringLiteral(GONIO_VERSION));
+  QApplication application(argc, argv);
+  const Options options = readOptions(application);
+  applyTheme(application, themeByName(options.theme.isEmpty() ? QSettings().value("theme").toString() : options.theme));
+
+  auto* window = new MainWindow;
+  if (options.size.isValid()) window->resize(options.size);
+  window->show();
+  if (!options.screenshot.isEmpty())
+    new Screenshot(*window, options.screenshot, options.waitSeconds);
+  else
+    window->offerRecovery();
+  for (qsizetype i = 0; i < options.files.size(); ++i) {
+    auto* target = i == 0 ? window : new MainWindow;
+    target->show();
+    target->open(asGiven(options.files[i]));
+  }
+  return QApplication::exec();
+}

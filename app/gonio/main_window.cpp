@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QUndoView>
+#include <QVBoxLayout>
+
+#include "app/gonio/dropped_files.h"
+#include "app/gonio/edit_menu.h"
+#include "app/gonio/file_menu.h"
+#include "app/gonio/help_menu.h"
+#include "app/gonio/thumbnail.h"
+#include "app/gonio/view_menu.h"
+#include "app/gonio/view_state.h"
+#include "core/io/image_io.h"
+#include "widgets/library/library_view.h"
+#include "widgets/panels/drop_overlay.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/progress_strip.h"
+#include "widgets/parameters/parameter_text.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace gonio::app {
+
+namespace {
+
+constexpr QSize firstSize(1440, 900), smallestSize(960, 600);
+/// Raised when docks change in a way that makes a stored layout wrong.
+constexpr int layoutVersion = 1;
+
+LibraryController::LookMaker lookMaker() {
+  return [folder = thumbnailCacheFolder()](const QString& id, const TaskControl& control) {
+    return materialLook(id, folder, control);
+  };
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      m_recentFiles(m_settings),
+      m_controller(m_document, m_tasks),
+      m_libraryController(m_tasks, lookMaker()),
+      m_autosave(Autosave::defaultDataFolder(),
+                 [this]() -> std::optional<editing::EditDocument> {
+                   if (!m_document.isModified()) return std::nullopt;
+                   editing::EditDocument stored = m_document.toEditDocument();
+                   stored.view = viewToJson(*m_preview);
+                   return stored;
+                 }),
+      m_preview(new widgets::PreviewWidget),
+      m_libraryView(new widgets::LibraryView(&m_libraryController.model())),
+      m_inspector(new Inspector(m_document, m_controller, m_tasks)),
+      m_messages(new widgets::MessageBar),
+      m_progress(new widgets::ProgressStrip),
+      m_dropOverlay(nullptr),
+      m_history(new QUndoView(&m_document.history())) {
+  setAttribute(Qt::WA_DeleteOnClose);
+  setAcceptDrops(true);
+  setMinimumSize(smallestSize);
+  resize(firstSize);
+  buildCentre();
+  buildDocks();
+  buildStatusBar();
+  new FileMenu(*this);
+  new EditMenu(*this);
+  new ViewMenu(*this);
+  new HelpMenu(*this);
+  connectDocument();
+  connectController();
+  m_dropOverlay = new widgets::DropOverlay(this);
+  m_defaultLayout = saveState(layoutVersion);
+  restoreSettings();
+  showTitle();
+  showRepresentation();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildCentre() {
+  auto* centre = new QWidget;
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(m_messages);
+  layout->addWidget(m_preview, 1);
+  setCentralWidget(centre);
+  SphereScene scene = m_preview->scene();
+  scene.environment = studioEnvironment();
+  m_preview->setScene(scene);
+  m_preview->setToneMap(ToneMap::filmic);
+}
+
+QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  m_docks << dock;
+  return dock;
+}
+
+void MainWindow::buildDocks() {
+  setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks | GroupedDragging);
+  QDockWidget* library = addDock(tr("Library"), "library", m_libraryView, Qt::LeftDockWidgetArea);
+  QDockWidget* inspector = addDock(tr("Inspector"), "inspector", m_inspector, Qt::RightDockWidgetArea);
+  m_history->setEmptyLabel(tr("Opened"));
+  m_history->setAccessibleName(tr("History"));
+  addDock(tr("History"), "history", m_history, Qt::RightDockWidgetArea)->hide();
+  const int em = fontMetrics().height();
+  resizeDocks({library, inspector}, {em * 21, em * 25}, Qt::Horizontal);
+  m_libraryView->setEmptyText(
+      tr("There are no .binary or .bsdf files in this folder.\nFile > Bundled Library shows the "
+         "materials that come with Gonio."));
+  connect(&m_libraryController, &LibraryController::titleChanged, m_libraryView, &widgets::LibraryView::setTitle);
+  connect(m_libraryView, &widgets::LibraryView::visibleIdsChanged, &m_libraryController,
+          &LibraryController::setVisible);
+  connect(m_libraryView, &widgets::LibraryView::openRequested, this, &MainWindow::open);
+}
+
+void MainWindow::buildStatusBar() {
+  const auto permanent = [this](const QString& toolTip) {
+    auto* label = new QLabel;
+    label->setToolTip(toolTip);
+    label->setContentsMargins(8, 0, 8, 0);
+    statusBar()->addPermanentWidget(label);
+    return label;
+  };
+  m_progress->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  statusBar()->addWidget(m_progress, 1);
+  m_representation = permanent(tr("What the preview shows"));
+  m_samples = permanent(tr("Light samples of each pixel so far"));
+  m_frameTime = permanent(tr("Time of the last frame"));
+  connect(m_preview, &widgets::PreviewWidget::frameRendered, this, [this](double milliseconds, int samples) {
+    m_frameTime->setText(tr("%1 ms").arg(milliseconds, 0, 'f', 1));
+    m_samples->setText(tr("%1 samples").arg(samples));
+  });
+  connect(m_preview, &widgets::PreviewWidget::failed, m_messages, &widgets::MessageBar::showMessage);
+  connect(&m_tasks, &BackgroundTasks::changed, this, &MainWindow::showProgress);
+  connect(m_progress, &widgets::ProgressStrip::cancelRequested, &m_tasks, &BackgroundTasks::cancelTopmost);
+}
+
+void MainWindow::connectDocument() {
+  connect(&m_document, &Document::titleChanged, this, &MainWindow::showTitle);
+  connect(&m_document, &Document::materialChanged, this, [this] {
+    const LoadedMaterialPtr& material = m_document.material();
+    m_preview->setMaterial(material ? material->table : nullptr, material ? material->lobe : SamplingLobe());
+    m_messages->hide();
+  });
+  const auto showEdit = [this] {
+    m_preview->setEdit(m_document.edit());
+    showRepresentation();
+  };
+  connect(&m_document, &Document::stateChanged, this, showEdit);
+  connect(&m_document, &Document::editChanged, this, showEdit);
+}
+
+void MainWindow::connectController() {
+  connect(&m_controller, &DocumentController::opened, this, [this](const QString& path) {
+    m_autosave.setDocumentPath(m_document.path());
+    if (!path.endsWith(QStringLiteral(".autosave"))) m_recentFiles.add(path);
+    const LoadedMaterialPtr& material = m_document.material();
+    m_libraryView->selectItem(QString::fromStdString(material->material.source.path.string()));
+  });
+  connect(&m_controller, &DocumentController::saved, this, [this](const QString& path) {
+    m_autosave.setDocumentPath(path);
+    m_recentFiles.add(path);
+    statusBar()->showMessage(tr("Saved %1").arg(path), 4000);
+  });
+  connect(&m_controller, &DocumentController::exported, this,
+          [this](const QString& path) { statusBar()->showMessage(tr("Wrote %1").arg(path), 6000); });
+  connect(&m_controller, &DocumentController::viewRestored, this, [this](const nlohmann::json& view) {
+    restoreView(*m_preview, view);
+    if (const auto environment = environmentOf(view)) setEnvironment(*environment);
+  });
+  connect(&m_controller, &DocumentController::failed, this, [this](const QString& title, const QString& text) {
+    auto* box = new QMessageBox(QMessageBox::Warning, title, title, QMessageBox::Ok, this);
+    box->setInformativeText(text);
+    box->setTextFormat(Qt::PlainText);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+  });
+  connect(&m_controller, &DocumentController::warned, m_messages, &widgets::MessageBar::showMessage);
+  connect(&m_controller, &DocumentController::proposalOffered, m_messages, &widgets::MessageBar::showProposal);
+  connect(m_messages, &widgets::MessageBar::applied, &m_controller, &DocumentController::applyProposal);
+  connect(m_messages, &widgets::MessageBar::discarded, &m_controller, &DocumentController::discardProposal);
+}
+
+void MainWindow::showTitle() {
+  setWindowTitle(tr("%1[*] - Gonio").arg(m_document.name()));
+  setWindowModified(m_document.isModified());
+}
+
+void MainWindow::showProgress() {
+  const auto task = m_tasks.topmost();
+  if (task)
+    m_progress->showProgress(task->title, task->share, !task->quiet);
+  else
+    m_progress->clear();
+}
+
+void MainWindow::showRepresentation() {
+  const LoadedMaterialPtr& material = m_document.material();
+  if (!material) return m_representation->setText(tr("Nothing open"));
+  QString text = tr("%1 table").arg(QString::fromStdString(material->material.source.format));
+  if (const auto& edit = m_document.edit(); edit && !edit->isIdentity())
+    text = tr("%1 + %2 edit").arg(text, widgets::fromView(edit->model->spec().name));
+  m_representation->setText(text);
+}
+
+void MainWindow::open(const QString& path) {
+  if (mayDiscard()) m_controller.open(path);
+}
+
+void MainWindow::setEnvironment(const QString& nameOrPath) {
+  m_tasks.run<std::shared_ptr<const EnvironmentMap>>(
+      {tr("Reading the environment %1").arg(nameOrPath.section('/', -1)), QStringLiteral("environment")},
+      [nameOrPath](const TaskControl&) -> std::shared_ptr<const EnvironmentMap> {
+        if (nameOrPath.isEmpty()) return nullptr;
+        const std::string name = nameOrPath.toStdString();
+        for (const auto& bundled : {studioEnvironment(), skyEnvironment(), furnaceEnvironment()})
+          if (bundled->name() == name) return bundled;
+        return std::make_shared<const EnvironmentMap>(io::readImage(name), name);
+      },
+      [this](const std::shared_ptr<const EnvironmentMap>& environment) {
+        SphereScene scene = m_preview->scene();
+        scene.environment = environment;
+        m_preview->setScene(scene);
+      },
+      [this](const QString& error) { Q_EMIT m_controller.failed(tr("Cannot read the environment"), error); });
+}
+
+bool MainWindow::mayDiscard() {
+  if (!m_document.isModified()) return true;
+  const auto answer =
+      QMessageBox::question(this, tr("Unsaved changes"), tr("Save the changes of %1 first?").arg(m_document.name()),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  if (answer == QMessageBox::Save) return save();
+  return answer == QMessageBox::Discard;
+}
+
+bool MainWindow::isSettled() const {
+  return m_tasks.isIdle() && m_libraryController.isComplete() && (!m_preview->hasMaterial() || m_preview->converged());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayDiscard()) return event->ignore();
+  m_autosave.discard();
+  saveSettings();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QString file = droppedFile(event->mimeData());
+  if (file.isEmpty()) return;
+  m_dropOverlay->announce(dropDescription(file));
+  event->acceptProposedAction();
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { m_dropOverlay->hide(); }
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  m_dropOverlay->hide();
+  const QString file = droppedFile(event->mimeData());
+  if (isPicture(file))
+    setEnvironment(file);
+  else if (!file.isEmpty())
+    open(file);
+  event->acceptProposedAction();
+}
+
+}  // namespace gonio::app
+
+#include "moc_main_window.cpp"

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QMainWindow>
+#include <QSettings>
+
+#include "app/gonio/autosave.h"
+#include "app/gonio/document_controller.h"
+#include "app/gonio/inspector.h"
+#include "app/gonio/library_controller.h"
+#include "app/gonio/recent_files.h"
+
+namespace gonio::widgets {
+class DropOverlay;
+class LibraryView;
+class MessageBar;
+class PreviewWidget;
+class ProgressStrip;
+}  // namespace gonio::widgets
+
+class QLabel;
+class QUndoView;
+
+namespace gonio::app {
+
+/// The editor's window: library left, preview in the middle, inspector right. It connects the parts; what they do lies
+/// in them. The menus are built by the classes in file_menu.h, edit_menu.h, view_menu.h and help_menu.h.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Document& document() { return m_document; }
+  DocumentController& controller() { return m_controller; }
+  BackgroundTasks& tasks() { return m_tasks; }
+  LibraryController& library() { return m_libraryController; }
+  RecentFiles& recentFiles() { return m_recentFiles; }
+  QSettings& settings() { return m_settings; }
+  widgets::PreviewWidget& preview() { return *m_preview; }
+  widgets::LibraryView& libraryView() { return *m_libraryView; }
+  Inspector& inspector() { return *m_inspector; }
+  QList<QDockWidget*> docks() const { return m_docks; }
+
+  /// Opens a file after asking what to do with unsaved changes.
+  void open(const QString& path);
+  /// Reads a picture in the background and lights the preview with it; a bundled name ("studio", "sky") too; empty
+  /// turns the environment off.
+  void setEnvironment(const QString& nameOrPath);
+  /// Saves under the known path, else asks for one. False when it was not saved.
+  bool save();
+  bool saveAs();
+  void resetLayout();
+  /// Offers work that an earlier run left behind.
+  void offerRecovery();
+  /// Whether everything that was asked for is on the screen.
+  bool isSettled() const;
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void buildCentre();
+  void buildDocks();
+  QDockWidget* addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
+  void buildStatusBar();
+  void connectDocument();
+  void connectController();
+  void showTitle();
+  void showProgress();
+  void showRepresentation();
+  bool mayDiscard();
+  void restoreSettings();
+  void saveSettings();
+
+  QSettings m_settings;
+  RecentFiles m_recentFiles;
+  BackgroundTasks m_tasks;
+  Document m_document;
+  DocumentController m_controller;
+  LibraryController m_libraryController;
+  Autosave m_autosave;
+  widgets::PreviewWidget* m_preview;
+  widgets::LibraryView* m_libraryView;
+  Inspector* m_inspector;
+  widgets::MessageBar* m_messages;
+  widgets::ProgressStrip* m_progress;
+  widgets::DropOverlay* m_dropOverlay;
+  QUndoView* m_history;
+  QLabel *m_representation, *m_samples, *m_frameTime;
+  QList<QDockWidget*> m_docks;
+  QByteArray m_defaultLayout;
+};
+
+}  // namespace gonio::app
