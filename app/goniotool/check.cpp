@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <cstdio>
+
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/metrics/plausibility.h"
+
+namespace gonio::tool {
+
+namespace {
+
+int check(const std::string& file, const Tool& tool) {
+  const io::Material material = openMaterial(file, tool.control("reading"));
+  const std::vector<metrics::PlausibilityCheck> checks = metrics::checkPlausibility(*material.brdf);
+  Json list = Json::array();
+  std::string text, failures;
+  for (const metrics::PlausibilityCheck& one : checks) {
+    list.push_back({{"name", one.name}, {"passed", one.passed}, {"worst", one.worst}, {"where", one.where}});
+    const std::string worst = "worst " + number(one.worst) + (one.where.empty() ? "" : " at " + one.where);
+    text += one.name + (one.passed ? ": passed, " : ": FAILED, ") + worst + "\n";
+    if (!one.passed) failures += (failures.empty() ? "" : "; ") + one.name + " fails (" + worst + ")";
+  }
+  print(tool, {{"passed", failures.empty()}, {"checks", list}}, text);
+  if (failures.empty()) return 0;
+  throw Error(file + ": not plausible: " + failures);
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app, Tool& tool) {
+  const auto file = std::make_shared<std::string>();
+  CLI::App* command =
+      app.add_subcommand("check", "Plausibility: reciprocity, energy, negative and non-finite values (1 if one fails)");
+  command->add_option("MATERIAL", *file, materialHelp)->required();
+  command->callback([file, &tool] { tool.run = [file, &tool] { return check(*file, tool); }; });
+}
+
+}  // namespace gonio::tool

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <cmath>
+
+#include "app/goniotool/comparison_picture.h"
+#include "app/goniotool/materials.h"
+#include "app/goniotool/picture_options.h"
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/io/image_io.h"
+#include "core/metrics/image_metrics.h"
+
+namespace gonio::tool {
+
+namespace {
+
+struct Options {
+  std::string reference, test, image;
+  PictureOptions picture;  ///< size and samples; the scene is that of every comparison
+};
+
+/// Decibels as JSON: null where they are not a finite number (equal materials, a black reference).
+Json decibelsJson(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+struct Pictures {
+  Image reference, test;
+};
+
+/// Both with the same lobe and seed: they share their noise, and only the materials differ.
+Pictures renderBoth(const Brdf& reference, const Brdf& test, const Options& options, const Tool& tool) {
+  SphereRenderOptions render = options.picture.renderOptions();
+  render.lobe = estimateSamplingLobe(reference);
+  const SphereScene scene = comparisonScene();
+  return {renderSphere(reference, scene, render, tool.control("rendering the first")),
+          renderSphere(test, scene, render, tool.control("rendering the second"))};
+}
+
+void writeComparison(const Pictures& pictures, const io::Material& a, const io::Material& b, const std::string& out) {
+  const DisplayPicture picture =
+      comparisonPicture(pictures.reference, pictures.test, a.name, b.name, 0, ToneMap::clamp);
+  io::writePng(picture.bytes, picture.width, picture.height, out);
+}
+
+int compare(const Options& options, const Tool& tool) {
+  if (!options.image.empty()) checkPicture(options.image, false);
+  options.picture.renderOptions();  // tells a wrong size before the work
+  const io::Material a = openMaterial(options.reference, tool.control("reading the first"));
+  const io::Material b = openMaterial(options.test, tool.control("reading the second"));
+  const auto table = a.tabulated(tool.control("tabulating"));
+  const std::vector<double> errors = metrics::brdfErrors(*table, *b.brdf);
+  const double brdfSnr = metrics::brdfSignalToNoiseRatio(*table, *b.brdf);
+  const Pictures pictures = renderBoth(*a.brdf, *b.brdf, options, tool);
+  const double snr = metrics::signalToNoiseRatio(pictures.reference, pictures.test);
+  const double psnr = metrics::peakSignalToNoiseRatio(pictures.reference, pictures.test);
+  if (!options.image.empty()) writeComparison(pictures, a, b, options.image);
+  Json json{{"errors", errorsJson(errors)},
+            {"renderedSnr", decibelsJson(snr)},
+            {"renderedPsnr", decibelsJson(psnr)},
+            {"scene", comparisonSceneName},
+            {"brdfSnr", decibelsJson(brdfSnr)},
+            {"samples", options.picture.samples},
+            {"identical", std::isinf(snr) && std::isinf(brdfSnr)}};
+  if (!options.image.empty()) json["image"] = options.image;
+  print(tool, json,
+        errorsText(errors) + "\nrendered SNR " + number(snr) + " dB, PSNR " + number(psnr) + " dB (" +
+            comparisonSceneName + "), BRDF SNR " + number(brdfSnr) + " dB\n");
+  return 0;
+}
+
+}  // namespace
+
+void addCompare(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("compare", "Every metric between two materials, rendered SNR and PSNR");
+  command->add_option("A", options->reference, "The reference")->required();
+  command->add_option("B", options->test, "What is compared with it")->required();
+  command->add_option("--image", options->image, "PNG to write: both side by side, and the map of the error");
+  command->add_option("--size", options->picture.size, "Of the pictures, pixels (256)");
+  command->add_option("--samples", options->picture.samples, "Samples a pixel (64)")->check(CLI::Range(1, 1 << 20));
+  command->callback([options, &tool] { tool.run = [options, &tool] { return compare(*options, tool); }; });
+}
+
+}  // namespace gonio::tool

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/comparison_picture.h"
+
+#include <stb/stb_easy_font.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace gonio::tool {
+
+namespace {
+
+constexpr int gap = 8, captionHeight = 20, legendHeight = 36, barHeight = 10;
+constexpr double legendQuantile = 0.998;
+
+using Color = std::array<std::uint8_t, 3>;
+constexpr Color ink{230, 230, 230}, paper{28, 28, 30};
+
+/// The viridis colour map (Smith and van der Walt 2015) at ten places, linear between them; `x` in [0, 1].
+Color viridis(double x) {
+  constexpr Color anchors[] = {{68, 1, 84},    {72, 40, 120},  {62, 73, 137},  {49, 104, 142}, {38, 130, 142},
+                               {31, 158, 137}, {53, 183, 121}, {110, 206, 88}, {181, 222, 43}, {253, 231, 37}};
+  const double at = std::clamp(x, 0.0, 1.0) * double(std::size(anchors) - 1);
+  const std::size_t low = std::min(std::size_t(at), std::size(anchors) - 2);
+  Color color;
+  for (std::size_t c = 0; c < 3; ++c)
+    color[c] =
+        std::uint8_t(std::lround(anchors[low][c] + (at - double(low)) * (anchors[low + 1][c] - anchors[low][c])));
+  return color;
+}
+
+class Canvas {
+ public:
+  Canvas(int width, int height) : picture_{width, height, std::vector<std::uint8_t>(std::size_t(width) * height * 4)} {
+    fill(0, 0, width, height, paper);
+  }
+
+  void set(int x, int y, const Color& color) {
+    if (x < 0 || y < 0 || x >= picture_.width || y >= picture_.height) return;
+    std::uint8_t* pixel = &picture_.bytes[(std::size_t(y) * picture_.width + std::size_t(x)) * 4];
+    std::copy(color.begin(), color.end(), pixel);
+    pixel[3] = 255;
+  }
+  void fill(int left, int top, int width, int height, const Color& color) {
+    for (int y = top; y < top + height; ++y)
+      for (int x = left; x < left + width; ++x) set(x, y, color);
+  }
+
+  /// Small capitals of 7 pixels (Sean Barrett's stb_easy_font: quads of 4 vertices of x, y, z, colour).
+  void text(int left, int top, const std::string& line) {
+    struct Vertex {
+      float x, y, z;
+      std::uint8_t color[4];
+    };
+    std::vector<Vertex> vertices(line.size() * 64 + 64);
+    std::string copy = line;
+    const int quads = stb_easy_font_print(float(left), float(top), copy.data(), nullptr, vertices.data(),
+                                          int(vertices.size() * sizeof(Vertex)));
+    for (int quad = 0; quad < quads; ++quad) {
+      const Vertex &first = vertices[std::size_t(quad) * 4], &opposite = vertices[std::size_t(quad) * 4 + 2];
+      fill(int(first.x), int(first.y), int(opposite.x - first.x), int(opposite.y - first.y), ink);
+    }
+  }
+
+  DisplayPicture take() { return std::move(picture_); }
+
+ private:
+  DisplayPicture picture_;
+};
+
+int textWidth(const std::string& line) {
+  std::string copy = line;
+  return stb_easy_font_width(copy.data());
+}
+
+std::vector<double> errorMap(const Image& reference, const Image& test) {
+  std::vector<double> errors(reference.pixels.size());
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    errors[i] = luminance(glm::abs(Rgb(reference.pixels[i]) - Rgb(test.pixels[i])));
+  return errors;
+}
+
+/// The upper end of the legend; 0 for equal pictures.
+double legendEnd(const std::vector<double>& errors, const Image& reference) {
+  std::vector<double> covered;
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    if (reference.alpha.empty() || reference.alpha[i] > 0) covered.push_back(errors[i]);
+  if (covered.empty()) return 0;
+  const auto place = covered.begin() + std::ptrdiff_t(legendQuantile * double(covered.size() - 1));
+  std::nth_element(covered.begin(), place, covered.end());
+  return *place;
+}
+
+std::string legendNumber(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.3g", value);
+  return buffer;
+}
+
+void drawLegend(Canvas& canvas, int left, int top, int width, double end) {
+  for (int x = 0; x < width; ++x) canvas.fill(left + x, top, 1, barHeight, viridis(double(x) / std::max(1, width - 1)));
+  for (int tick = 0; tick <= 2; ++tick) {
+    const std::string label = legendNumber(end * tick / 2);
+    const int labelWidth = textWidth(label), at = left + tick * (width - 1) / 2;
+    canvas.fill(at, top + barHeight, 1, 3, ink);
+    canvas.text(std::clamp(at - labelWidth / 2, left, left + width - labelWidth), top + barHeight + 6, label);
+  }
+}
+
+}  // namespace
+
+DisplayPicture comparisonPicture(const Image& reference, const Image& test, const std::string& referenceName,
+                                 const std::string& testName, double exposure, ToneMap toneMap) {
+  const int width = reference.width, height = reference.height, step = width + gap;
+  Canvas canvas(3 * step + gap, captionHeight + height + legendHeight);
+  const std::vector<double> errors = errorMap(reference, test);
+  const double end = legendEnd(errors, reference);
+  const Image* pictures[] = {&reference, &test};
+  for (int panel = 0; panel < 3; ++panel) {
+    const int left = gap + panel * step;
+    const std::vector<std::uint8_t> bytes =
+        panel < 2 ? toDisplayBytes(*pictures[panel], exposure, toneMap) : std::vector<std::uint8_t>();
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const std::size_t i = reference.index(x, y);
+        if (panel == 2)
+          canvas.set(left + x, captionHeight + y, viridis(end > 0 ? errors[i] / end : 0));
+        else if (bytes[4 * i + 3] > 0)
+          canvas.set(left + x, captionHeight + y, {bytes[4 * i], bytes[4 * i + 1], bytes[4 * i + 2]});
+      }
+  }
+  canvas.text(gap, 7, referenceName);
+  canvas.text(gap + step, 7, testName);
+  canvas.text(gap + 2 * step, 7, "error of luminance");
+  drawLegend(canvas, gap + 2 * step, captionHeight + height + gap, width, end);
+  return canvas.take();
+}
+
+}  // namespace gonio::tool

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <charconv>
+#include <filesystem>
+
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/editing/edit_document.h"
+
+namespace gonio::tool {
+
+namespace {
+
+struct Options {
+  std::string material, model, out;
+  std::vector<std::string> set;
+  double strength = 1;
+};
+
+bool writesDocument(const Options& options) { return std::filesystem::path(options.out).extension() == ".gonio"; }
+
+/// One or three numbers, separated by commas.
+Rgb parseValue(const std::string& text, const std::string& assignment) {
+  std::vector<double> numbers;
+  const char *at = text.data(), *const end = at + text.size();
+  while (at < end) {
+    double value = 0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || (next < end && *next != ',') || (next < end && next + 1 == end)) {
+      numbers.clear();
+      break;
+    }
+    numbers.push_back(value);
+    at = next + 1;
+  }
+  if (numbers.size() != 1 && numbers.size() != 3)
+    throw UsageError("edit: found --set '" + assignment + "', expected name=value or name=red,green,blue");
+  return numbers.size() == 1 ? Rgb(numbers[0]) : Rgb(numbers[0], numbers[1], numbers[2]);
+}
+
+/// `values` with one assignment "name=value" made; a choice may be given by its name.
+void assign(const models::ModelSpec& spec, const std::string& assignment, models::ParameterValues& values) {
+  const auto equals = assignment.find('=');
+  const std::string name = assignment.substr(0, equals);
+  const auto index = spec.find(name);
+  if (!index || equals == std::string::npos) {
+    std::string known;
+    for (const models::ParameterSpec& parameter : spec.parameters)
+      known += (known.empty() ? "" : ", ") + std::string(parameter.id);
+    throw UsageError("edit: found --set '" + assignment + "', expected name=value with a parameter of " +
+                     std::string(spec.id) + ": " + known);
+  }
+  const models::ParameterSpec& parameter = spec.parameters[*index];
+  const std::string text = assignment.substr(equals + 1);
+  for (std::size_t choice = 0; choice < parameter.choices.size(); ++choice)
+    if (parameter.choices[choice] == text) {
+      values.values[*index] = Rgb(double(choice));
+      return;
+    }
+  const Rgb value = parseValue(text, assignment);
+  if (!parameter.perChannel && value != Rgb(value.x))
+    throw UsageError("edit: " + name + " has one value for all channels, found --set '" + assignment + "'");
+  values.values[*index] = value;
+}
+
+Json clampedJson(const std::vector<models::ClampedParameter>& clamped) {
+  Json json = Json::array();
+  for (const models::ClampedParameter& one : clamped)
+    json.push_back({{"name", one.id}, {"channel", one.channel}, {"given", one.given}, {"used", one.used}});
+  return json;
+}
+
+/// Writes the edited material, or the description of the edit; returns how many values had to be capped.
+std::size_t write(const io::Material& material, const std::shared_ptr<const TabulatedBrdf>& base,
+                  const editing::DifferentialEdit& edit, const Options& options, const Tool& tool) {
+  if (writesDocument(options)) {
+    editing::EditDocument document;
+    document.sourcePath = material.source.path.string();
+    document.sourceSha256 = material.source.sha256;
+    document.edits = {edit};
+    editing::writeDocument(document, options.out);
+    return 0;
+  }
+  std::size_t capped = 0;
+  const auto baked = editing::bakeEdits(base, std::span(&edit, 1), tool.control("baking"), &capped);
+  if (baked == base && material.table)
+    writeMaterial(material, options.out);
+  else
+    writeMaterial(*baked, options.out);
+  return capped;
+}
+
+int replayDocument(const Options& options, const Tool& tool) {
+  if (!options.model.empty() || !options.set.empty())
+    throw UsageError("edit: " + options.material + " is a document: it is replayed, without --model and --set");
+  writeMaterial(openMaterial(options.material, tool.control("replaying")), options.out);
+  const std::size_t edits = editing::readDocument(options.material).edits.size();
+  print(tool, {{"edits", edits}, {"out", options.out}}, options.out + ": " + std::to_string(edits) + " edits\n");
+  return 0;
+}
+
+void printEdit(const editing::DifferentialEdit& edit, const fitting::FitResult& fitted,
+               const std::vector<models::ClampedParameter>& clamped, std::size_t capped, const Options& options,
+               const Tool& tool) {
+  const models::ModelSpec& spec = edit.model->spec();
+  std::string text = options.out + ": " + std::string(spec.name) + "\n" + parametersText(spec, edit.edited);
+  for (const models::ClampedParameter& one : clamped)
+    text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range, used " +
+            number(one.used) + "\n";
+  print(tool,
+        {{"model", spec.id},
+         {"fitted", parametersJson(spec, edit.fitted)},
+         {"edited", parametersJson(spec, edit.edited)},
+         {"errors", errorsJson(fitted.errors)},
+         {"strength", edit.strength},
+         {"clamped", clampedJson(clamped)},
+         {"cappedValues", capped},
+         {"seconds", fitted.seconds},
+         {"out", options.out}},
+        text);
+}
+
+int edit(const Options& options, const Tool& tool) {
+  const bool fromDocument = isDocument(options.material);
+  if (!writesDocument(options) || fromDocument) checkOutput(options.out);
+  if (fromDocument) return replayDocument(options, tool);
+  if (options.model.empty()) throw UsageError("edit: --model tells what is fitted and edited");
+  const models::Model& model = models::findModel(options.model);
+  // Wrong assignments are told before the work starts.
+  models::ParameterValues probe = models::defaultParameters(model.spec());
+  for (const std::string& assignment : options.set) assign(model.spec(), assignment, probe);
+
+  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const auto table = material.tabulated(tool.control("tabulating"));
+  const fitting::FitResult fitted = fitting::fit(*table, model, {}, tool.control("fitting"));
+  editing::DifferentialEdit edit{&model, fitted.parameters, fitted.parameters, options.strength, true};
+  for (const std::string& assignment : options.set) assign(model.spec(), assignment, edit.edited);
+  const auto clamped = models::clampToHardRange(model.spec(), edit.edited);
+  const std::size_t capped = write(material, table, edit, options, tool);
+  printEdit(edit, fitted, clamped, capped, options, tool);
+  return 0;
+}
+
+}  // namespace
+
+void addEdit(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "edit", "A differential edit: the change of a fitted model is added to the material; or replays a document");
+  command->add_option("MATERIAL", options->material, materialHelp)->required();
+  command->add_option("--model", options->model, "The model that is fitted")->check(CLI::IsMember(modelIds()));
+  command->add_option("--set", options->set, "name=value or name=red,green,blue; several may follow");
+  command->add_option("--strength", options->strength, "Share of the change that is added (1)")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--out", options->out, "File to write: .binary (MERL), or .gonio (the edit, not the data)")
+      ->required();
+  command->callback([options, &tool] { tool.run = [options, &tool] { return edit(*options, tool); }; });
+}
+
+}  // namespace gonio::tool

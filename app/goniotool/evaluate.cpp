@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <chrono>
+
+#include "app/goniotool/direction_table.h"
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/io/atomic_file.h"
+
+namespace gonio::tool {
+
+namespace {
+
+struct Options {
+  std::string material, directions, out;
+};
+
+int evaluate(const Options& options, const Tool& tool) {
+  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const DirectionTable directions = readDirections(options.directions);
+  const std::vector<DirectionPair> pairs = directions.pairs();
+  std::vector<Rgb> values(pairs.size());
+  const auto start = std::chrono::steady_clock::now();
+  material.brdf->evaluate(pairs, values);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  io::writeFileAtomically(options.out, valuesCsv(directions, values));
+  const double evaluationNs = seconds * 1e9 / double(values.size());
+  print(tool,
+        {{"evaluated", values.size()}, {"seconds", seconds}, {"evaluationNs", evaluationNs}, {"out", options.out}},
+        options.out + ": " + std::to_string(values.size()) + " values, " + number(evaluationNs) + " ns each\n");
+  return 0;
+}
+
+}  // namespace
+
+void addEvaluate(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("evaluate", "The reflectance at any directions");
+  command->add_option("MATERIAL", options->material, materialHelp)->required();
+  command->add_option("--directions", options->directions, "CSV of theta_i, phi_i, theta_o, phi_o in degrees")
+      ->required();
+  command->add_option("--out", options->out, "CSV to write: the directions, then r, g, b in 1/sr")->required();
+  command->callback([options, &tool] { tool.run = [options, &tool] { return evaluate(*options, tool); }; });
+}
+
+}  // namespace gonio::tool

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/brdf/statistics.h"
+
+namespace gonio::tool {
+
+namespace {
+
+constexpr int albedoDegrees[] = {0, 30, 60, 80};
+
+Json describe(const io::Material& material, const TableStatistics& statistics) {
+  Json channels = Json::array(), albedo = Json::object();
+  for (const ChannelRange& range : statistics.channels) channels.push_back({{"min", range.min}, {"max", range.max}});
+  for (const int angle : albedoDegrees)
+    albedo[std::to_string(angle)] = rgbJson(directionalAlbedo(*material.brdf, radians(angle)));
+  return {{"name", material.name},
+          {"format", material.source.format},
+          {"grid", material.source.grid},
+          {"channels", channels},
+          {"invalidShare", statistics.invalidShare},
+          {"dynamicRange", statistics.dynamicRange},
+          {"albedo", albedo},
+          {"path", material.source.path.string()},
+          {"sha256", material.source.sha256},
+          {"description", material.source.description},
+          {"notes", material.source.notes}};
+}
+
+std::string text(const Json& json) {
+  std::string grid, result;
+  for (const Json& size : json["grid"]) grid += (grid.empty() ? "" : " x ") + std::to_string(size.get<int>());
+  result = json["name"].get<std::string>() + ": " + json["format"].get<std::string>() +
+           (grid.empty() ? "" : ", " + grid) + "\n";
+  if (!json["description"].empty() && json["description"] != "")
+    result += "  " + json["description"].get<std::string>() + "\n";
+  const char* names[] = {"red", "green", "blue"};
+  for (std::size_t c = 0; c < 3; ++c)
+    result += std::string("  ") + names[c] + " " + number(json["channels"][c]["min"]) + " to " +
+              number(json["channels"][c]["max"]) + " 1/sr\n";
+  result += "  dynamic range " + number(json["dynamicRange"]) + ", invalid cells " +
+            number(100 * json["invalidShare"].get<double>()) + " %\n";
+  for (const auto& [angle, value] : json["albedo"].items())
+    result += "  albedo at " + angle + " degrees " + rgbText({value[0], value[1], value[2]}) + "\n";
+  for (const Json& note : json["notes"]) result += "  note: " + note.get<std::string>() + "\n";
+  return result;
+}
+
+}  // namespace
+
+void addInfo(CLI::App& app, Tool& tool) {
+  const auto file = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("info", "Format, grid, ranges, invalid share and albedo of a material");
+  command->add_option("MATERIAL", *file, materialHelp)->required();
+  command->callback([file, &tool] {
+    tool.run = [file, &tool] {
+      const TaskControl control = tool.control("reading");
+      const io::Material material = openMaterial(*file, control);
+      const Json json = describe(material, tableStatistics(*material.tabulated(control)));
+      print(tool, json, text(json));
+      return 0;
+    };
+  });
+}
+
+}  // namespace gonio::tool

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <cstdio>
+#include <optional>
+
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/math/parallel.h"
+
+namespace {
+
+using namespace gonio;
+
+constexpr int failed = 1, wrongUsage = 2;
+
+int tell(const std::string& message, int code) {
+  std::fprintf(stderr, "goniotool: %s\n", tool::oneLine(message).c_str());
+  return code;
+}
+
+int work(const tool::Tool& tool) {
+  std::optional<ThreadLimit> limit;
+  if (tool.threads > 0) limit.emplace(tool.threads);
+  try {
+    return tool.run();
+  } catch (const tool::UsageError& error) {
+    return tell(error.what(), wrongUsage);
+  } catch (const std::exception& error) {
+    return tell(error.what(), failed);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Measured materials (BRDFs) without a window: read, check, convert, fit, edit, render, compare.",
+               "goniotool");
+  tool::Tool tool;
+  app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.add_flag("--json", tool.json, "Results as JSON on standard output");
+  app.add_flag("--progress", tool.showProgress, "Progress on standard error even where that is no terminal");
+  app.add_option("--threads", tool.threads, "Number of threads (all cores)")->check(CLI::Range(1, 4096));
+  app.footer(
+      "A MATERIAL is a MERL .binary or an RGL .bsdf file (found by content), a .gonio document, or a bundled\n"
+      "material such as library:sgd/chrome. Exit code: 0 success, 1 failure, 2 wrong usage.");
+  for (const auto add : {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit,
+                         tool::addEdit, tool::addRender, tool::addCompare})
+    add(app, tool);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : wrongUsage;
+  }
+  return work(tool);
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/materials.h"
+
+#include <cctype>
+#include <fstream>
+
+#include "core/editing/edit_document.h"
+
+namespace gonio::tool {
+
+namespace {
+
+io::Material replay(const std::filesystem::path& path, const TaskControl& control) {
+  const editing::EditDocument document = editing::readDocument(path);
+  io::Material material = io::readMaterial(editing::resolveSource(document, path), control);
+  if (material.source.sha256 != document.sourceSha256)
+    throw Error(path.string() + ": its source " + material.source.path.string() + " has SHA-256 " +
+                material.source.sha256 + ", the edits were made on " + document.sourceSha256);
+  const auto base = material.tabulated(control);
+  const auto edited = editing::bakeEdits(base, document.edits, control);
+  if (edited == base) return material;
+  material.name = path.stem().string();
+  material.table = edited;
+  material.brdf = edited;
+  material.source.path = std::filesystem::absolute(path).lexically_normal();
+  material.source.format = "gonio document";
+  return material;
+}
+
+}  // namespace
+
+bool isDocument(const std::string& argument) {
+  std::ifstream stream(argument, std::ios::binary);
+  char first = 0;
+  while (stream.get(first) && std::isspace(static_cast<unsigned char>(first))) {
+  }
+  return stream && first == '{';
+}
+
+io::Material openMaterial(const std::string& argument, const TaskControl& control) {
+  return isDocument(argument) ? replay(argument, control) : io::readMaterial(argument, control);
+}
+
+void checkOutput(const std::string& out) {
+  const std::string suffix = std::filesystem::path(out).extension().string();
+  if (suffix != ".binary")
+    throw Error(out + ": found the suffix '" + suffix + "', expected .binary (MERL): materials are written as that");
+}
+
+void writeMaterial(const io::Material& material, const std::string& out, const TaskControl& control) {
+  checkOutput(out);
+  io::writeMerl(material, out, control);
+}
+
+void writeMaterial(const TabulatedBrdf& table, const std::string& out) {
+  checkOutput(out);
+  io::writeMerl(table, out);
+}
+
+}  // namespace gonio::tool

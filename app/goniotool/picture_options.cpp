@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/picture_options.h"
+
+#include <charconv>
+#include <filesystem>
+
+#include "core/io/image_io.h"
+
+namespace gonio::tool {
+
+namespace {
+
+constexpr int maxPictureSize = 8192;
+
+std::shared_ptr<const EnvironmentMap> environmentOf(const std::string& name) {
+  for (const char* bundled : {"studio", "sky", "furnace"})
+    if (name == bundled) return bundledEnvironment(name);
+  if (!std::filesystem::exists(name))
+    throw Error(name + ": found neither an environment of this name (studio, sky, furnace) nor a file");
+  Image image = io::readImage(std::filesystem::path(name));
+  try {
+    return std::make_shared<const EnvironmentMap>(std::move(image), std::filesystem::path(name).stem().string());
+  } catch (const Error& error) {
+    throw Error(name + ": " + error.what());
+  }
+}
+
+std::string suffixOf(const std::string& path) { return std::filesystem::path(path).extension().string(); }
+
+}  // namespace
+
+SphereScene PictureOptions::sphereScene() const {
+  SphereScene result;
+  if (!light.empty()) {
+    const Direction direction(light[0], light[1], light[2]);
+    if (!(glm::length(direction) > 0)) throw UsageError("--light: found a direction of length 0");
+    result.light.toLight = glm::normalize(direction);
+    return result;
+  }
+  result.environment = environmentOf(environment.empty() ? "studio" : environment);
+  result.environmentRotation = radians(rotation);
+  result.showEnvironment = showEnvironment;
+  return result;
+}
+
+SphereRenderOptions PictureOptions::renderOptions() const {
+  SphereRenderOptions result;
+  const char *begin = size.data(), *const end = begin + size.size();
+  auto [at, error] = std::from_chars(begin, end, result.width);
+  result.height = result.width;
+  if (error == std::errc() && at != end && *at == 'x') {
+    const auto second = std::from_chars(at + 1, end, result.height);
+    at = second.ptr;
+    error = second.ec;
+  }
+  const auto fits = [](int length) { return length >= 1 && length <= maxPictureSize; };
+  if (error != std::errc() || at != end || !fits(result.width) || !fits(result.height))
+    throw UsageError("--size: found '" + size + "', expected a number or WIDTHxHEIGHT up to 8192");
+  result.samples = samples;
+  result.seed = seed;
+  return result;
+}
+
+void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options) {
+  command.add_option("--scene", options->scene, "What is shown (sphere)")->check(CLI::IsMember({"sphere"}));
+  auto* environment =
+      command.add_option("--environment", options->environment, "studio, sky, furnace or a picture file (studio)");
+  command
+      .add_option("--light", options->light, "A distant light instead: the direction to it X Y Z (y up, z to the eye)")
+      ->expected(3)
+      ->excludes(environment);
+  command.add_option("--rotation", options->rotation, "Of the environment about the vertical axis, degrees (0)");
+  command.add_flag("--show-environment", options->showEnvironment, "Draw the environment behind the sphere");
+  command.add_option("--size", options->size, "Pixels: a number or WIDTHxHEIGHT (256)");
+  command.add_option("--samples", options->samples, "Samples a pixel (64)")->check(CLI::Range(1, 1 << 20));
+  command.add_option("--seed", options->seed, "Of the random numbers (1)");
+  command.add_option("--exposure", options->exposure, "Of PNG pictures, stops (0)")->check(CLI::Range(-30.0, 30.0));
+  command.add_option("--tone-map", options->toneMap, "Of PNG pictures (clamp)")
+      ->check(CLI::IsMember({std::string(toneMapName(ToneMap::clamp)), std::string(toneMapName(ToneMap::filmic))}));
+}
+
+void checkPicture(const std::string& out, bool mayBeExr) {
+  const std::string suffix = suffixOf(out);
+  if (suffix == ".png" || (mayBeExr && suffix == ".exr")) return;
+  throw UsageError(out + ": found the suffix '" + suffix + "', expected " + (mayBeExr ? ".exr or .png" : ".png"));
+}
+
+void writePicture(const Image& image, const PictureOptions& options, const std::string& out) {
+  checkPicture(out);
+  if (suffixOf(out) == ".exr")
+    io::writeExr(image, out, {{"software", "goniotool " GONIO_VERSION}});
+  else
+    io::writePng(toDisplayBytes(image, options.exposure, options.tone()), image.width, image.height, out);
+}
+
+}  // namespace gonio::tool

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/report.h"
+
+#include <cstdio>
+#include <iostream>
+
+#include "core/models/parameters_json.h"
+
+namespace gonio::tool {
+
+void print(const Tool& tool, const Json& json, const std::string& text) {
+  if (tool.json)
+    std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  else
+    std::cout << text;
+  if (!std::cout.flush()) throw Error("standard output cannot be written");
+}
+
+std::string oneLine(const std::string& message) {
+  std::string line;
+  for (const char c : message) {
+    if (c != '\n') {
+      // The lines of a list are indented.
+      if (c != ' ' || !line.ends_with(' ')) line += c;
+      continue;
+    }
+    line += line.ends_with(':') ? " " : "; ";
+  }
+  return line;
+}
+
+std::string number(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+std::string rgbText(const Rgb& value) { return number(value.x) + " " + number(value.y) + " " + number(value.z); }
+Json rgbJson(const Rgb& value) { return {value.x, value.y, value.z}; }
+
+Json errorsJson(const std::vector<double>& errors) {
+  Json json = Json::object();
+  const auto metrics = metrics::allBrdfMetrics();
+  for (std::size_t i = 0; i < errors.size(); ++i) json[std::string(metrics::metricName(metrics[i]))] = errors[i];
+  return json;
+}
+
+std::string errorsText(const std::vector<double>& errors) {
+  std::string text;
+  const auto metrics = metrics::allBrdfMetrics();
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    text += (i ? ", " : "") + std::string(metrics::metricName(metrics[i])) + " " + number(errors[i]);
+  return text;
+}
+
+Json parametersJson(const models::ModelSpec& spec, const models::ParameterValues& values) {
+  return models::parametersToJson(spec, values);
+}
+
+std::string parametersText(const models::ModelSpec& spec, const models::ParameterValues& values) {
+  std::string text;
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    const models::ParameterSpec& parameter = spec.parameters[i];
+    const Rgb& value = values.values[i];
+    text += "  " + std::string(parameter.id) + " ";
+    if (!parameter.choices.empty())
+      text += parameter.choices[std::min(std::size_t(value.x + 0.5), parameter.choices.size() - 1)];
+    else
+      text += parameter.perChannel ? rgbText(value) : number(value.x);
+    text += parameter.unit.empty() ? "\n" : " " + std::string(parameter.unit) + "\n";
+  }
+  return text;
+}
+
+Json fitJson(const fitting::FitResult& result) {
+  const models::ModelSpec& spec = result.model->spec();
+  return {{"model", spec.id},
+          {"parameters", parametersJson(spec, result.parameters)},
+          {"errors", errorsJson(result.errors)},
+          {"seconds", result.seconds},
+          {"usedCells", result.usedCells},
+          {"invalidCells", result.invalidCells},
+          {"grazingCells", result.grazingCells}};
+}
+
+std::vector<std::string> modelIds() {
+  std::vector<std::string> ids;
+  for (const models::Model* model : models::allModels()) ids.emplace_back(model->spec().id);
+  return ids;
+}
+
+}  // namespace gonio::tool

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/tool.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace gonio::tool {
+
+TaskControl Tool::control(const std::string& what) const {
+  const bool isTerminal = isatty(STDERR_FILENO) != 0;
+  if (!showProgress && !isTerminal) return {};
+  const auto last = std::make_shared<int>(-1);
+  return {{}, [=](double share) {
+            const int percent = static_cast<int>(share * 100);
+            // A log gets a line every 5 %.
+            if (percent <= *last || (!isTerminal && percent < 100 && percent < *last + 5)) return;
+            *last = percent;
+            if (isTerminal)
+              std::fprintf(stderr, percent < 100 ? "\r%s %d %%" : "\r\033[K", what.c_str(), percent);
+            else
+              std::fprintf(stderr, "%s %d %%\n", what.c_str(), percent);
+          }};
+}
+
+}  // namespace gonio::tool
