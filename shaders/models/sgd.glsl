@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// p: diffuse, specular, alpha, p, f0, f1, lambda, ln c, k, theta0, then ln K: c exceeds float, and K needs the incomplete
-// gamma function.
+// p: diffuse, specular, alpha, p, f0, f1, lambda, ln c, k, theta0, then ln K: c exceeds float, and K needs the
+// incomplete gamma function.
 #include "math.glsl"
 #include "surface_geometry.glsl"
 
