@@ -67,20 +67,21 @@ class EditedBrdf final : public Brdf {
 
  private:
   void evaluateChunk(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
-    if (!table_) {
-      base_->evaluate(pairs, values);
-      addEdits(edits_, pairs, values);
-      return;
-    }
+    base_->evaluate(pairs, values);
     std::array<bool, chunkSize> hasData;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const auto& [wi, wo] = pairs[i];
-      hasData[i] = !isBelowHorizon(wi) && !isBelowHorizon(wo);
-      values[i] = hasData[i] ? table_->lookup(toHalfDifference(wi, wo), TableLookup::trilinear, &hasData[i]) : Rgb(0);
-    }
+    for (std::size_t i = 0; i < pairs.size(); ++i) hasData[i] = values[i] != Rgb(0) || knows(pairs[i]);
     addEdits(edits_, pairs, values);
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (!hasData[i]) values[i] = Rgb(0);
+  }
+
+  /// Whether the base has data for a pair at which it is 0.
+  bool knows(const DirectionPair& pair) const {
+    if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return false;
+    if (!table_) return true;
+    bool valid = false;
+    table_->lookup(toHalfDifference(pair.wi, pair.wo), TableLookup::trilinear, &valid);
+    return valid;
   }
 
   std::shared_ptr<const Brdf> base_;

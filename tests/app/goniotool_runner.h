@@ -2,11 +2,16 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QDir>
+#include <QFile>
 #include <QProcess>
 #include <QStringList>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+
+#include "core/io/material.h"
+#include "core/models/model.h"
 
 /// What the tests of goniotool share: running it and reading its results.
 namespace gonio::test {
@@ -55,4 +60,43 @@ inline ToolResult runTool(const QStringList& arguments) {
 
 inline ToolResult runJson(QStringList arguments) { return runTool(arguments << "--json"); }
 
+/// Small enough that a test writes and fits many.
+inline constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36};
+inline const models::ParameterValues plastic{{Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.8, 0.7), Rgb(0.15), Rgb(0.1), Rgb(0)}};
+
+/// The files of one test program: an empty folder of its own.
+class TestFolder {
+ public:
+  explicit TestFolder(const QString& name) : path_(QString(GONIO_TEST_OUTPUT_DIR) + "/" + name + "/") {
+    QDir(path_).removeRecursively();
+    QDir().mkpath(path_);
+  }
+  QString path(const QString& name = {}) const { return path_ + name; }
+
+  void writeText(const QString& name, const QByteArray& text) const {
+    QFile file(path(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) throw Error("cannot write a test file");
+  }
+  /// A model's table as a MERL file; returns its path.
+  QString writeTable(const QString& name, const char* model, const models::ParameterValues& parameters) const {
+    const auto brdf = models::findModel(model).instantiate(parameters);
+    io::writeMerl(*bakeTable(*brdf, smallGrid), path(name).toStdString());
+    return path(name);
+  }
+
+ private:
+  QString path_;
+};
+
+inline QByteArray bytesOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+inline std::shared_ptr<const TabulatedBrdf> readTable(const QString& path) {
+  return io::readMaterial(path.toStdString()).tabulated();
+}
+
 }  // namespace gonio::test
+
+#define VERIFY_SUCCESS(result) QVERIFY2((result).code == 0, qPrintable((result).error))

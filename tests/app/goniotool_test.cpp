@@ -1,65 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <QDir>
-#include <QFile>
 #include <QTest>
 #include <cmath>
 
 #include "core/editing/differential_edit.h"
 #include "core/io/image_io.h"
-#include "core/io/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/parameters_json.h"
 #include "tests/app/goniotool_runner.h"
 
 using namespace gonio;
-using gonio::test::runJson;
-using gonio::test::runTool;
-using gonio::test::ToolResult;
-
-namespace {
-
-constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36};
-const models::ParameterValues plastic{{Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.8, 0.7), Rgb(0.15), Rgb(0.1), Rgb(0)}};
-
-QString folder() { return QString(GONIO_TEST_OUTPUT_DIR) + "/goniotool/"; }
-QString inFolder(const QString& name) { return folder() + name; }
-
-QByteArray bytesOf(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void writeText(const QString& path, const QByteArray& text) {
-  QFile file(path);
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  file.write(text);
-}
-
-/// A table as a MERL file in the test's folder.
-QString writeTable(const QString& name, const models::Model& model, const models::ParameterValues& parameters,
-                   const HalfDifferenceGrid& grid = smallGrid) {
-  const QString path = inFolder(name);
-  io::writeMerl(*bakeTable(*model.instantiate(parameters), grid), path.toStdString());
-  return path;
-}
-
-std::shared_ptr<const TabulatedBrdf> readTable(const QString& path) {
-  return io::readMaterial(path.toStdString()).tabulated();
-}
-
-}  // namespace
-
-#define VERIFY_SUCCESS(result) QVERIFY2((result).code == 0, qPrintable((result).error))
+using namespace gonio::test;
 
 class GoniotoolTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
-    QDir(folder()).removeRecursively();
-    QVERIFY(QDir().mkpath(folder()));
-    plastic_ = writeTable("plastic.binary", models::findModel("ggx"), plastic);
-    matte_ = writeTable("matte.binary", models::findModel("lambert"), {{Rgb(0.5, 0.4, 0.3)}});
+    plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic);
+    matte_ = folder_.writeTable("matte.binary", "lambert", {{Rgb(0.5, 0.4, 0.3)}});
   }
 
   void infoOfALambertianTable() {
@@ -77,8 +35,9 @@ class GoniotoolTest : public QObject {
   }
 
   void evaluateIsTheTable() {
-    const QString in = inFolder("directions.csv"), out = inFolder("values.csv");
-    writeText(in, "# a comment\nphi_o,theta_o,name,theta_i,phi_i\n180,30,a,30,0\n40,100,b,10,0\n");
+    const QString in = folder_.path("directions.csv"), out = folder_.path("values.csv");
+    folder_.writeText("directions.csv",
+                      "# a comment\nphi_o,theta_o,name,theta_i,phi_i\n180,30,a,30,0\n40,100,b,10,0\n");
     const ToolResult result = runJson({"evaluate", plastic_, "--directions", in, "--out", out});
     VERIFY_SUCCESS(result);
     QCOMPARE(result.json["evaluated"].get<int>(), 2);
@@ -92,12 +51,12 @@ class GoniotoolTest : public QObject {
   }
 
   void evaluateTellsTheLine() {
-    const QString in = inFolder("wrong.csv");
-    writeText(in, "1,2,3,4\n1,2,x,4\n");
-    const ToolResult result = runTool({"evaluate", plastic_, "--directions", in, "--out", inFolder("no.csv")});
+    const QString in = folder_.path("wrong.csv");
+    folder_.writeText("wrong.csv", "1,2,3,4\n1,2,x,4\n");
+    const ToolResult result = runTool({"evaluate", plastic_, "--directions", in, "--out", folder_.path("no.csv")});
     QCOMPARE(result.code, 1);
     QVERIFY2(result.error.contains("wrong.csv, line 2: found 'x' for theta_o"), qPrintable(result.error));
-    QVERIFY(!QFile::exists(inFolder("no.csv")));
+    QVERIFY(!QFile::exists(folder_.path("no.csv")));
   }
 
   void checkPassesAndFails() {
@@ -105,7 +64,7 @@ class GoniotoolTest : public QObject {
     VERIFY_SUCCESS(passed);
     QVERIFY(passed.json["passed"].get<bool>());
     QCOMPARE(passed.json["checks"].size(), std::size_t(4));
-    const QString bright = writeTable("bright.binary", models::findModel("lambert"), {{Rgb(2)}});
+    const QString bright = folder_.writeTable("bright.binary", "lambert", {{Rgb(2)}});
     const ToolResult failed = runJson({"check", bright});
     QCOMPARE(failed.code, 1);
     QVERIFY(!failed.json["passed"].get<bool>());
@@ -114,7 +73,7 @@ class GoniotoolTest : public QObject {
   }
 
   void convertKeepsBytes() {
-    const QString out = inFolder("copy.binary");
+    const QString out = folder_.path("copy.binary");
     const ToolResult result = runJson({"convert", plastic_, out});
     VERIFY_SUCCESS(result);
     QCOMPARE(result.json["from"].get<std::string>(), "MERL");
@@ -126,14 +85,14 @@ class GoniotoolTest : public QObject {
     const ToolResult info = runJson({"info", "library:sgd/chrome"});
     VERIFY_SUCCESS(info);
     QCOMPARE(info.json["format"].get<std::string>(), "SGD fit");
-    const QString out = inFolder("chrome.binary");
+    const QString out = folder_.path("chrome.binary");
     VERIFY_SUCCESS(runTool({"convert", "library:sgd/chrome", out}));
     QVERIFY(runJson({"info", out}).json["grid"] == nlohmann::json({90, 90, 180}));
     QCOMPARE(runTool({"info", "library:sgd/no-such-material"}).code, 1);
   }
 
   void fitRecoversAndBakes() {
-    const QString out = inFolder("fitted.binary");
+    const QString out = folder_.path("fitted.binary");
     const ToolResult result = runJson({"fit", plastic_, "--model", "ggx", "--out", out});
     VERIFY_SUCCESS(result);
     QCOMPARE(result.json["model"].get<std::string>(), "ggx");
@@ -157,7 +116,7 @@ class GoniotoolTest : public QObject {
   }
 
   void editOfNothingKeepsEveryByte() {
-    const QString out = inFolder("unchanged.binary");
+    const QString out = folder_.path("unchanged.binary");
     const ToolResult result = runJson({"edit", plastic_, "--model", "ggx", "--out", out});
     VERIFY_SUCCESS(result);
     QVERIFY(result.json["fitted"] == result.json["edited"]);
@@ -166,7 +125,7 @@ class GoniotoolTest : public QObject {
 
   /// The file is what the library makes of the same parameters; where the model does not change, nothing does.
   void editIsTheDifferentialEdit() {
-    const QString out = inFolder("shiny.binary");
+    const QString out = folder_.path("shiny.binary");
     const ToolResult result = runJson({"edit", plastic_, "--model", "ggx", "--set", "f0=0.5", "specular=1,2,0.5",
                                        "roughness=2", "--strength", "0.5", "--out", out});
     VERIFY_SUCCESS(result);
@@ -180,16 +139,16 @@ class GoniotoolTest : public QObject {
     };
     const editing::DifferentialEdit edit{&ggx, parameters("fitted"), parameters("edited"), 0.5, true};
     const auto expected = editing::bakeEdits(readTable(plastic_), std::span(&edit, 1));
-    io::writeMerl(*expected, inFolder("expected.binary").toStdString());
-    QCOMPARE(bytesOf(out), bytesOf(inFolder("expected.binary")));
+    io::writeMerl(*expected, folder_.path("expected.binary").toStdString());
+    QCOMPARE(bytesOf(out), bytesOf(folder_.path("expected.binary")));
   }
 
   void documentsAreReplayed() {
-    const QString document = inFolder("edit.gonio"), direct = inFolder("direct.binary");
+    const QString document = folder_.path("edit.gonio"), direct = folder_.path("direct.binary");
     const QStringList change{"--model", "ggx", "--set", "roughness=0.4"};
     VERIFY_SUCCESS(runJson(QStringList{"edit", plastic_} + change + QStringList{"--out", document}));
     VERIFY_SUCCESS(runJson(QStringList{"edit", plastic_} + change + QStringList{"--out", direct}));
-    const QString replayed = inFolder("replayed.binary");
+    const QString replayed = folder_.path("replayed.binary");
     const ToolResult result = runJson({"edit", document, "--out", replayed});
     VERIFY_SUCCESS(result);
     QCOMPARE(result.json["edits"].get<int>(), 1);
@@ -199,18 +158,18 @@ class GoniotoolTest : public QObject {
   }
 
   void aChangedSourceIsRefused() {
-    const QString source = inFolder("source.binary"), document = inFolder("moved.gonio");
+    const QString source = folder_.path("source.binary"), document = folder_.path("moved.gonio");
     QVERIFY(QFile::copy(plastic_, source));
     VERIFY_SUCCESS(runTool({"edit", source, "--model", "lambert", "--set", "diffuse=1", "--out", document}));
     QVERIFY(QFile::remove(source) && QFile::copy(matte_, source));
-    const ToolResult result = runTool({"edit", document, "--out", inFolder("no.binary")});
+    const ToolResult result = runTool({"edit", document, "--out", folder_.path("no.binary")});
     QCOMPARE(result.code, 1);
     QVERIFY(result.error.contains("moved.gonio") && result.error.contains("source.binary"));
-    QVERIFY(!QFile::exists(inFolder("no.binary")));
+    QVERIFY(!QFile::exists(folder_.path("no.binary")));
   }
 
   void renderWritesPictures() {
-    const QString one = inFolder("one.exr"), two = inFolder("two.exr"), png = inFolder("picture.png");
+    const QString one = folder_.path("one.exr"), two = folder_.path("two.exr"), png = folder_.path("picture.png");
     const QStringList common{"render", plastic_, "--size", "40x24", "--samples", "4", "--environment", "sky"};
     const ToolResult result = runJson(common + QStringList{"--out", one, "--threads", "1"});
     VERIFY_SUCCESS(result);
@@ -233,7 +192,7 @@ class GoniotoolTest : public QObject {
     VERIFY_SUCCESS(equal);
     QVERIFY(equal.json["identical"].get<bool>() && equal.json["renderedSnr"].is_null());
     QCOMPARE(equal.json["errors"]["log"].get<double>(), 0.0);
-    const QString image = inFolder("comparison.png");
+    const QString image = folder_.path("comparison.png");
     const ToolResult different = runJson(QStringList{"compare", plastic_, matte_, "--image", image} + small);
     VERIFY_SUCCESS(different);
     QVERIFY(!different.json["identical"].get<bool>());
@@ -241,78 +200,6 @@ class GoniotoolTest : public QObject {
     QCOMPARE(different.json["scene"].get<std::string>(), "sphere-studio");
     QVERIFY(different.json["errors"]["cosine-l2"].get<double>() > 0);
     QVERIFY(bytesOf(image).startsWith("\x89PNG"));
-  }
-
-  void wrongUsageIsTwo_data() {
-    QTest::addColumn<QStringList>("arguments");
-    QTest::newRow("nothing") << QStringList{};
-    QTest::newRow("unknown subcommand") << QStringList{"dance"};
-    QTest::newRow("no file") << QStringList{"info"};
-    QTest::newRow("unknown option") << QStringList{"info", plastic_, "--wings"};
-    QTest::newRow("unknown model") << QStringList{"fit", plastic_, "--model", "phong-2077"};
-    QTest::newRow("unknown metric") << QStringList{"fit", plastic_, "--model", "ggx", "--metric", "taste"};
-    QTest::newRow("model and all") << QStringList{"fit", plastic_, "--model", "ggx", "--all"};
-    QTest::newRow("no model") << QStringList{"fit", plastic_};
-    QTest::newRow("no threads") << QStringList{"info", plastic_, "--threads", "0"};
-    QTest::newRow("unknown parameter") << QStringList{"edit",  plastic_,  "--model", "ggx",
-                                                      "--set", "gloss=1", "--out",   inFolder("x.binary")};
-    QTest::newRow("no value") << QStringList{"edit",  plastic_, "--model", "ggx",
-                                             "--set", "f0=",    "--out",   inFolder("x.binary")};
-    QTest::newRow("two values") << QStringList{"edit",  plastic_,      "--model", "ggx",
-                                               "--set", "diffuse=1,2", "--out",   inFolder("x.binary")};
-    QTest::newRow("channels of a shared parameter")
-        << QStringList{"edit", plastic_, "--model", "ggx", "--set", "f0=1,0,1", "--out", inFolder("x.binary")};
-    QTest::newRow("size") << QStringList{"render", plastic_, "--size", "12y9", "--out", inFolder("x.png")};
-    QTest::newRow("two lights") << QStringList{"render", plastic_,        "--light", "1",     "1",
-                                               "1",      "--environment", "studio",  "--out", inFolder("x.png")};
-    QTest::newRow("picture format") << QStringList{"render", plastic_, "--out", inFolder("x.jpg")};
-  }
-  void wrongUsageIsTwo() {
-    QFETCH(QStringList, arguments);
-    const ToolResult result = runTool(arguments);
-    QCOMPARE(result.code, 2);
-    QVERIFY(!result.error.isEmpty());
-    QVERIFY(result.out.isEmpty());
-  }
-
-  void failuresAreOneLine_data() {
-    QTest::addColumn<QStringList>("arguments");
-    QTest::addColumn<QString>("names");
-    const QString garbage = inFolder("garbage.binary"), missing = inFolder("missing.binary");
-    const QString shortened = inFolder("short.binary"), document = inFolder("garbage.gonio");
-    writeText(garbage, "this is no material");
-    writeText(shortened, bytesOf(plastic_).left(5000));
-    writeText(document, "{\"format\": \"other\"}");
-    QTest::newRow("missing") << QStringList{"info", missing} << "missing.binary";
-    QTest::newRow("folder") << QStringList{"info", folder()} << "goniotool";
-    QTest::newRow("garbage") << QStringList{"fit", garbage, "--model", "ggx"} << "garbage.binary";
-    QTest::newRow("short") << QStringList{"check", shortened} << "short.binary";
-    QTest::newRow("document") << QStringList{"info", document} << "garbage.gonio";
-    QTest::newRow("suffix") << QStringList{"convert", plastic_, inFolder("out.xyz")} << "out.xyz";
-    QTest::newRow("no folder") << QStringList{"convert", plastic_, inFolder("no/out.binary")} << "out.binary";
-    QTest::newRow("environment") << QStringList{"render", plastic_, "--environment",
-                                                garbage,  "--out",  inFolder("x.png")}
-                                 << "garbage.binary";
-    QTest::newRow("directions") << QStringList{"evaluate", plastic_, "--directions",
-                                               missing,    "--out",  inFolder("x.csv")}
-                                << "missing.binary";
-  }
-  void failuresAreOneLine() {
-    QFETCH(QStringList, arguments);
-    QFETCH(QString, names);
-    const ToolResult result = runJson(arguments);
-    QCOMPARE(result.code, 1);
-    QCOMPARE(result.errorLines(), 1);
-    QVERIFY2(result.error.startsWith("goniotool: ") && result.error.contains(names), qPrintable(result.error));
-    QVERIFY(result.out.isEmpty());
-  }
-
-  void progressIsOnStandardErrorOnly() {
-    const ToolResult shown = runJson({"fit", plastic_, "--model", "ggx", "--progress"});
-    VERIFY_SUCCESS(shown);
-    QVERIFY(shown.json.is_object());
-    QVERIFY(shown.error.contains("fitting ggx 100 %"));
-    QVERIFY(runJson({"fit", plastic_, "--model", "lambert"}).error.isEmpty());
   }
 
   /// Every key that the runs above printed stands in the documentation, in backquotes. Last of all tests.
@@ -324,6 +211,7 @@ class GoniotoolTest : public QObject {
   }
 
  private:
+  gonio::test::TestFolder folder_{"goniotool"};
   QString plastic_, matte_;
 };
 
