@@ -91,12 +91,11 @@ QList<RecoverableWork> Autosave::recoverable(const QString& dataFolder) {
   return found;
 }
 
-void Autosave::forget(const QString& dataFolder, const RecoverableWork& work) {
+void Autosave::forget(const QString& dataFolder, const QString& autosavePath) {
   const QDir folder(dataFolder);
   for (const QFileInfo& record : folder.entryInfoList({"*" + recordSuffix}, QDir::Files))
-    if (readRecord(record.absoluteFilePath()).autosavePath == work.autosavePath)
-      QFile::remove(record.absoluteFilePath());
-  QFile::remove(work.autosavePath);
+    if (readRecord(record.absoluteFilePath()).autosavePath == autosavePath) QFile::remove(record.absoluteFilePath());
+  QFile::remove(autosavePath);
 }
 
 }  // namespace gonio::app

@@ -41,7 +41,7 @@ class Autosave : public QObject {
 
   /// Copies of programs that no longer run.
   static QList<RecoverableWork> recoverable(const QString& dataFolder);
-  static void forget(const QString& dataFolder, const RecoverableWork& work);
+  static void forget(const QString& dataFolder, const QString& autosavePath);
   static QString defaultDataFolder();
 
  private:

@@ -72,7 +72,10 @@ void DocumentController::install(const Opened& opened, const QString& path, cons
     m_document.setMaterial(opened.material);
   } else {
     m_document.setMaterial(opened.material, *opened.stored, documentPath);
-    if (recovered) m_document.markUnsaved();
+    if (recovered) {
+      m_document.markUnsaved();
+      Q_EMIT this->recovered(path);
+    }
     Q_EMIT viewRestored(opened.stored->view);
     if (opened.stored->sourceSha256 != opened.material->material.source.sha256)
       Q_EMIT warned(
@@ -80,9 +83,7 @@ void DocumentController::install(const Opened& opened, const QString& path, cons
              "as it is now.")
               .arg(QString::fromStdString(opened.material->material.source.path.string())));
   }
-  for (const std::string& note : opened.material->material.source.notes)
-    Q_EMIT warned(QString::fromStdString(opened.material->material.name + ": " + note));
-  Q_EMIT this->opened(path);
+  Q_EMIT this->opened(recovered ? documentPath : path);
   if (!m_document.edit()) automaticFit();
 }
 

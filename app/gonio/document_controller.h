@@ -44,7 +44,10 @@ class DocumentController : public QObject {
   void paste(const editing::DifferentialEdit& edit);
 
  Q_SIGNALS:
+  /// `path` is empty for recovered work that was never saved.
   void opened(const QString& path);
+  /// The work of an autosaved copy is in the document now.
+  void recovered(const QString& autosavePath);
   /// The view that a .gonio file holds.
   void viewRestored(const nlohmann::json& view);
   void saved(const QString& path);

@@ -52,10 +52,10 @@ void EditMenu::addHistory(QMenu* menu) {
 
 void EditMenu::addEdits(QMenu* menu) {
   Document& document = m_window.document();
-  QAction* copy = menu->addAction(tr("&Copy Edits"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), this, [&document] {
-    QApplication::clipboard()->setMimeData(editToClipboard(*document.edit()));
+  QAction* copy = menu->addAction(tr("&Copy Edits"), QKeySequence::Copy, this, [&document] {
+    QApplication::clipboard()->setMimeData(toClipboard(document.toEditDocument()));
   });
-  QAction* paste = menu->addAction(tr("&Paste Edits"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V), this, [this] {
+  QAction* paste = menu->addAction(tr("&Paste Edits"), QKeySequence::Paste, this, [this] {
     if (const auto edit = editFromClipboard(QApplication::clipboard()->mimeData())) m_window.controller().paste(*edit);
   });
   menu->addSeparator();

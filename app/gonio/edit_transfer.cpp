@@ -4,8 +4,6 @@
 
 #include <QMimeData>
 
-#include "core/editing/edit_document.h"
-
 namespace gonio::app {
 
 namespace {
@@ -32,9 +30,7 @@ models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, c
   return result;
 }
 
-QMimeData* editToClipboard(const editing::DifferentialEdit& edit) {
-  editing::EditDocument document;
-  document.edits.push_back(edit);
+QMimeData* toClipboard(const editing::EditDocument& document) {
   const std::string text = editing::toJson(document).dump(2);
   auto* data = new QMimeData;
   data->setData(mimeType, QByteArray::fromStdString(text));

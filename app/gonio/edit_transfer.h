@@ -5,7 +5,7 @@
 #include <QString>
 #include <optional>
 
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit_document.h"
 
 class QMimeData;
 
@@ -16,8 +16,8 @@ namespace gonio::app {
 /// fit.
 models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, const models::ParameterValues& fitted);
 
-/// An edit on the clipboard: as JSON, readable as text too.
-QMimeData* editToClipboard(const editing::DifferentialEdit& edit);
+/// A document's edit on the clipboard: its JSON, as text too, so that it can be pasted into a .gonio file.
+QMimeData* toClipboard(const editing::EditDocument& document);
 /// Nothing when the clipboard holds no edit.
 std::optional<editing::DifferentialEdit> editFromClipboard(const QMimeData* data);
 

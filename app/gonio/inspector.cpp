@@ -16,7 +16,7 @@ namespace gonio::app {
 namespace {
 const QString sectionKeys[] = {QStringLiteral("inspector/source"), QStringLiteral("inspector/model"),
                                QStringLiteral("inspector/parameters")};
-constexpr int preferredEms = 25;
+constexpr int preferredEms = 28;
 }  // namespace
 
 Inspector::Inspector(Document& document, DocumentController& controller, BackgroundTasks& tasks, QWidget* parent)

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "core/io/material.h"
 
@@ -46,6 +47,11 @@ void LibraryController::show(std::vector<widgets::LibraryItem> items, const QStr
 
 void LibraryController::setVisible(const QStringList& ids) { m_visible = ids; }
 
+bool LibraryController::isVisibleComplete() const {
+  const QStringList pending = m_model.pending();
+  return std::none_of(m_visible.begin(), m_visible.end(), [&](const QString& id) { return pending.contains(id); });
+}
+
 void LibraryController::makeNext() {
   const QStringList pending = m_model.pending();
   if (pending.isEmpty()) return;
@@ -55,9 +61,14 @@ void LibraryController::makeNext() {
       id = visible;
       break;
     }
+  const double done = 1 - double(pending.size()) / m_model.rowCount();
   const QString title = tr("Pictures of the library: %n left", nullptr, int(pending.size()));
   m_tasks.run<widgets::LibraryLook>(
-      {title, thumbnailKey, true}, [make = m_makeLook, id](const TaskControl& control) { return make(id, control); },
+      {title, thumbnailKey, true},
+      [make = m_makeLook, id, done](const TaskControl& control) {
+        control.report(done);
+        return make(id, {control.stop, {}});
+      },
       [this, id](const widgets::LibraryLook& look) {
         m_model.setLook(id, look);
         makeNext();

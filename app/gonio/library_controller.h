@@ -27,8 +27,8 @@ class LibraryController : public QObject {
   void showFolder(const QString& folder);
   QString title() const { return m_title; }
   QString folder() const { return m_folder; }  ///< empty for the bundled library
-  /// Whether every picture is there.
-  bool isComplete() const { return m_model.pending().isEmpty(); }
+  /// Whether every picture in sight is there.
+  bool isVisibleComplete() const;
 
  public Q_SLOTS:
   void setVisible(const QStringList& ids);

@@ -115,7 +115,7 @@ void MainWindow::buildDocks() {
   m_history->setAccessibleName(tr("History"));
   addDock(tr("History"), "history", m_history, Qt::RightDockWidgetArea)->hide();
   const int em = fontMetrics().height();
-  resizeDocks({library, inspector}, {em * 21, em * 25}, Qt::Horizontal);
+  resizeDocks({library, inspector}, {em * 25, em * 28}, Qt::Horizontal);
   m_libraryView->setEmptyText(
       tr("There are no .binary or .bsdf files in this folder.\nFile > Bundled Library shows the "
          "materials that come with Gonio."));
@@ -165,10 +165,13 @@ void MainWindow::connectDocument() {
 void MainWindow::connectController() {
   connect(&m_controller, &DocumentController::opened, this, [this](const QString& path) {
     m_autosave.setDocumentPath(m_document.path());
-    if (!path.endsWith(QStringLiteral(".autosave"))) m_recentFiles.add(path);
+    m_autosave.update();
+    if (!path.isEmpty()) m_recentFiles.add(path);
     const LoadedMaterialPtr& material = m_document.material();
     m_libraryView->selectItem(QString::fromStdString(material->material.source.path.string()));
   });
+  connect(&m_controller, &DocumentController::recovered, this,
+          [this](const QString& autosavePath) { Autosave::forget(Autosave::defaultDataFolder(), autosavePath); });
   connect(&m_controller, &DocumentController::saved, this, [this](const QString& path) {
     m_autosave.setDocumentPath(path);
     m_recentFiles.add(path);
@@ -247,7 +250,9 @@ bool MainWindow::mayDiscard() {
 }
 
 bool MainWindow::isSettled() const {
-  return m_tasks.isIdle() && m_libraryController.isComplete() && (!m_preview->hasMaterial() || m_preview->converged());
+  const auto task = m_tasks.topmost();
+  return (!task || task->quiet) && m_libraryController.isVisibleComplete() &&
+         (!m_preview->hasMaterial() || m_preview->converged());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -70,16 +70,8 @@ void MainWindow::offerRecovery() {
         QMessageBox::question(this, tr("Recover unsaved work"),
                               tr("Gonio did not end well last time. Recover the unsaved changes of %1?").arg(what),
                               QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel);
-    if (answer == QMessageBox::Discard) Autosave::forget(folder, work);
+    if (answer == QMessageBox::Discard) Autosave::forget(folder, work.autosavePath);
     if (answer != QMessageBox::Yes) continue;
-    // The copy goes when the recovered work is in the document, and has a copy of its own.
-    connect(
-        &m_controller, &DocumentController::opened, this,
-        [this, folder, work] {
-          Autosave::forget(folder, work);
-          m_autosave.update();
-        },
-        Qt::SingleShotConnection);
     return m_controller.openRecovered(work.autosavePath, work.originalPath);
   }
 }

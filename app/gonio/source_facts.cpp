@@ -46,11 +46,14 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded) {
   facts.push_back({tr("Range, 1/sr"), rangeText(loaded.statistics.channels)});
   facts.push_back(
       {tr("Invalid"), percent(loaded.statistics.invalidShare), tr("Cells below the horizon or not measured")});
-  QStringList albedo;
-  for (std::size_t i = 0; i < loaded.albedo.size(); ++i)
-    albedo << tr("%1°  %2").arg(LoadedMaterial::albedoDegrees[i]).arg(number(luminance(loaded.albedo[i])));
-  facts.push_back({tr("Albedo"), albedo.join(QStringLiteral("   ")),
+  QStringList angles, albedo;
+  for (std::size_t i = 0; i < loaded.albedo.size(); ++i) {
+    angles << tr("%1°").arg(LoadedMaterial::albedoDegrees[i]);
+    albedo << number(luminance(loaded.albedo[i]));
+  }
+  facts.push_back({tr("Albedo"), tr("%1 at %2").arg(albedo.join(", "), angles.join(", ")),
                    tr("Share of the light that is reflected (luminance), by angle of incidence")});
+  for (const std::string& note : source.notes) facts.push_back({tr("Note"), QString::fromStdString(note)});
   facts.push_back({tr("SHA-256"), hash.left(16) + QStringLiteral("…"), hash});
   return facts;
 }

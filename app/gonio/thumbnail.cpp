@@ -17,7 +17,7 @@ namespace {
 
 /// Part of the cache's file names: a change of the renderer, the scene or the tone curve needs a new one.
 constexpr int rendererVersion = 1;
-constexpr int side = 256, samplesPerPixel = 24;
+constexpr int side = 192, samplesPerPixel = 16;
 constexpr double exposure = 0;
 
 widgets::LibraryLook fromImage(const QImage& image) {

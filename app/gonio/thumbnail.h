@@ -9,7 +9,7 @@
 
 namespace gonio::app {
 
-/// The picture of a material for the library: a sphere in the studio, on a transparent ground, 256 x 256. Read from the
+/// The picture of a material for the library: a sphere in the studio, on a transparent ground, 192 x 192. Read from the
 /// disk cache under `cacheFolder`, where it lies under the material's content hash and the version of the renderer;
 /// else rendered from the material's own form (no table is made) and put there. Some 100 ms when it is rendered.
 /// @throws Error, Cancelled.

@@ -82,9 +82,9 @@ void ViewMenu::addLight(QMenu* menu) {
       action->setChecked(environment ? environment->name() == name.toStdString() : name.isEmpty());
     });
   };
-  add(tr("&Studio"), QStringLiteral("studio"), QKeySequence(Qt::CTRL | Qt::Key_1));
-  add(tr("S&ky"), QStringLiteral("sky"), QKeySequence(Qt::CTRL | Qt::Key_2));
-  add(tr("&Furnace"), QStringLiteral("furnace"), QKeySequence(Qt::CTRL | Qt::Key_3));
+  add(tr("&Studio"), QStringLiteral("studio"), {});
+  add(tr("S&ky"), QStringLiteral("sky"), {});
+  add(tr("&Furnace"), QStringLiteral("furnace"), {});
   add(tr("&Directional Light"), {}, QKeySequence(Qt::CTRL | Qt::Key_L));
   light->addAction(tr("&Open Environment..."), this, [this] {
     const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open Environment"), {},

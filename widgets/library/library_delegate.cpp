@@ -3,13 +3,14 @@
 #include "widgets/library/library_delegate.h"
 
 #include <QPainter>
+#include <QPixmapCache>
 
 #include "widgets/library/library_model.h"
 
 namespace gonio::widgets {
 
 namespace {
-constexpr int margin = 4;
+constexpr int margin = 4, labelLines = 2;
 
 void paintPlaceholder(QPainter& painter, const QRectF& area, QColor colour, bool failed) {
   colour.setAlphaF(0.12f);
@@ -18,10 +19,27 @@ void paintPlaceholder(QPainter& painter, const QRectF& area, QColor colour, bool
   const double inset = area.width() * 0.1;
   painter.drawEllipse(area.adjusted(inset, inset, -inset, -inset));
 }
+/// Averaged over areas, which drawing a large pixmap small is not, and kept.
+QPixmap scaled(const QPixmap& pixmap, const QSize& size) {
+  const QString key = QStringLiteral("library/%1/%2").arg(pixmap.cacheKey()).arg(size.width());
+  QPixmap result;
+  if (!QPixmapCache::find(key, &result)) {
+    result = pixmap.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    QPixmapCache::insert(key, result);
+  }
+  return result;
+}
+
+/// Lets "blue-metallic-paint" break after a hyphen, and "ch_mint_rgb" after an underscore.
+QString breakable(QString name) {
+  const QChar here(0x200b);
+  return name.replace('-', QStringLiteral("-") + here).replace('_', QStringLiteral("_") + here);
+}
+
 }  // namespace
 
 QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
-  return {m_tile + 2 * margin, m_tile + option.fontMetrics.height() + 3 * margin};
+  return {m_tile + 2 * margin, m_tile + labelLines * option.fontMetrics.height() + 3 * margin};
 }
 
 void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -49,14 +67,13 @@ void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   if (pixmap.isNull())
     paintPlaceholder(*painter, picture, text, !index.data(LibraryModel::FailureRole).toString().isEmpty());
   else
-    painter->drawPixmap(picture, pixmap);
+    painter->drawPixmap(picture, scaled(pixmap, QSize(m_tile, m_tile) * painter->device()->devicePixelRatioF()));
 
-  const QRect label(option.rect.left() + margin, picture.bottom() + margin, option.rect.width() - 2 * margin,
-                    option.fontMetrics.height());
+  const QRect label(option.rect.left() + margin / 2, picture.bottom() + margin, option.rect.width() - margin,
+                    labelLines * option.fontMetrics.height());
   painter->setPen(text);
   painter->setFont(option.font);
-  painter->drawText(label, Qt::AlignCenter,
-                    option.fontMetrics.elidedText(index.data().toString(), Qt::ElideMiddle, label.width()));
+  painter->drawText(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, breakable(index.data().toString()));
   painter->restore();
 }
 

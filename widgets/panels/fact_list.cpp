@@ -31,8 +31,8 @@ void FactList::setFacts(const std::vector<Fact>& facts, const QString& emptyText
     value->setWordWrap(true);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     value->setToolTip(fact.toolTip);
-    // A long path must not widen the whole inspector.
-    value->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    value->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    value->setMinimumWidth(1);  // a long name must not widen the whole inspector
     m_layout->addWidget(name, row, 0, Qt::AlignTop);
     m_layout->addWidget(value, row, 1);
     ++row;

@@ -58,7 +58,11 @@ void MessageBar::present(const QString& text, bool proposal) {
   show();
 }
 
-void MessageBar::showMessage(const QString& text) { present(text, false); }
+void MessageBar::showMessage(const QString& text) {
+  const bool more = !isHidden() && !isProposal();
+  present(more ? m_text->text() + '\n' + text : text, false);
+}
+
 void MessageBar::showProposal(const QString& text) { present(text, true); }
 
 }  // namespace gonio::widgets

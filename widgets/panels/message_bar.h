@@ -17,6 +17,7 @@ class MessageBar : public QFrame {
  public:
   explicit MessageBar(QWidget* parent = nullptr);
 
+  /// Below the messages that are still shown.
   void showMessage(const QString& text);
   void showProposal(const QString& text);
   bool isProposal() const;

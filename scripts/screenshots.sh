@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+# scripts/screenshots.sh [FOLDER]: takes README's pictures of the editor, on a virtual display, into docs/images.
+set -eu
+root=$(cd "$(dirname "$0")/.." && pwd)
+folder=${1:-$root/docs/images}
+editor=$root/build/release/app/gonio/gonio
+[ -x "$editor" ] || { echo "screenshots: build the editor first (./run)" >&2; exit 1; }
+mkdir -p "$folder"
+# Settings of its own, so that the pictures show the editor as it comes.
+settings=$(mktemp -d)
+trap 'rm -rf "$settings"' EXIT
+
+# picture NAME THEME FILE
+picture() {
+  XDG_CONFIG_HOME=$settings XDG_DATA_HOME=$settings LIBGL_ALWAYS_SOFTWARE=1 \
+    xvfb-run -a -s "-screen 0 1600x1000x24" \
+    "$editor" "$3" --theme "$2" --size 1500x940 --wait 180 --screenshot "$folder/$1.png"
+  echo "$folder/$1.png"
+}
+picture editor-chrome dark library:sgd/chrome-steel
+picture editor-fabric light library:sgd/red-fabric

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document_controller.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace gonio;
+using namespace gonio::app;
+
+namespace {
+constexpr int patienceMilliseconds = 120000;
+const QString material = QStringLiteral("library:sgd/green-plastic");
+
+struct Editor {
+  Document document;
+  BackgroundTasks tasks;
+  DocumentController controller{document, tasks};
+};
+}  // namespace
+
+class DocumentControllerTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// The main job end to end: open, automatic fit, edit, save, open again, export, open the export.
+  void openFitEditSaveOpenExport() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("mine.gonio"), exported = folder.filePath("mine.binary");
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    QVERIFY(!editor.document.isModified());
+    QCOMPARE(editor.document.history().count(), 0);
+
+    const int roughness = int(*editor.document.edit()->model->spec().find("roughness"));
+    editor.document.setParameter(roughness, Rgb(0.3));
+    QVERIFY(editor.controller.save(path, {{"exposure", 1.5}}));
+    QVERIFY(!editor.document.isModified());
+
+    Editor again;
+    QSignalSpy warned(&again.controller, &DocumentController::warned);
+    double exposure = 0;
+    connect(&again.controller, &DocumentController::viewRestored, this,
+            [&](const nlohmann::json& view) { exposure = view.at("exposure").get<double>(); });
+    again.controller.open(path);
+    QTRY_VERIFY_WITH_TIMEOUT(again.document.edit().has_value(), patienceMilliseconds);
+    QVERIFY(again.document.edit()->edited == editor.document.edit()->edited);
+    QVERIFY(again.document.edit()->fitted == editor.document.edit()->fitted);
+    QCOMPARE(exposure, 1.5);
+    QCOMPARE(warned.count(), 0);
+    QVERIFY(!again.document.isModified());
+    QCOMPARE(again.document.name(), QStringLiteral("mine"));
+
+    QSignalSpy done(&again.controller, &DocumentController::exported);
+    again.controller.exportMerl(exported);
+    QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
+    const LoadedMaterialPtr reopened = loadMaterial(exported.toStdString());
+    const auto baked = editing::bakeEdits(editor.document.material()->table, std::span(&*editor.document.edit(), 1));
+    QCOMPARE(reopened->table->validCount(), baked->validCount());
+    double worst = 0;
+    for (std::size_t i = 0; i < baked->values().size(); i += 97)
+      for (int c = 0; c < 3; ++c) {
+        const double a = baked->values()[i][c], b = reopened->table->values()[i][c];
+        worst = std::max(worst, std::abs(a - b) / std::max(a, 1e-6));
+      }
+    QVERIFY(worst < 1e-6);
+  }
+
+  void aChangedSourceIsTold() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("old.gonio");
+    editing::EditDocument stored;
+    stored.sourcePath = material.toStdString();
+    stored.sourceSha256 = std::string(64, '0');
+    editing::writeDocument(stored, path.toStdString());
+    Editor editor;
+    QSignalSpy warned(&editor.controller, &DocumentController::warned);
+    editor.controller.open(path);
+    QTRY_COMPARE_WITH_TIMEOUT(warned.count(), 1, patienceMilliseconds);
+    QVERIFY(warned[0][0].toString().contains("changed"));
+  }
+
+  void aFileThatNobodyReadsIsToldAndChangesNothing() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("poem.binary");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("not a material");
+    file.close();
+    Editor editor;
+    QSignalSpy failed(&editor.controller, &DocumentController::failed);
+    editor.controller.open(path);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patienceMilliseconds);
+    QVERIFY(failed[0][1].toString().contains("poem.binary"));
+    QVERIFY(!editor.document.material());
+  }
+
+  /// A newer load wins; a fit that is stopped offers its best so far, and applying that is one step.
+  void aNewerLoadWinsAndAStoppedFitIsAProposal() {
+    Editor editor;
+    QSignalSpy offered(&editor.controller, &DocumentController::proposalOffered);
+    editor.controller.open("library:sgd/chrome");
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.controller.isFitting(), patienceMilliseconds);
+    QCOMPARE(editor.document.name(), QStringLiteral("green-plastic"));
+    QTest::qWait(50);
+    editor.tasks.cancelTopmost();
+    QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle(), patienceMilliseconds);
+    QCOMPARE(offered.count(), 1);
+    QVERIFY(!editor.document.edit());
+    editor.controller.applyProposal();
+    QVERIFY(editor.document.edit());
+    QCOMPARE(editor.document.history().count(), 1);
+    editor.document.history().undo();
+    QVERIFY(!editor.document.edit());
+  }
+};
+
+QTEST_GUILESS_MAIN(DocumentControllerTest)
+#include "document_controller_test.moc"

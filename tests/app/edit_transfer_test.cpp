@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/edit_transfer.h"
+
+#include <QMimeData>
+#include <QTest>
+#include <memory>
+
+#include "core/models/registry.h"
+
+using namespace gonio;
+using namespace gonio::app;
+
+class EditTransferTest : public QObject {
+  Q_OBJECT
+ private:
+  static editing::DifferentialEdit edit() {
+    editing::DifferentialEdit result;
+    result.model = &models::ggx();
+    result.fitted = result.edited = models::defaultParameters(models::ggx().spec());
+    result.edited.values[index("roughness")] = result.fitted.values[index("roughness")] * 2.0;
+    result.edited.values[index("specular")] = Rgb(0.5, 0.25, 1.0 / 3);
+    result.edited.values[index("masking")] = Rgb(1);
+    return result;
+  }
+  static std::size_t index(const char* id) { return *models::ggx().spec().find(id); }
+
+ private Q_SLOTS:
+  void ontoTheSameFitItIsTheSameEdit() { QVERIFY(transferredEdit(edit(), edit().fitted) == edit().edited); }
+
+  void ratiosForLogarithmicDifferencesForOthers() {
+    models::ParameterValues other = edit().fitted;
+    other.values[index("roughness")] = Rgb(0.1);
+    other.values[index("specular")] = Rgb(2);
+    other.values[index("f0")] = Rgb(0.9);
+    const models::ParameterValues result = transferredEdit(edit(), other);
+    QVERIFY(qAbs(result.values[index("roughness")].x - 0.2) < 1e-12);
+    QVERIFY(qAbs(result.values[index("specular")].x - 1.5) < 1e-12);
+    QVERIFY(result.values[index("masking")] == Rgb(1));
+    QVERIFY(result.values[index("f0")] == Rgb(0.9));  // the edit left it alone
+  }
+
+  void staysInsideTheHardRange() {
+    models::ParameterValues other = edit().fitted;
+    other.values[index("roughness")] = Rgb(0.9);
+    QVERIFY(transferredEdit(edit(), other).values[index("roughness")] == Rgb(1));
+  }
+
+  void theClipboardKeepsEveryBit() {
+    editing::EditDocument document;
+    document.sourcePath = "library:sgd/chrome";
+    document.sourceSha256 = std::string(64, 'a');
+    document.edits = {edit()};
+    const std::unique_ptr<QMimeData> data(toClipboard(document));
+    const auto back = editFromClipboard(data.get());
+    QVERIFY(back && back->edited == edit().edited && back->fitted == edit().fitted && back->model == edit().model);
+    QMimeData text;
+    text.setText("hello");
+    QVERIFY(!editFromClipboard(&text));
+    QVERIFY(!editFromClipboard(nullptr));
+  }
+};
+
+QTEST_GUILESS_MAIN(EditTransferTest)
+#include "edit_transfer_test.moc"

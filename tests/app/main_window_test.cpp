@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/main_window.h"
+
+#include <QDockWidget>
+#include <QStandardPaths>
+#include <QTest>
+
+#include "app/gonio/command_search.h"
+#include "app/gonio/help_pages.h"
+#include "core/models/model.h"
+#include "tests/widgets/offscreen_context.h"
+#include "widgets/parameters/parameter_panel.h"
+
+using namespace gonio;
+using namespace gonio::app;
+
+class MainWindowTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    const tests::OffscreenContext context;
+    if (!context.isValid()) QSKIP("needs an OpenGL 4.1 context");
+  }
+
+  void everyActionHasATextAndShortcutsAreUnique() {
+    auto* window = new MainWindow;
+    QMap<QString, QAction*> byKey;
+    for (const NamedAction& named : allActions(window))
+      for (const QKeySequence& key : named.action->shortcuts()) {
+        const QString text = key.toString();
+        QVERIFY2(!byKey.contains(text) || byKey[text] == named.action, qPrintable(named.path + " " + text));
+        byKey[text] = named.action;
+      }
+    QVERIFY(byKey.contains("Ctrl+Z") && byKey.contains("Ctrl+K") && byKey.contains("F11"));
+    // The help is made from the same actions.
+    const QString page = shortcutsPage(window);
+    for (const QString& key : byKey.keys())
+      QVERIFY2(page.contains(QKeySequence(key).toString(QKeySequence::NativeText).toHtmlEscaped()), qPrintable(key));
+    for (const models::Model* model : models::allModels())
+      QVERIFY(formulaePage().contains(QString::fromUtf8(model->spec().name.data())));
+    delete window;
+  }
+
+  /// Parameter panel, document, undo action and title together.
+  void editingThroughThePanel() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(window->windowTitle().contains("Untitled"));
+    auto loaded = std::make_shared<LoadedMaterial>();
+    loaded->material.name = "grey";
+    const HalfDifferenceGrid grid{4, 4, 4};
+    loaded->table =
+        std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.2f)),
+                                        std::vector<std::uint8_t>(grid.size(), 1));
+    window->document().setMaterial(loaded);
+    fitting::FitResult fit;
+    fit.model = &defaultModel();
+    fit.parameters = models::defaultParameters(fit.model->spec());
+    window->document().adoptFit(fit);
+    QVERIFY(window->windowTitle().contains("grey"));
+    auto* panel = window->inspector().parameters();
+    Q_EMIT panel->valueEdited(0, Rgb(0.75));
+    QVERIFY(window->isWindowModified());
+    QVERIFY(window->document().edit()->edited.values[0] == Rgb(0.75));
+    window->document().history().undo();
+    QVERIFY(!window->isWindowModified());
+    QVERIFY(window->document().edit()->isIdentity());
+    QTest::qWait(50);
+    delete window;
+  }
+
+  void resetLayoutBringsDocksBack() {
+    auto* window = new MainWindow;
+    window->show();
+    window->docks().front()->hide();
+    window->resetLayout();
+    QVERIFY(!window->docks().front()->isHidden());
+    delete window;
+  }
+};
+
+QTEST_MAIN(MainWindowTest)
+#include "main_window_test.moc"

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/library/library_view.h"
+
+#include <QLineEdit>
+#include <QListView>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "widgets/library/library_model.h"
+
+using namespace gonio::widgets;
+
+namespace {
+std::vector<LibraryItem> threeMaterials() {
+  return {{"a", "gold", "MERL file"}, {"b", "chrome", "MERL file"}, {"c", "felt", "RGL file"}};
+}
+LibraryLook look(double hue, double roughness) {
+  QImage image(8, 8, QImage::Format_RGBA8888);
+  image.fill(Qt::gray);
+  return {image, hue, roughness};
+}
+}  // namespace
+
+class LibraryViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void picturesComeLater() {
+    LibraryModel model;
+    model.setItems(threeMaterials());
+    QCOMPARE(model.pending(), QStringList({"a", "b", "c"}));
+    QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+    model.setLook("b", look(10, 0.1));
+    model.setFailure("c", "c.bsdf: too short");
+    model.setLook("gone", look(0, 0));
+    QCOMPARE(changed.count(), 2);
+    QCOMPARE(model.pending(), QStringList{"a"});
+    QVERIFY(!model.index(1).data(Qt::DecorationRole).isNull());
+    QVERIFY(model.index(2).data(Qt::ToolTipRole).toString().contains("too short"));
+  }
+
+  void searchSortAndOpenByKeyboard() {
+    LibraryModel model;
+    LibraryView view(&model);
+    view.resize(400, 400);
+    view.show();
+    model.setItems(threeMaterials());
+    QSignalSpy opened(&view, &LibraryView::openRequested);
+    const auto names = [&] {
+      QStringList result;
+      for (int row = 0; row < view.list()->model()->rowCount(); ++row)
+        result << view.list()->model()->index(row, 0).data().toString();
+      return result;
+    };
+    QCOMPARE(names(), QStringList({"chrome", "felt", "gold"}));
+    model.setLook("a", look(45, 0.2));
+    model.setLook("b", look(-1, 0.01));
+    model.setLook("c", look(120, 0.9));
+    view.setSortMode(1);
+    QCOMPARE(names(), QStringList({"chrome", "gold", "felt"}));
+    view.setSortMode(2);
+    QCOMPARE(names(), QStringList({"chrome", "gold", "felt"}));
+    QTest::keyClicks(view.search(), "fel");
+    QCOMPARE(names(), QStringList{"felt"});
+    QTest::keyClick(view.search(), Qt::Key_Return);
+    QCOMPARE(opened.count(), 1);
+    QCOMPARE(opened[0][0].toString(), QStringLiteral("c"));
+    view.search()->clear();
+    view.selectItem("a");
+    QTest::keyClick(view.list(), Qt::Key_Return);
+    QCOMPARE(opened[1][0].toString(), QStringLiteral("a"));
+  }
+
+  void tellsWhatIsInSight() {
+    LibraryModel model;
+    LibraryView view(&model);
+    view.resize(250, 300);
+    view.show();
+    std::vector<LibraryItem> many;
+    for (int i = 0; i < 200; ++i) many.push_back({QString::number(i), QString::number(i), {}});
+    QSignalSpy visible(&view, &LibraryView::visibleIdsChanged);
+    model.setItems(many);
+    QTRY_VERIFY(visible.count() > 0);
+    const qsizetype count = visible.last()[0].toStringList().size();
+    QVERIFY(count > 0 && count < 50);
+  }
+};
+
+QTEST_MAIN(LibraryViewTest)
+#include "library_view_test.moc"

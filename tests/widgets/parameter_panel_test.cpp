@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/parameters/parameter_panel.h"
+
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include "core/models/registry.h"
+#include "widgets/parameters/colour_swatch.h"
+#include "widgets/parameters/linked_channels.h"
+#include "widgets/parameters/parameter_line.h"
+#include "widgets/parameters/parameter_row.h"
+#include "widgets/parameters/parameter_text.h"
+
+using namespace gonio;
+using namespace gonio::widgets;
+
+class ParameterPanelTest : public QObject {
+  Q_OBJECT
+ private:
+  const models::ModelSpec& m_spec = models::ggx().spec();
+  std::size_t index(const char* id) const { return *m_spec.find(id); }
+  static ParameterLine* line(const ParameterRow* row, int n) { return row->findChildren<ParameterLine*>().at(n); }
+
+  /// A panel whose owner takes every value, as the document does.
+  struct Owned {
+    ParameterPanel panel;
+    models::ParameterValues values, fitted;
+    int started = 0, finished = 0;
+
+    explicit Owned(const models::ModelSpec& spec) : values(models::defaultParameters(spec)), fitted(values) {
+      panel.setModel(&spec);
+      panel.setValues(values, fitted);
+      connect(&panel, &ParameterPanel::editingStarted, &panel, [this] { ++started; });
+      connect(&panel, &ParameterPanel::editingFinished, &panel, [this] { ++finished; });
+      connect(&panel, &ParameterPanel::valueEdited, &panel, [this](int parameter, const Rgb& value) {
+        values.values[std::size_t(parameter)] = value;
+        panel.setValues(values, fitted);
+      });
+      connect(&panel, &ParameterPanel::resetRequested, &panel, [this](int parameter) {
+        values.values[std::size_t(parameter)] = fitted.values[std::size_t(parameter)];
+        panel.setValues(values, fitted);
+      });
+    }
+  };
+
+ private Q_SLOTS:
+  void everyModelHasARowForEveryParameter() {
+    for (const models::Model* model : models::allModels()) {
+      Owned owned(model->spec());
+      QCOMPARE(owned.panel.rowCount(), model->spec().parameters.size());
+      for (const auto* slider : owned.panel.findChildren<ParameterSlider*>())
+        QVERIFY(!slider->accessibleName().isEmpty());
+      for (const auto* field : owned.panel.findChildren<NumberField*>()) QVERIFY(!field->accessibleName().isEmpty());
+      for (const auto* button : owned.panel.findChildren<QToolButton*>()) QVERIFY(!button->accessibleName().isEmpty());
+    }
+  }
+
+  void keysOnASliderEditAndBackspaceResets() {
+    Owned owned(m_spec);
+    const std::size_t roughness = index("roughness");
+    ParameterLine* row = line(owned.panel.row(roughness), 0);
+    QTest::keyClick(row->slider(), Qt::Key_PageUp);
+    QVERIFY(owned.values.values[roughness].x > owned.fitted.values[roughness].x);
+    QVERIFY(owned.values.values[roughness] == Rgb(owned.values.values[roughness].x));
+    QCOMPARE(owned.started, 1);
+    QCOMPARE(owned.finished, 1);
+    QVERIFY(row->isModified());
+    QVERIFY(row->label()->font().bold());
+    QVERIFY(!row->resetButton()->isHidden());
+    QTest::keyClick(row->slider(), Qt::Key_Backspace);
+    QVERIFY(owned.values == owned.fitted);
+    QVERIFY(!row->isModified());
+    QVERIFY(row->resetButton()->isHidden());
+  }
+
+  void typingReachesTheHardRange() {
+    Owned owned(m_spec);
+    const std::size_t specular = index("specular");
+    NumberField* field = line(owned.panel.row(specular), 0)->field();
+    field->selectAll();
+    QTest::keyClicks(field, "25*2");
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(owned.values.values[specular] == Rgb(50));
+  }
+
+  void doubleClickOnTheLabelResets() {
+    Owned owned(m_spec);
+    const std::size_t f0 = index("f0");
+    owned.values.values[f0] = Rgb(0.5);
+    owned.panel.setValues(owned.values, owned.fitted);
+    QTest::mouseDClick(line(owned.panel.row(f0), 0)->label(), Qt::LeftButton);
+    QVERIFY(owned.values == owned.fitted);
+  }
+
+  void theLinkedSliderKeepsTheTint() {
+    Owned owned(m_spec);
+    const std::size_t diffuse = index("diffuse");
+    owned.values.values[diffuse] = Rgb(0.4, 0.2, 0.1);
+    owned.panel.setValues(owned.values, owned.fitted);
+    NumberField* field = line(owned.panel.row(diffuse), 0)->field();
+    field->selectAll();
+    QTest::keyClicks(field, "0.5");
+    QTest::keyClick(field, Qt::Key_Return);
+    const Rgb value = owned.values.values[diffuse];
+    QVERIFY(qAbs(luminance(value) - 0.5) < 1e-12);
+    QVERIFY(qAbs(value.x / value.y - 2) < 1e-12 && qAbs(value.y / value.z - 2) < 1e-12);
+  }
+
+  void aChannelIsEditedAlone() {
+    Owned owned(m_spec);
+    const std::size_t diffuse = index("diffuse");
+    ParameterRow* row = owned.panel.row(diffuse);
+    QVERIFY(!row->channelsShown());
+    row->setChannelsShown(true);
+    QVERIFY(row->findChild<ColourSwatch*>());
+    const Rgb before = owned.values.values[diffuse];
+    QTest::keyClick(line(row, 2)->slider(), Qt::Key_End);
+    QVERIFY(owned.values.values[diffuse] == Rgb(before.x, 1, before.z));
+    QTest::mouseClick(line(row, 2)->resetButton(), Qt::LeftButton);
+    QVERIFY(owned.values == owned.fitted);
+  }
+
+  void choicesAreLists() {
+    Owned owned(m_spec);
+    const std::size_t masking = index("masking");
+    auto* list = owned.panel.row(masking)->findChild<QComboBox*>();
+    QVERIFY(list);
+    QCOMPARE(list->count(), int(m_spec.parameters[masking].choices.size()));
+    QTest::keyClick(list, Qt::Key_Down);
+    QVERIFY(owned.values.values[masking] == Rgb(1));
+  }
+
+  void toolTipsTellTheSpec() {
+    const models::ParameterSpec& roughness = m_spec.parameters[index("roughness")];
+    const Rgb fitted(0.25);
+    const QString text = parameterToolTip(roughness, &fitted);
+    for (const auto& part : {roughness.label, roughness.symbol, roughness.description, roughness.reference})
+      QVERIFY(text.contains(fromView(part).toHtmlEscaped()));
+    QVERIFY(text.contains("0.25"));
+  }
+
+  void linkedValues() {
+    models::ParameterSpec spec = m_spec.parameters[index("diffuse")];
+    QVERIFY(withLinkedValue(spec, Rgb(0), 0.5) == Rgb(0.5));    // black has no tint
+    QVERIFY(withLinkedValue(spec, Rgb(0.3), 0.7) == Rgb(0.7));  // grey stays exactly grey
+    QVERIFY(linkedValue(spec, Rgb(0.3)) == 0.3);
+    spec.hardMin = -1;
+    const Rgb shifted = withLinkedValue(spec, Rgb(-0.1, 0, 0.1), 0.2);
+    QVERIFY(qAbs(shifted.x - 0.1) < 1e-12 && qAbs(shifted.z - 0.3) < 1e-12);
+  }
+
+  void withoutAModelThereAreNoRows() {
+    ParameterPanel panel;
+    QCOMPARE(panel.rowCount(), std::size_t(0));
+    QCOMPARE(panel.currentParameter(), -1);
+  }
+};
+
+QTEST_MAIN(ParameterPanelTest)
+#include "parameter_panel_test.moc"
