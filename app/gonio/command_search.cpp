@@ -69,6 +69,7 @@ CommandSearch::CommandSearch(QWidget* window)
   connect(m_list, &QListWidget::itemActivated, this, &CommandSearch::runCurrent);
   connect(m_list, &QListWidget::itemClicked, this, &CommandSearch::runCurrent);
   filter({});
+  m_text->setFocus();  // a popup takes no focus by itself
 }
 
 void CommandSearch::filter(const QString& text) {

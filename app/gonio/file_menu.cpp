@@ -49,7 +49,9 @@ void FileMenu::addOpening(QMenu* menu) {
   menu->addAction(tr("&New Window"), QKeySequence::New, this, [] { (new MainWindow)->show(); });
   menu->addAction(tr("&Open..."), QKeySequence::Open, this, &FileMenu::openFile);
   QMenu* recent = menu->addMenu(tr("Open &Recent"));
-  connect(menu, &QMenu::aboutToShow, this, [this, recent] { fillRecent(recent); });
+  const auto refill = [this, recent] { fillRecent(recent); };
+  connect(menu, &QMenu::aboutToShow, this, refill);
+  connect(&m_window.document(), &Document::titleChanged, this, refill);
   fillRecent(recent);
   menu->addSeparator();
   menu->addAction(tr("Open &Library Folder..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), this,

@@ -115,7 +115,7 @@ void MainWindow::buildDocks() {
   m_history->setAccessibleName(tr("History"));
   addDock(tr("History"), "history", m_history, Qt::RightDockWidgetArea)->hide();
   const int em = fontMetrics().height();
-  resizeDocks({library, inspector}, {em * 25, em * 28}, Qt::Horizontal);
+  resizeDocks({library, inspector}, {em * 27, em * 28}, Qt::Horizontal);
   m_libraryView->setEmptyText(
       tr("There are no .binary or .bsdf files in this folder.\nFile > Bundled Library shows the "
          "materials that come with Gonio."));

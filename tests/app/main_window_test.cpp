@@ -3,6 +3,8 @@
 #include "app/gonio/main_window.h"
 
 #include <QDockWidget>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QStandardPaths>
 #include <QTest>
 
@@ -11,6 +13,7 @@
 #include "core/models/model.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/preview/preview_widget.h"
 
 using namespace gonio;
 using namespace gonio::app;
@@ -68,6 +71,20 @@ class MainWindowTest : public QObject {
     QVERIFY(!window->isWindowModified());
     QVERIFY(window->document().edit()->isIdentity());
     QTest::qWait(50);
+    delete window;
+  }
+
+  void commandSearchRunsWhatItFinds() {
+    auto* window = new MainWindow;
+    window->show();
+    const bool before = window->preview().overlayVisible();
+    auto& search = *new CommandSearch(window);
+    search.show();
+    auto* text = search.findChild<QLineEdit*>();
+    QTest::keyClicks(text, "view overl");
+    QCOMPARE(search.findChild<QListWidget*>()->count(), 1);
+    QTest::keyClick(text, Qt::Key_Return);
+    QCOMPARE(window->preview().overlayVisible(), !before);
     delete window;
   }
 

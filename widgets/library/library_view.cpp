@@ -20,7 +20,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr int smallestTile = 64, largestTile = 256, defaultTile = 88;
+constexpr int smallestTile = 64, largestTile = 256, defaultTile = 96;
 constexpr int visibleDelayMilliseconds = 60;
 }  // namespace
 

@@ -33,7 +33,7 @@ ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& l
   m_field->setRange(spec.hardMin, spec.hardMax);
   m_field->setUnit(displayUnit(spec), displayFactor(spec));
   m_field->setStep((spec.softMax - spec.softMin) * fieldStepShare);
-  m_field->setFixedWidth(em * 9 / 2 + (spec.unit.empty() ? 0 : em));
+  m_field->setFixedWidth(em * 5 + (spec.unit.empty() ? 0 : em));
   m_reset->setIcon(glyphIcon(Glyph::reset));
   m_reset->setAutoRaise(true);
   m_reset->setFocusPolicy(Qt::TabFocus);
