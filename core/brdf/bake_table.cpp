@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/brdf/tabulated_brdf.h"
 #include "core/coordinates/grid_directions.h"
@@ -12,6 +13,17 @@ namespace gonio {
 namespace {
 
 constexpr std::size_t block = 4096;
+
+/// Finite values beyond the range of float become the largest float; infinities and NaN stay, to be refused.
+TabulatedBrdf::Value toFloat(const Rgb& value) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  TabulatedBrdf::Value result;
+  for (int channel = 0; channel < 3; ++channel) {
+    const double x = value[channel];
+    result[channel] = static_cast<float>(std::isfinite(x) ? std::clamp(x, -largest, largest) : x);
+  }
+  return result;
+}
 
 /// The nodes of one block that lie above the horizon.
 struct Nodes {
@@ -62,7 +74,7 @@ std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDiffe
         const Nodes nodes = nodesOfBlock(directions, begin, end);
         const std::vector<Rgb> means = evaluateRotated(brdf, nodes.pairs, rotations);
         for (std::size_t i = 0; i < nodes.cells.size(); ++i) {
-          values[nodes.cells[i]] = TabulatedBrdf::Value(means[i]);
+          values[nodes.cells[i]] = toFloat(means[i]);
           valid[nodes.cells[i]] = 1;
         }
       },

@@ -37,16 +37,20 @@ TableStatistics tableStatistics(const TabulatedBrdf& table) {
 
 Rgb directionalAlbedo(const Brdf& brdf, double theta) {
   constexpr std::uint32_t sampleCount = 1 << 14;
-  constexpr std::uint32_t choiceSeed = 11, directionSeed = 12;
-  const SamplingLobe lobe = estimateSamplingLobe(brdf);
+  SamplingLobe lobe = estimateSamplingLobe(brdf);
+  // A fixed number of points for each of the lobe's two parts, each stratified on its own (multiple importance
+  // sampling with the balance heuristic): the choice of a part adds no noise.
+  const auto specularCount = static_cast<std::uint32_t>(lobe.specularShare * sampleCount);
+  lobe.specularShare = double(specularCount) / sampleCount;
   const Direction wo = fromSpherical(theta, 0);
   std::vector<DirectionPair> pairs;
   std::vector<double> weights;
   pairs.reserve(sampleCount);
   weights.reserve(sampleCount);
   for (std::uint32_t i = 0; i < sampleCount; ++i) {
-    const glm::dvec2 u = scrambledSobol(i, directionSeed);
-    const DirectionSample sample = lobe.sample(wo, {scrambledVanDerCorput(i, choiceSeed), u.x, u.y});
+    const bool specular = i < specularCount;
+    const glm::dvec2 u = specular ? scrambledSobol(i, 11) : scrambledSobol(i - specularCount, 12);
+    const DirectionSample sample = lobe.sample(wo, {specular ? 0.0 : lobe.specularShare, u.x, u.y});
     if (!(sample.pdf > 0)) continue;
     pairs.push_back({sample.wi, wo});
     weights.push_back(sample.wi.z / sample.pdf);

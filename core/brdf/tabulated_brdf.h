@@ -63,7 +63,8 @@ class TabulatedBrdf final : public Brdf {
 };
 
 /// Samples any isotropic BRDF at the nodes of a grid; nodes below the horizon are invalid. In parallel, deterministic.
-/// An anisotropic one is averaged over `azimuths` rotations about the normal.
+/// An anisotropic one is averaged over `azimuths` rotations about the normal. Finite values beyond the range of float
+/// are stored as the largest float.
 /// @throws Cancelled; Error when the BRDF returns a non-finite value.
 std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDifferenceGrid& grid = {},
                                                const TaskControl& control = {}, int azimuths = 16);

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/rendering/sphere_renderer.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <vector>
@@ -14,7 +15,13 @@ namespace gonio {
 namespace {
 
 /// One sampling problem each: their points are scrambled independently.
-enum Dimension : std::uint32_t { filmPosition, environmentDirection, lobeChoice, lobeDirection, dimensionCount };
+enum Dimension : std::uint32_t {
+  filmPosition,
+  environmentDirection,
+  specularDirection,
+  diffuseDirection,
+  dimensionCount
+};
 
 /// The pairs of one pixel with what multiplies their BRDF values: evaluated in one call.
 struct PixelWork {
@@ -31,12 +38,14 @@ class Renderer {
  public:
   Renderer(const Brdf& brdf, const SphereScene& scene, const SphereRenderOptions& options)
       : brdf_(brdf), scene_(scene), options_(options), frame_(cameraFrame(scene.camera)) {
-    if (scene.environment) lobe_ = options.lobe ? *options.lobe : estimateSamplingLobe(brdf);
+    if (scene.environment) setLobe(options.lobe ? *options.lobe : estimateSamplingLobe(brdf));
   }
 
   void renderPixel(int x, int y, PixelWork& work, Image& image) const;
 
  private:
+  void setLobe(const SamplingLobe& lobe);
+  DirectionSample sampleLobe(const Direction& wo, std::uint32_t sample, const std::uint32_t* seeds) const;
   void shade(const ShadingFrame& surface, const Direction& wo, std::uint32_t sample, const std::uint32_t* seeds,
              PixelWork& work) const;
 
@@ -45,7 +54,28 @@ class Renderer {
   const SphereRenderOptions& options_;
   CameraFrame frame_;
   SamplingLobe lobe_;
+  std::uint32_t specularCount_ = 0;  ///< of a pixel's samples, the first ones go to the lobe's specular part
 };
+
+/// Each part of the lobe gets a fixed number of the samples and a point set of its own: the choice adds no noise.
+void Renderer::setLobe(const SamplingLobe& lobe) {
+  const int samples = options_.samples;
+  const int wanted = static_cast<int>(std::lround(lobe.specularShare * samples));
+  // A part that exists gets a sample where there are two: no direction is left to the other strategy alone.
+  const int count = lobe.specularShare > 0 && samples > 1 ? std::clamp(wanted, 1, samples - 1) : wanted;
+  specularCount_ = std::uint32_t(count);
+  lobe_ = lobe;
+  lobe_.specularShare = double(count) / samples;
+}
+
+DirectionSample Renderer::sampleLobe(const Direction& wo, std::uint32_t sample, const std::uint32_t* seeds) const {
+  if (sample < specularCount_) {
+    const glm::dvec2 u = scrambledSobol(sample, seeds[specularDirection]);
+    return lobe_.sample(wo, {0, u.x, u.y});
+  }
+  const glm::dvec2 u = scrambledSobol(sample - specularCount_, seeds[diffuseDirection]);
+  return lobe_.sample(wo, {lobe_.specularShare, u.x, u.y});
+}
 
 void Renderer::renderPixel(int x, int y, PixelWork& work, Image& image) const {
   std::uint32_t seeds[dimensionCount];
@@ -92,8 +122,7 @@ void Renderer::shade(const ShadingFrame& surface, const Direction& wo, std::uint
   const Direction wiLight = surface.toLocal(fromEnvironment(fromLight.direction, scene_.environmentRotation));
   if (wiLight.z > 0) work.add(wiLight, wo, fromLight.radiance * (wiLight.z / (fromLight.pdf + lobe_.pdf(wiLight, wo))));
 
-  const glm::dvec2 u = scrambledSobol(sample, seeds[lobeDirection]);
-  const DirectionSample fromLobe = lobe_.sample(wo, {scrambledVanDerCorput(sample, seeds[lobeChoice]), u.x, u.y});
+  const DirectionSample fromLobe = sampleLobe(wo, sample, seeds);
   if (!(fromLobe.pdf > 0)) return;
   const EnvironmentMap::Sample seen =
       scene_.environment->at(toEnvironment(surface.toWorld(fromLobe.wi), scene_.environmentRotation));

@@ -3,6 +3,7 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/brdf/tabulated_brdf.h"
 #include "core/math/parallel.h"
@@ -70,6 +71,15 @@ class BakeTableTest : public QObject {
   void aBrdfThatIsNotFiniteIsRefused() {
     const testing::FunctionBrdf bad([](const Direction& wi, const Direction&) { return Rgb(wi.z > 0.5 ? NAN : 0.0); });
     QVERIFY_THROWS_EXCEPTION(Error, bakeTable(bad, {10, 10, 10, true}));
+  }
+
+  void hardCase39OverflowOfFloatIsCapped() {
+    const testing::FunctionBrdf huge([](const Direction&, const Direction&) { return Rgb(1e300, 2, 0); });
+    const auto table = bakeTable(huge, {10, 10, 10, true});
+    for (std::size_t i = 0; i < table->grid().size(); ++i)
+      if (table->valid()[i])
+        QCOMPARE(table->values()[i], TabulatedBrdf::Value(std::numeric_limits<float>::max(), 2, 0));
+    QVERIFY(std::isfinite(table->evaluate({0.6, 0, 0.8}, {0, 0.6, 0.8}).x));
   }
 
   void cancelled() {

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/statistics.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "tests/support/function_brdf.h"
+
+using namespace gonio;
+
+class StatisticsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void rangesOfAHandMadeTable() {
+    const HalfDifferenceGrid grid{2, 2, 2, true};
+    std::vector<TabulatedBrdf::Value> values(grid.size(), TabulatedBrdf::Value(0.5f, 0.25f, 2));
+    std::vector<std::uint8_t> valid(grid.size(), 1);
+    values[1] = {0, 0.125f, 64};
+    values[2] = {1000, 1000, 1000};
+    valid[2] = valid[3] = 0;
+    const TableStatistics s = tableStatistics(TabulatedBrdf(grid, values, valid));
+    QVERIFY(s.channels[0].min == 0 && s.channels[0].max == 0.5);
+    QVERIFY(s.channels[1].min == 0.125 && s.channels[1].max == 0.25);
+    QVERIFY(s.channels[2].min == 2 && s.channels[2].max == 64);
+    QCOMPARE(s.invalidShare, 0.25);
+    QCOMPARE(s.dynamicRange, 512.0);
+  }
+
+  void hardCase12AllZeroChannels() {
+    const HalfDifferenceGrid grid{2, 2, 2, true};
+    const std::vector<TabulatedBrdf::Value> black(grid.size(), TabulatedBrdf::Value(0));
+    const std::vector<TabulatedBrdf::Value> red(grid.size(), TabulatedBrdf::Value(2, 0, 0));
+    const std::vector<std::uint8_t> valid(grid.size(), 1), invalid(grid.size(), 0);
+    QCOMPARE(tableStatistics(TabulatedBrdf(grid, black, valid)).dynamicRange, 0.0);
+    QCOMPARE(tableStatistics(TabulatedBrdf(grid, red, valid)).dynamicRange, 1.0);
+    QCOMPARE(tableStatistics(TabulatedBrdf(grid, red, valid)).channels[1].max, 0.0);
+    const TableStatistics none = tableStatistics(TabulatedBrdf(grid, red, invalid));
+    QVERIFY(none.invalidShare == 1 && none.dynamicRange == 0 && none.channels[0].min == 0 && none.channels[0].max == 0);
+    QCOMPARE(directionalAlbedo(TabulatedBrdf(grid, black, valid), 0.5), Rgb(0));
+    QCOMPARE(directionalAlbedo(TabulatedBrdf(grid, red, invalid), 0.5), Rgb(0));
+  }
+
+  void lambertReflectsItsAlbedo() {
+    const Rgb albedo(0.2, 0.5, 0.9);
+    for (const double angle : {0.0, 30.0, 60.0, 80.0, 89.0}) {
+      const Rgb value = directionalAlbedo(testing::lambert(albedo), radians(angle));
+      QVERIFY(maxChannel(glm::abs(value - albedo)) < 1e-12);
+    }
+  }
+
+  /// f = (n + 1) / (2 pi) cos^(n - 1) theta_i reflects exactly 1.
+  void powersOfTheCosineReflectOne() {
+    for (const double n : {2.0, 5.0, 20.0}) {
+      const testing::FunctionBrdf brdf(
+          [n](const Direction& wi, const Direction&) { return Rgb((n + 1) / (2 * pi) * std::pow(wi.z, n - 1)); });
+      for (const double angle : {0.0, 0.8})
+        QVERIFY2(std::abs(directionalAlbedo(brdf, angle).x - 1) < 1e-3,
+                 qPrintable(QString("%1 %2 %3").arg(n).arg(angle).arg(directionalAlbedo(brdf, angle).x)));
+    }
+  }
+
+  /// Published figures (rounded to three digits) of a lossless GGX with separable masking, roughness 0.2.
+  void whiteFurnaceOfGgx() {
+    const auto brdf = testing::ggx(Rgb(0), Rgb(1), 0.2, 1);
+    const std::pair<double, double> figures[] = {{0, 0.948}, {45, 0.924}, {75, 0.851}, {89, 0.901}};
+    for (const auto& [angle, expected] : figures) {
+      const double albedo = directionalAlbedo(*brdf, radians(angle)).x;
+      QVERIFY2(std::abs(albedo - expected) < 1e-3, qPrintable(QString("%1 at %2 degrees").arg(albedo).arg(angle)));
+    }
+  }
+
+  /// Of a table of a mirror: as the model, up to what the grid resolves.
+  void albedoOfASharpTable() {
+    const auto brdf = testing::ggx(Rgb(0), Rgb(1), 0.02, 0.9);
+    const auto table = bakeTable(*brdf);
+    for (const double angle : {10.0, 45.0, 70.0})
+      QVERIFY(std::abs(directionalAlbedo(*table, radians(angle)).x / directionalAlbedo(*brdf, radians(angle)).x - 1) <
+              0.02);
+  }
+};
+
+QTEST_APPLESS_MAIN(StatisticsTest)
+#include "statistics_test.moc"

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/metrics/plausibility.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "core/brdf/tabulated_brdf.h"
+#include "tests/support/function_brdf.h"
+
+using namespace gonio;
+using namespace gonio::metrics;
+
+namespace {
+
+PlausibilityCheck find(const std::vector<PlausibilityCheck>& checks, const std::string& name) {
+  for (const PlausibilityCheck& check : checks)
+    if (check.name == name) return check;
+  return {.name = "missing", .passed = false, .worst = -1, .where = {}};
+}
+
+std::vector<std::string> failures(const Brdf& brdf) {
+  std::vector<std::string> names;
+  for (const PlausibilityCheck& check : checkPlausibility(brdf))
+    if (!check.passed) names.push_back(check.name);
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+class PlausibilityTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void physicalModelsPass() {
+    for (const double roughness : {1e-3, 0.05, 0.3, 1.0})
+      QCOMPARE(failures(*testing::ggx(Rgb(0), Rgb(1), roughness, 1)), Names{});
+    QCOMPARE(failures(testing::lambert(Rgb(1))), Names{});
+    QCOMPARE(failures(testing::lambert(Rgb(0))), Names{});
+  }
+
+  void bakedTablesPass() { QCOMPARE(failures(*bakeTable(*testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.04))), Names{}); }
+
+  void aBrdfThatIsNotReciprocalIsFound() {
+    const testing::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(0.2 * wi.z); });
+    const auto checks = checkPlausibility(brdf);
+    QCOMPARE(failures(brdf), Names{"reciprocity"});
+    const PlausibilityCheck check = find(checks, "reciprocity");
+    QVERIFY(check.worst > 0.5 && check.worst <= 1);
+    QVERIFY(QString::fromStdString(check.where).contains("theta_i"));
+  }
+
+  void slightDifferencesPass() {
+    const testing::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(0.2 + 0.002 * wi.z); });
+    QCOMPARE(failures(brdf), Names{});
+    QVERIFY(find(checkPlausibility(brdf), "reciprocity").worst > 0.005);
+  }
+
+  void gainOfEnergyIsFound() {
+    QCOMPARE(failures(testing::lambert(Rgb(0.2, 1.2, 0.3))), Names{"energy"});
+    QVERIFY(std::abs(find(checkPlausibility(testing::lambert(Rgb(0.2, 1.2, 0.3))), "energy").worst - 1.2) < 1e-9);
+    QCOMPARE(failures(testing::lambert(Rgb(1.005))), Names{});
+    QCOMPARE(failures(testing::lambert(Rgb(1.02))), Names{"energy"});
+  }
+
+  void negativeValuesAreFound() {
+    const testing::FunctionBrdf brdf(
+        [](const Direction& wi, const Direction& wo) { return Rgb(0.1, wi.z * wo.z > 0.5 ? -0.01 : 0.1, 0.1); });
+    const PlausibilityCheck check = find(checkPlausibility(brdf), "negative");
+    QVERIFY(!check.passed && std::abs(check.worst - 0.01) < 1e-12 && !check.where.empty());
+  }
+
+  void notFiniteValuesAreFound() {
+    for (const double bad : {double(NAN), double(INFINITY)}) {
+      const testing::FunctionBrdf brdf([bad](const Direction& wi, const Direction& wo) {
+        return Rgb(0.1, 0.1, wi.z > 0.9 && wo.z > 0.9 ? bad : 0.1);
+      });
+      const PlausibilityCheck check = find(checkPlausibility(brdf), "non-finite");
+      QVERIFY(!check.passed && check.worst >= 1 && !check.where.empty());
+    }
+  }
+
+  void order() {
+    Names names;
+    for (const PlausibilityCheck& check : checkPlausibility(testing::lambert(Rgb(0.5)))) names.push_back(check.name);
+    QCOMPARE(names, (Names{"reciprocity", "energy", "negative", "non-finite"}));
+  }
+};
+
+QTEST_APPLESS_MAIN(PlausibilityTest)
+#include "plausibility_test.moc"

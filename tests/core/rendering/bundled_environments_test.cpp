@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <algorithm>
+#include <vector>
+
+#include "core/rendering/sphere_renderer.h"
+#include "tests/support/function_brdf.h"
+
+using namespace gonio;
+
+namespace {
+std::vector<double> luminances(const EnvironmentMap& map) {
+  std::vector<double> values;
+  for (const glm::vec3& pixel : map.image().pixels) values.push_back(luminance(Rgb(pixel)));
+  std::ranges::sort(values);
+  return values;
+}
+}  // namespace
+
+class BundledEnvironmentsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void namesAndSizes() {
+    for (const std::string name : {"studio", "sky", "furnace"}) {
+      const auto map = bundledEnvironment(name);
+      QCOMPARE(map->name(), name);
+      QCOMPARE(map->image().width, 512);
+      QCOMPARE(map->image().height, 256);
+      QVERIFY(map == bundledEnvironment(name));
+    }
+    QCOMPARE(comparisonScene().environment->name(), std::string("studio"));
+  }
+
+  /// Exposure 0 suits: the visible half of a white matte sphere is about mid-bright.
+  void whiteMatteSpheresAreMidBright() {
+    for (const std::string name : {"studio", "sky"}) {
+      SphereScene scene;
+      scene.environment = bundledEnvironment(name);
+      SphereRenderOptions options;
+      options.width = options.height = 32;
+      const Image image = renderSphere(testing::lambert(Rgb(1)), scene, options);
+      double sum = 0, covered = 0;
+      for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        sum += luminance(Rgb(image.pixels[i]));
+        covered += image.alpha[i];
+      }
+      QVERIFY2(sum / covered > 0.4 && sum / covered < 0.65, qPrintable(QString::number(sum / covered)));
+    }
+  }
+
+  /// Bright lamps in a dark room: what makes chrome look like chrome.
+  void theStudioIsDarkWithBrightLamps() {
+    const std::vector<double> values = luminances(*studioEnvironment());
+    QVERIFY(values.back() > 7 && values.back() < 15);
+    QVERIFY(values[values.size() / 2] < 0.1 && values.front() > 0.005);
+  }
+
+  /// Of the sun's 2.5 degrees: solid angle 1.495e-3 sr, whatever pixels it falls on.
+  void theSunIsResolved() {
+    const auto sky = skyEnvironment();
+    const double sunRadiance = luminances(*sky).back();
+    QVERIFY(sunRadiance > 500);
+    double solidAngle = 0;
+    const Image& image = sky->image();
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        solidAngle += luminance(Rgb(image.at(x, y))) > 20
+                          ? luminance(Rgb(image.at(x, y))) / sunRadiance * 2 * pi / image.width * pi / image.height *
+                                std::sin(pi * (y + 0.5) / image.height)
+                          : 0;
+    QVERIFY(std::abs(solidAngle / 1.495e-3 - 1) < 0.03);
+  }
+};
+
+QTEST_APPLESS_MAIN(BundledEnvironmentsTest)
+#include "bundled_environments_test.moc"

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/rendering/sphere_renderer.h"
+
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/parallel.h"
+#include "core/metrics/image_metrics.h"
+#include "tests/support/function_brdf.h"
+
+using namespace gonio;
+
+namespace {
+
+SphereRenderOptions sized(int size, int samples, std::uint64_t seed = 1) {
+  SphereRenderOptions options;
+  options.width = options.height = size;
+  options.samples = samples;
+  options.seed = seed;
+  return options;
+}
+
+SphereScene sceneIn(std::shared_ptr<const EnvironmentMap> environment, const OrbitCamera& camera = {}) {
+  SphereScene scene;
+  scene.environment = std::move(environment);
+  scene.camera = camera;
+  return scene;
+}
+
+/// Radiance toward the camera along one ray: all of the environment's directions, no random number.
+Rgb quadrature(const Brdf& brdf, const SphereScene& scene, const CameraRay& ray, int width) {
+  const auto normal = sphereHit(ray);
+  if (!normal) return Rgb(0);
+  const ShadingFrame frame = shadingFrame(*normal);
+  const Direction wo = frame.toLocal(-ray.direction);
+  const int height = width / 2;
+  Rgb sum(0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Direction w = EnvironmentMap::directionAt((x + 0.5) / width, (y + 0.5) / height);
+      const Direction wi = frame.toLocal(fromEnvironment(w, scene.environmentRotation));
+      if (wi.z <= 0) continue;
+      const double solidAngle = 2 * pi / width * pi / height * std::sin(pi * (y + 0.5) / height);
+      sum += brdf.evaluate(wi, wo) * scene.environment->radiance(w) * (wi.z * solidAngle);
+    }
+  return sum;
+}
+
+/// A small environment with a bright spot and colours, that quadrature resolves cheaply.
+std::shared_ptr<const EnvironmentMap> smallEnvironment() {
+  Image image(16, 8);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 16; ++x) image.at(x, y) = glm::vec3(0.05f * float(x), 0.3f, 0.1f * float(y));
+  image.at(10, 2) = glm::vec3(30, 20, 10);
+  return std::make_shared<const EnvironmentMap>(image, "small");
+}
+
+bool sameBits(const Image& a, const Image& b) { return a.pixels == b.pixels && a.alpha == b.alpha; }
+
+}  // namespace
+
+class SphereRendererTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void whiteSphereVanishesInTheFurnace() {
+    const Image image = renderSphere(testing::lambert(Rgb(1)), sceneIn(furnaceEnvironment()), sized(48, 64));
+    double sum = 0, covered = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      if (image.alpha[i] == 0) {
+        QCOMPARE(image.pixels[i], glm::vec3(0));
+        continue;
+      }
+      if (image.alpha[i] == 1) QVERIFY(std::abs(image.pixels[i].x - 1) < 0.1);
+      sum += image.pixels[i].x;
+      covered += image.alpha[i];
+    }
+    QVERIFY(std::abs(sum / covered - 1) < 2e-3);
+  }
+
+  void coverageIsTheDisc() {
+    const Image image = renderSphere(testing::lambert(Rgb(1)), sceneIn(nullptr, {0, 0, 4, 0}), sized(64, 64));
+    double covered = 0;
+    for (const float alpha : image.alpha) covered += alpha;
+    const double pixel = 2 * 1.15 / 64;
+    QVERIFY(std::abs(covered * pixel * pixel / pi - 1) < 1e-3);
+  }
+
+  /// Lambert under a light from the camera: albedo / pi times irradiance times the cosine, at the middle of each pixel.
+  void directionalLightHasItsClosedForm() {
+    SphereScene scene;
+    scene.camera = {0, 0, 4, 0};
+    scene.light = {{0, 0, 1}, Rgb(2, 3, 4)};
+    const Image image = renderSphere(testing::lambert(Rgb(0.5)), scene, sized(64, 16));
+    for (int y = 8; y < 56; ++y)
+      for (int x = 8; x < 56; ++x) {
+        const double px = 1.15 * ((2 * x + 1) / 64.0 - 1), py = 1.15 * (1 - (2 * y + 1) / 64.0);
+        const double r2 = px * px + py * py;
+        if (r2 > 0.8) continue;
+        const Rgb expected = Rgb(2, 3, 4) * (0.5 / pi * std::sqrt(1 - r2));
+        QVERIFY(maxChannel(glm::abs(Rgb(image.at(x, y)) - expected)) < 0.01);
+      }
+  }
+
+  /// A picture of a glossy and coloured sphere against quadrature at a grid of positions in each pixel.
+  void picturesAgreeWithQuadrature() {
+    const auto brdf = testing::ggx(Rgb(0.3, 0.1, 0.05), Rgb(1), 0.3, 0.3);
+    SphereScene scene = sceneIn(smallEnvironment(), {0.4, 0.3, 3, 0.7});
+    scene.environmentRotation = 0.9;
+    constexpr int size = 10, perAxis = 3;
+    const Image image = renderSphere(*brdf, scene, sized(size, 1024));
+    Image expected(size, size);
+    const CameraFrame frame = cameraFrame(scene.camera);
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        Rgb sum(0);
+        bool inside = true;
+        for (int i = 0; i < perAxis * perAxis; ++i) {
+          const double px = x + (i % perAxis + 0.5) / perAxis, py = y + (i / perAxis + 0.5) / perAxis;
+          const CameraRay ray = cameraRay(frame, 2 * px / size - 1, 1 - 2 * py / size, 1);
+          inside = inside && sphereHit(ray);
+          sum += quadrature(*brdf, scene, ray, 96) / double(perAxis * perAxis);
+        }
+        if (!inside || image.alpha[image.index(x, y)] < 1) continue;
+        QVERIFY(maxChannel(glm::abs(Rgb(image.at(x, y)) - sum)) < 0.04 * maxChannel(sum));
+      }
+  }
+
+  /// One point under the studio, all pixels of a very long lens: sampling lights and lobe against all directions.
+  void glossyPointsUnderTheStudioAgreeWithQuadrature() {
+    const auto brdf = testing::ggx(Rgb(0.1), Rgb(1), 0.15, 0.6);
+    for (const double yaw : {-0.5, 0.0, 1.2}) {
+      const SphereScene scene = sceneIn(studioEnvironment(), {yaw, 0.3, 4, 1e-4});
+      const Image image = renderSphere(*brdf, scene, sized(8, 512));
+      Rgb mean(0);
+      for (const glm::vec3& pixel : image.pixels) mean += Rgb(pixel) / double(image.pixels.size());
+      const Rgb expected = quadrature(*brdf, scene, cameraRay(cameraFrame(scene.camera), 0, 0, 1), 1024);
+      QVERIFY(maxChannel(glm::abs(mean / expected - 1.0)) < 5e-3);
+    }
+  }
+
+  /// The lobe changes the noise, never the picture.
+  void anyLobeGivesTheSamePicture() {
+    const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
+    const SphereScene scene = sceneIn(smallEnvironment());
+    const auto mean = [&](const SamplingLobe& lobe) {
+      SphereRenderOptions options = sized(24, 1024);
+      options.lobe = lobe;
+      double sum = 0;
+      for (const glm::vec3& pixel : renderSphere(*brdf, scene, options).pixels) sum += pixel.y;
+      return sum;
+    };
+    const double best = mean(estimateSamplingLobe(*brdf));
+    for (const SamplingLobe& lobe : {SamplingLobe{0.5, 0.3}, SamplingLobe{1, 0}, SamplingLobe{0.01, 0.95}})
+      QVERIFY2(std::abs(mean(lobe) / best - 1) < 5e-3,
+               qPrintable(QString("%1: %2").arg(lobe.roughness).arg(mean(lobe) / best - 1)));
+  }
+
+  void sameBitsForAnyThreadCount() {
+    const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
+    for (const SphereScene& scene : {comparisonScene(), SphereScene{}}) {
+      const auto render = [&](int threads) {
+        const ThreadLimit limit(threads);
+        return renderSphere(*brdf, scene, sized(32, 8));
+      };
+      QVERIFY(sameBits(render(1), render(2)));
+    }
+  }
+
+  void seedsChangeTheNoiseOnly() {
+    const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
+    const auto render = [&](std::uint64_t seed) { return renderSphere(*brdf, comparisonScene(), sized(32, 64, seed)); };
+    const Image a = render(1), b = render(2), c = render(std::uint64_t(1) << 40);
+    QVERIFY(!sameBits(a, b) && !sameBits(a, c));
+    QVERIFY(metrics::signalToNoiseRatio(a, b) > 15);
+  }
+
+  /// Pictures that are compared share their noise: a change of 1 % shows as the 40 dB that it is.
+  void comparedPicturesShareTheirNoise() {
+    SphereRenderOptions options = sized(32, 16);
+    options.lobe = SamplingLobe{0.1, 0.5};
+    const Image reference = renderSphere(*testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3), comparisonScene(), options);
+    const Image test =
+        renderSphere(*testing::ggx(Rgb(0.2) * 1.01, Rgb(1) * 1.01, 0.1, 0.3), comparisonScene(), options);
+    QVERIFY(std::abs(metrics::signalToNoiseRatio(reference, test) - 40) < 1e-3);
+  }
+
+  void turningCameraAndEnvironmentTogetherChangesNothing() {
+    const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
+    SphereScene a = comparisonScene(), b = comparisonScene();
+    b.environmentRotation = 0.8;
+    b.camera.yaw = -0.8;
+    SphereRenderOptions options = sized(24, 16);
+    QVERIFY(metrics::signalToNoiseRatio(renderSphere(*brdf, a, options), renderSphere(*brdf, b, options)) > 60);
+  }
+
+  void theEnvironmentStandsBehindTheSphere() {
+    SphereScene scene = sceneIn(smallEnvironment());
+    scene.showEnvironment = true;
+    const Image image = renderSphere(testing::lambert(Rgb(0)), scene, sized(16, 64));
+    for (const float alpha : image.alpha) QCOMPARE(alpha, 1.0f);
+    const CameraRay ray = cameraRay(cameraFrame(scene.camera), 2 * 0.5 / 16 - 1, 1 - 2 * 0.5 / 16, 1);
+    QVERIFY(glm::length(Rgb(image.at(0, 0)) - scene.environment->radiance(ray.direction)) < 0.01);
+    QVERIFY(image.at(8, 8) == glm::vec3(0));
+  }
+
+  /// wi.x > 0 is light from the right for a surface that faces the camera.
+  void anisotropicMaterialsSeeTheFrame() {
+    const testing::FunctionBrdf brdf(
+        [](const Direction& wi, const Direction&) { return Rgb(wi.x > 0 ? 1 : 0, wi.y > 0 ? 1 : 0, 0); }, false);
+    SphereScene scene;
+    scene.light.toLight = glm::normalize(Direction{0.3, -0.3, 1});
+    const Image image = renderSphere(brdf, scene, sized(17, 4));
+    QVERIFY(image.at(8, 8).x > 0 && image.at(8, 8).y == 0);
+  }
+
+  void cancelled() {
+    std::stop_source source;
+    source.request_stop();
+    TaskControl control;
+    control.stop = source.get_token();
+    QVERIFY_THROWS_EXCEPTION(Cancelled, renderSphere(testing::lambert(Rgb(1)), comparisonScene(), {}, control));
+  }
+};
+
+QTEST_APPLESS_MAIN(SphereRendererTest)
+#include "sphere_renderer_test.moc"
