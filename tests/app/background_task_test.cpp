@@ -93,6 +93,7 @@ class BackgroundTaskTest : public QObject {
     tasks.run<int>(
         {"New", "load"}, [](const TaskControl&) { return 2; }, [&](int v) { results << v; });
     QTRY_COMPARE(results, QList<int>{2});
+    QVERIFY(tasks.isIdle());  // the old one is no longer waited for
     QTest::qWait(20);
     QVERIFY(!told);
     QCOMPARE(results, QList<int>{2});
