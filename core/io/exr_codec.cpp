@@ -15,16 +15,15 @@
 #include <cstring>
 #include <mutex>
 
+#include "core/io/exr_header_check.h"
 #include "core/support/error.h"
 
 namespace gonio::io {
 
 namespace {
 
-constexpr int maxSide = 32768;
-constexpr long long maxPixels = 1LL << 27;
-/// A constant picture in the densest codec stays below: each chunk of at most 256 rows has a header and an entry.
-constexpr std::size_t maxExrPixelsPerByte = 16384;
+/// OpenEXR allocates whole tiles, of any size that a header says.
+constexpr int maxTileSide = 2048;
 
 class MemoryInput final : public Imf::IStream {
  public:
@@ -64,42 +63,6 @@ class MemoryOutput final : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
-/// OpenEXR allocates what an attribute says it takes before it looks for its bytes. This walks the attributes of all
-/// headers first: name, type, int32 size, value; an empty name ends a header, and an empty header those of many parts.
-void checkAttributeSizes(std::span<const std::byte> bytes) {
-  constexpr std::uint32_t manyPartsFlag = 0x1000;
-  std::size_t at = 2 * sizeof(std::uint32_t);
-  const auto fail = [&](const std::string& found) {
-    throw Error("found " + found + " at byte " + std::to_string(at) + " of " + std::to_string(bytes.size()) +
-                ", expected a whole OpenEXR header");
-  };
-  const auto number = [&](std::size_t offset) {
-    std::uint32_t value = 0;
-    if (offset + sizeof value > bytes.size()) fail("the end");
-    std::memcpy(&value, bytes.data() + offset, sizeof value);
-    return value;
-  };
-  const auto skipText = [&] {
-    const auto end = std::find(bytes.begin() + std::ptrdiff_t(std::min(at, bytes.size())), bytes.end(), std::byte{0});
-    if (end == bytes.end()) fail("a name without an end");
-    const bool empty = std::size_t(end - bytes.begin()) == at;
-    at = std::size_t(end - bytes.begin()) + 1;
-    return !empty;
-  };
-  const bool manyParts = number(sizeof(std::uint32_t)) & manyPartsFlag;
-  for (bool anyAttribute = true; anyAttribute;) {
-    anyAttribute = false;
-    while (skipText()) {
-      anyAttribute = manyParts;
-      skipText();
-      const std::uint32_t size = number(at);
-      at += sizeof size;
-      if (size > bytes.size() - at) fail("an attribute of " + std::to_string(size) + " bytes");
-      at += size;
-    }
-  }
-}
-
 /// Names of the channels for red, green, blue; all three the luminance where there is nothing else.
 std::array<std::string, 3> colourChannels(const Imf::ChannelList& channels) {
   std::string names;
@@ -122,15 +85,13 @@ Imf::Slice slice(float* first, std::size_t stride, const Imath::Box2i& window, i
 }
 
 Image decode(std::span<const std::byte> bytes) {
-  checkAttributeSizes(bytes);
+  checkExrHeader(bytes);
   MemoryInput stream(bytes);
   Imf::InputFile file(stream);
   const Imath::Box2i window = file.header().dataWindow();
-  const long long width = 1LL + window.max.x - window.min.x, height = 1LL + window.max.y - window.min.y;
-  checkImageSize(width, height, bytes.size(), maxExrPixelsPerByte);
   const std::array<std::string, 3> colours = colourChannels(file.header().channels());
 
-  Image image(static_cast<int>(width), static_cast<int>(height));
+  Image image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1);
   // One channel can fill only one slice of a frame buffer: a luminance is read once and copied.
   const bool grey = colours[0] == colours[1];
   Imf::FrameBuffer frame;
@@ -176,12 +137,8 @@ std::vector<std::byte> encode(const Image& image, const std::map<std::string, st
 /// Runs work that may throw OpenEXR's exceptions (all derive from std::exception).
 template <typename Work>
 auto translatingErrors(Work work) {
-  // OpenEXR checks these limits itself while it reads a header, before it allocates its tables.
-  static std::once_flag limitsSet;
-  std::call_once(limitsSet, [] {
-    Imf::Header::setMaxImageSize(maxSide, maxSide);
-    Imf::Header::setMaxTileSize(maxSide, maxSide);
-  });
+  static std::once_flag limitSet;
+  std::call_once(limitSet, [] { Imf::Header::setMaxTileSize(maxTileSide, maxTileSide); });
   try {
     return work();
   } catch (const Error&) {
@@ -204,15 +161,6 @@ Image decodeExr(std::span<const std::byte> bytes) {
 
 std::vector<std::byte> encodeExr(const Image& image, const std::map<std::string, std::string>& attributes) {
   return translatingErrors([&] { return encode(image, attributes); });
-}
-
-void checkImageSize(long long width, long long height, std::size_t fileBytes, std::size_t maxPixelsPerByte) {
-  const std::string size = "found a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
-  if (width < 1 || height < 1 || width > maxSide || height > maxSide || width * height > maxPixels)
-    throw Error(size + ", expected 1 to " + std::to_string(maxSide) + " a side and at most " +
-                std::to_string(maxPixels) + " in all");
-  if (std::size_t(width * height) / maxPixelsPerByte > fileBytes)
-    throw Error(size + " in " + std::to_string(fileBytes) + " bytes, expected a longer file");
 }
 
 }  // namespace gonio::io

@@ -18,9 +18,4 @@ Image decodeExr(std::span<const std::byte> bytes);
 /// @throws Error for a name that OpenEXR reserves.
 std::vector<std::byte> encodeExr(const Image& image, const std::map<std::string, std::string>& attributes);
 
-/// What a picture's header says, checked before it is believed: sides of at most 32768, at most 2^27 pixels, and no
-/// more than `maxPixelsPerByte` for each byte of the file.
-/// @throws Error telling the size.
-void checkImageSize(long long width, long long height, std::size_t fileBytes, std::size_t maxPixelsPerByte);
-
 }  // namespace gonio::io

@@ -14,6 +14,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/io/exr_codec.h"
+#include "core/io/exr_header_check.h"
 #include "core/support/error.h"
 
 namespace gonio::io {

@@ -8,6 +8,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -78,6 +79,28 @@ class ImageIoTest : public QObject {
     const Bytes bytes = readFile(path);
     for (std::size_t size = 0; size < bytes.size(); size += 97)
       QVERIFY(!errorOf([&] { io::readImage(std::span(bytes).first(size)); }).empty());
+  }
+
+  void hardCase13HostileExrHeadersAreRefused() {
+    const auto path = outputPath("io/image/hostile.exr");
+    io::writeExr(pattern(16, 12, false), path, {{"scene", "sphere"}});
+    const Bytes whole = readFile(path);
+    /// The error after the bytes at `offset` past a text of the header are replaced.
+    const auto errorAfter = [&](const std::string& text, std::size_t offset, std::uint32_t value) {
+      const Bytes pattern = bytesOf(text);
+      Bytes bytes = whole;
+      const auto found = std::search(bytes.begin(), bytes.end(), pattern.begin(), pattern.end());
+      std::memcpy(&*found + pattern.size() + offset, &value, sizeof value);
+      return errorOf([&] { io::readImage(bytes); });
+    };
+    const std::string scene("scene\0string\0", 13), window("dataWindow\0box2i\0", 17), list("channels\0chlist\0", 16);
+    QVERIFY(errorAfter(scene, 0, 6).empty());  // the true size
+    QVERIFY(contains(errorAfter(scene, 0, 0x7fffffff), "2147483647 bytes"));
+    QVERIFY(contains(errorAfter(window, 0, 17), "box2i in 17 bytes"));
+    QVERIFY(contains(errorAfter(window, 4 + 8, 0x7fffffff), "x 12 pixels"));
+    QVERIFY(!errorAfter(window, 4 + 12, 32767).empty());  // more lines than the file has
+    QVERIFY(!errorAfter(list, 0, 54).empty());            // 3 channels of 18 bytes and the end are 55
+    QVERIFY(errorAfter(list, 0, 55).empty());
   }
 
   /// Value = mantissa / 256 * 2^(exponent - 128): exact figures of the format (Ward 1991, Graphics Gems II.5).
