@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/math/parallel.h"
+
 namespace gonio::app {
 
 namespace {
@@ -21,7 +23,6 @@ struct BackgroundTasks::Task {
 BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
   m_pool.setMaxThreadCount(foregroundThreads);
   m_quietPool.setMaxThreadCount(1);
-  m_quietPool.setThreadPriority(QThread::LowPriority);
   m_progressTimer.setInterval(progressMilliseconds);
   connect(&m_progressTimer, &QTimer::timeout, this, &BackgroundTasks::changed);
 }
@@ -62,7 +63,7 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
         this, [this, task, outcome, error] { finish(task, outcome, error); }, Qt::QueuedConnection);
   };
   if (request.quiet)
-    m_quietPool.start(body);
+    m_quietPool.start([body] { runQuietly(body); });
   else
     m_pool.start(body);
   Q_EMIT changed();

@@ -5,6 +5,11 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#ifdef __linux__
+#include <pthread.h>
+#endif
 
 #include <mutex>
 #include <vector>
@@ -42,11 +47,25 @@ double parallelSumBlocks(std::size_t count, std::size_t blockSize,
   if (blockSize == 0) blockSize = 1;
   std::vector<double> sums((count + blockSize - 1) / blockSize, 0.0);
   parallelForBlocks(
-      count, blockSize,
-      [&](std::size_t begin, std::size_t end) { sums[begin / blockSize] = blockSum(begin, end); }, control);
+      count, blockSize, [&](std::size_t begin, std::size_t end) { sums[begin / blockSize] = blockSum(begin, end); },
+      control);
   double total = 0;
   for (const double sum : sums) total += sum;
   return total;
+}
+
+void runQuietly(const std::function<void()>& work) {
+#ifdef __linux__
+  struct IdlePriority {
+    IdlePriority() { set(SCHED_IDLE); }
+    ~IdlePriority() { set(SCHED_OTHER); }
+    static void set(int policy) {
+      const sched_param parameters{};
+      pthread_setschedparam(pthread_self(), policy, &parameters);
+    }
+  } const priority;
+#endif
+  tbb::task_arena(1).execute(work);
 }
 
 ThreadLimit::ThreadLimit(int threads)

@@ -34,7 +34,7 @@ constexpr ParameterSpec roughnessParameter(std::string_view symbol, std::string_
 }
 
 constexpr ParameterSpec normalReflectanceParameter() {
-  return {.id = "f0", .label = "Reflectance at normal incidence", .symbol = "F_0", .unit = "",
+  return {.id = "f0", .label = "Normal reflectance", .symbol = "F_0", .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.04,
           .group = ParameterGroup::fresnel,
           .description = "How mirror-like the surface is when seen head-on; metals are high, plastics near 0.04.",

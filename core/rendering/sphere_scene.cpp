@@ -7,7 +7,7 @@
 namespace gonio {
 
 CameraFrame cameraFrame(const OrbitCamera& camera) {
-  constexpr double orthographicHalfHeight = 1.15;
+  constexpr double orthographicHalfExtent = 1.15;
   const double cosPitch = std::cos(camera.pitch);
   const Direction backward{std::sin(camera.yaw) * cosPitch, std::sin(camera.pitch), std::cos(camera.yaw) * cosPitch};
   CameraFrame frame;
@@ -16,12 +16,17 @@ CameraFrame cameraFrame(const OrbitCamera& camera) {
   frame.right = {std::cos(camera.yaw), 0, -std::sin(camera.yaw)};
   frame.up = glm::cross(frame.right, frame.forward);
   frame.orthographic = camera.fieldOfView <= 0;
-  frame.halfHeight = frame.orthographic ? orthographicHalfHeight : std::tan(camera.fieldOfView / 2);
+  frame.halfExtent = frame.orthographic ? orthographicHalfExtent : std::tan(camera.fieldOfView / 2);
   return frame;
 }
 
+glm::dvec2 viewExtent(const CameraFrame& frame, double aspect) {
+  return frame.halfExtent * (aspect > 1 ? glm::dvec2(aspect, 1) : glm::dvec2(1, 1 / aspect));
+}
+
 CameraRay cameraRay(const CameraFrame& frame, double x, double y, double aspect) {
-  const Direction across = x * aspect * frame.halfHeight * frame.right + y * frame.halfHeight * frame.up;
+  const glm::dvec2 extent = viewExtent(frame, aspect);
+  const Direction across = x * extent.x * frame.right + y * extent.y * frame.up;
   if (frame.orthographic) return {frame.eye + across, frame.forward};
   return {frame.eye, glm::normalize(across + frame.forward)};
 }

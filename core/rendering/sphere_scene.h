@@ -15,18 +15,22 @@ struct OrbitCamera {
   double yaw = 0;             ///< rad, about +y; positive moves the camera toward +x
   double pitch = 0;           ///< rad, positive moves the camera up, (-pi/2, pi/2)
   double distance = 4;        ///< of the eye from the centre, > 1
-  double fieldOfView = 0.55;  ///< vertical, rad; 0 is an orthographic view that shows |y| <= 1.15
+  double fieldOfView = 0.55;  ///< of the picture's smaller side, rad; 0 is an orthographic view that shows |y| <= 1.15
 };
 
-/// The camera's rays, for the CPU and the shader alike. A picture position (x, y) in [-1, 1], y up, of aspect width /
-/// height gives: perspective: origin eye, direction normalize(x aspect halfHeight right + y halfHeight up + forward);
-/// orthographic: origin eye + x aspect halfHeight right + y halfHeight up, direction forward.
+/// The camera's rays, for the CPU and the shader alike. A picture position (x, y) in [-1, 1], y up, with the extent e
+/// of viewExtent() gives: perspective: origin eye, direction normalize(x e.x right + y e.y up + forward); orthographic:
+/// origin eye + x e.x right + y e.y up, direction forward.
 struct CameraFrame {
   Direction eye, right, up, forward;
-  double halfHeight;
+  double halfExtent;  ///< of the picture's smaller side, at distance 1 (perspective) or in the world (orthographic)
   bool orthographic;
 };
 CameraFrame cameraFrame(const OrbitCamera& camera);
+
+/// Half width and half height of the view for a picture of aspect width / height: the sphere fits into a narrow picture
+/// as into a wide one.
+glm::dvec2 viewExtent(const CameraFrame& frame, double aspect);
 
 struct CameraRay {
   Direction origin, direction;  ///< world, `direction` unit

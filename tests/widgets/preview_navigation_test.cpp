@@ -18,14 +18,25 @@ class PreviewNavigationTest : public QObject {
         const OrbitCamera camera{.yaw = 0.7, .pitch = -0.3, .fieldOfView = fieldOfView};
         const Direction light = lightTowards(camera, x, 0.2, 1.0);
         const CameraFrame frame = cameraFrame(camera);
-        const Direction across = x * frame.halfHeight * frame.right + 0.2 * frame.halfHeight * frame.up;
+        const Direction across = x * frame.halfExtent * frame.right + 0.2 * frame.halfExtent * frame.up;
         const Direction toEye = -(frame.orthographic ? frame.forward : glm::normalize(frame.forward + across));
         // The half vector is the normal; the point with this normal projects back to the pointer.
         const Direction normal = glm::normalize(light + toEye);
         const Direction fromEye = normal - frame.eye;
         const double depth = frame.orthographic ? 1 : glm::dot(fromEye, frame.forward);
-        QVERIFY(std::abs(glm::dot(fromEye, frame.right) / depth - x * frame.halfHeight) < 1e-9);
-        QVERIFY(std::abs(glm::dot(fromEye, frame.up) / depth - 0.2 * frame.halfHeight) < 1e-9);
+        QVERIFY(std::abs(glm::dot(fromEye, frame.right) / depth - x * frame.halfExtent) < 1e-9);
+        QVERIFY(std::abs(glm::dot(fromEye, frame.up) / depth - 0.2 * frame.halfExtent) < 1e-9);
+      }
+  }
+
+  /// However narrow or wide the picture is, the whole sphere is in it.
+  void sphereFitsIntoEveryPicture() {
+    for (const double fieldOfView : {0.0, OrbitCamera{}.fieldOfView})
+      for (const double aspect : {0.3, 1.0, 3.0}) {
+        const CameraFrame frame = cameraFrame({.fieldOfView = fieldOfView});
+        for (const auto& [x, y] : {std::pair(1.0, 0.0), {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}})
+          QVERIFY(!sphereHit(cameraRay(frame, x, y, aspect)));
+        QVERIFY(sphereHit(cameraRay(frame, 0, 0, aspect)));
       }
   }
 

@@ -30,14 +30,10 @@ OrbitCamera zoomed(const OrbitCamera& camera, double steps) {
 double environmentTurn(double dx) { return orbitPerPixel * dx; }
 
 Direction lightTowards(const OrbitCamera& camera, double x, double y, double aspect) {
-  const CameraFrame frame = cameraFrame(camera);
-  const Direction across = x * aspect * frame.halfHeight * frame.right + y * frame.halfHeight * frame.up;
-  const Direction origin = frame.orthographic ? frame.eye + across : frame.eye;
-  const Direction direction = frame.orthographic ? frame.forward : glm::normalize(frame.forward + across);
-  const Direction nearest = origin - glm::dot(origin, direction) * direction;
-  const double inside = 1 - glm::dot(nearest, nearest);
-  const Direction normal = glm::normalize(nearest - std::sqrt(std::max(0.0, inside)) * direction);
-  return glm::normalize(direction - 2 * glm::dot(direction, normal) * normal);
+  const CameraRay ray = cameraRay(cameraFrame(camera), x, y, aspect);
+  const Direction nearest = ray.origin - glm::dot(ray.origin, ray.direction) * ray.direction;
+  const Direction normal = sphereHit(ray).value_or(glm::normalize(nearest));
+  return glm::normalize(ray.direction - 2 * glm::dot(ray.direction, normal) * normal);
 }
 
 }  // namespace gonio::widgets

@@ -113,10 +113,10 @@ void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
     axes(row, 1) = float(camera.up[row]);
     axes(row, 2) = float(camera.forward[row]);
   }
-  const double aspect = double(size_.width()) / size_.height();
+  const glm::dvec2 extent = viewExtent(camera, double(size_.width()) / size_.height());
   program.setUniformValue("eye", toVector(camera.eye));
   program.setUniformValue("cameraAxes", axes);
-  program.setUniformValue("viewExtent", QVector2D(float(camera.halfHeight * aspect), float(camera.halfHeight)));
+  program.setUniformValue("viewExtent", QVector2D(float(extent.x), float(extent.y)));
   program.setUniformValue("orthographic", camera.orthographic);
   program.setUniformValue("pictureSize", QVector2D(float(size_.width()), float(size_.height())));
   if (!scene_.environment) {
