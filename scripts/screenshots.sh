@@ -16,7 +16,7 @@ trap 'rm -rf "$settings"' EXIT
 picture() {
   XDG_CONFIG_HOME=$settings XDG_DATA_HOME=$settings LIBGL_ALWAYS_SOFTWARE=1 \
     xvfb-run -a -s "-screen 0 1600x1000x24" \
-    "$editor" "$3" --theme "$2" --size 1500x940 --wait 180 --screenshot "$folder/$1.png"
+    "$editor" "$3" --theme "$2" --size 1500x940 --wait 75 --screenshot "$folder/$1.png"
   echo "$folder/$1.png"
 }
 picture editor-chrome dark library:sgd/chrome-steel
