@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <sys/stat.h>
+#include <sys/resource.h>
+
 #include <QTest>
+#include <csignal>
 
 #include "core/io/atomic_file.h"
 #include "core/io/sha256.h"
@@ -58,6 +60,23 @@ class FileBasicsTest : public QObject {
     io::writeFileAtomically(link, "x");
     QVERIFY(fs::is_symlink(link));
     QCOMPARE(fs::file_size(target), std::uintmax_t(1));
+  }
+
+  /// The disk fills up while the new content is written: a limit on the size of files plays the disk.
+  void failureHalfwayKeepsTheOldFile() {
+    const Bytes old(3, std::byte{7});
+    const fs::path path = writeFile("io/full/file", old);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit small{1000, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string error = errorOf([&] { io::writeFileAtomically(path, std::string(5000, 'x')); });
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    QVERIFY(contains(error, path.string()));
+    QCOMPARE(readFile(path), old);
+    QCOMPARE(std::distance(fs::directory_iterator(path.parent_path()), {}), std::ptrdiff_t(1));
   }
 
   void failureNamesTheFileAndLeavesNothing() {
