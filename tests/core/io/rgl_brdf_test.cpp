@@ -243,6 +243,7 @@ class RglBrdfTest : public QObject {
     const io::Material near = io::readMaterial(folder / "vch_golden_yellow.binary");
     const auto table = measured.tabulated();
     QCOMPARE(table->validCount(), std::size_t(1111432));
+    QCOMPARE(near.table->validCount(), std::size_t(1111432));  // hard case 11, by the corner rule
     std::vector<double> ratios;
     for (std::size_t cell = 0; cell < table->grid().size(); cell += 5) {
       if (!table->valid()[cell] || !table->grid().nodeWithin(cell, radians(75))) continue;
