@@ -45,6 +45,7 @@ class FileBasicsTest : public QObject {
   }
 
   void replacesContentAndKeepsMode() {
+    emptyFolder("io/atomic");
     const fs::path path = writeFile("io/atomic/file.txt", {});
     fs::permissions(path, fs::perms(0640));
     io::writeFileAtomically(path, "new content");
@@ -54,8 +55,7 @@ class FileBasicsTest : public QObject {
   }
 
   void writesThroughALink() {
-    const fs::path target = writeFile("io/link/target", {}), link = target.parent_path() / "link";
-    fs::remove(link);
+    const fs::path link = emptyFolder("io/link") / "link", target = writeFile("io/link/target", {});
     fs::create_symlink("target", link);
     io::writeFileAtomically(link, "x");
     QVERIFY(fs::is_symlink(link));
@@ -65,6 +65,7 @@ class FileBasicsTest : public QObject {
   /// The disk fills up while the new content is written: a limit on the size of files plays the disk.
   void failureHalfwayKeepsTheOldFile() {
     const Bytes old(3, std::byte{7});
+    emptyFolder("io/full");
     const fs::path path = writeFile("io/full/file", old);
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
     rlimit before{};
@@ -80,7 +81,7 @@ class FileBasicsTest : public QObject {
   }
 
   void failureNamesTheFileAndLeavesNothing() {
-    const fs::path folder = outputPath("io/failure/x").parent_path();
+    const fs::path folder = emptyFolder("io/failure");
     QVERIFY(contains(errorOf([&] { io::writeFileAtomically(folder / "absent" / "f", "x"); }), "absent"));
     fs::create_directories(folder / "is_folder");
     QVERIFY(contains(errorOf([&] { io::writeFileAtomically(folder / "is_folder", "x"); }), "is_folder"));

@@ -30,6 +30,14 @@ inline std::filesystem::path outputPath(const std::string& name) {
   return path;
 }
 
+/// An empty folder of the test output: what an earlier run left is removed.
+inline std::filesystem::path emptyFolder(const std::string& name) {
+  const std::filesystem::path folder = std::filesystem::path(GONIO_TEST_OUTPUT_DIR) / name;
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
 inline std::filesystem::path writeFile(const std::string& name, std::span<const std::byte> bytes) {
   const std::filesystem::path path = outputPath(name);
   std::ofstream(path, std::ios::binary)
