@@ -21,7 +21,7 @@ Direction cosineDirection(double u1, double u2) {
 /// A normal of the GGX distribution as seen from wo: Heitz 2018, section 3.
 Direction visibleNormal(const Direction& wo, double alpha, double u1, double u2) {
   const Direction stretched = glm::normalize(Direction{alpha * wo.x, alpha * wo.y, wo.z});
-  const double across = std::hypot(stretched.x, stretched.y);
+  const double across = std::sqrt(stretched.x * stretched.x + stretched.y * stretched.y);
   const Direction tangent = across > 0 ? Direction{-stretched.y / across, stretched.x / across, 0} : Direction{1, 0, 0};
   const Direction bitangent = glm::cross(stretched, tangent);
   const double r = std::sqrt(u1), phi = 2 * pi * u2;

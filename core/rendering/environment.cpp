@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <span>
 
+#include "core/math/fast_atan2.h"
 #include "core/support/error.h"
 
 namespace gonio {
@@ -109,8 +110,8 @@ Direction EnvironmentMap::directionAt(double u, double v) {
 }
 
 glm::dvec2 EnvironmentMap::positionOf(const Direction& world) {
-  const double a = world.x == 0 && world.z == 0 ? 0 : std::atan2(world.x, -world.z);
-  return {0.5 + a / (2 * pi), std::atan2(std::hypot(world.x, world.z), world.y) / pi};
+  const double a = fastAtan2(world.x, -world.z), radius = std::sqrt(world.x * world.x + world.z * world.z);
+  return {0.5 + a / (2 * pi), fastAtan2(radius, world.y) / pi};
 }
 
 Rgb EnvironmentMap::bilinear(const glm::dvec2& position) const {
@@ -149,7 +150,7 @@ EnvironmentMap::Sample EnvironmentMap::sample(double u1, double u2) const {
   const double u = (double(column.index) + column.share(u2)) / image_.width;
   const double a = 2 * pi * (u - 0.5), sinTheta = std::sqrt(std::max(0.0, (1 - cosTheta) * (1 + cosTheta)));
   const Direction direction{sinTheta * std::sin(a), cosTheta, -sinTheta * std::cos(a)};
-  const double v = std::atan2(sinTheta, cosTheta) / pi;
+  const double v = fastAtan2(sinTheta, cosTheta) / pi;
   return {direction, bilinear({u, v}), pixelPdf(column.index, row.index)};
 }
 

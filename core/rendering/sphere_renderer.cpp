@@ -37,7 +37,11 @@ struct PixelWork {
 class Renderer {
  public:
   Renderer(const Brdf& brdf, const SphereScene& scene, const SphereRenderOptions& options)
-      : brdf_(brdf), scene_(scene), options_(options), frame_(cameraFrame(scene.camera)) {
+      : brdf_(brdf),
+        scene_(scene),
+        options_(options),
+        frame_(cameraFrame(scene.camera)),
+        rotation_(scene.environmentRotation) {
     if (scene.environment) setLobe(options.lobe ? *options.lobe : estimateSamplingLobe(brdf));
   }
 
@@ -53,6 +57,7 @@ class Renderer {
   const SphereScene& scene_;
   const SphereRenderOptions& options_;
   CameraFrame frame_;
+  EnvironmentRotation rotation_;
   SamplingLobe lobe_;
   std::uint32_t specularCount_ = 0;  ///< of a pixel's samples, the first ones go to the lobe's specular part
 };
@@ -98,7 +103,7 @@ void Renderer::renderPixel(int x, int y, PixelWork& work, Image& image) const {
       shade(surface, surface.toLocal(-ray.direction), sample, seeds, work);
       ++covered;
     } else if (scene_.showEnvironment && scene_.environment) {
-      sum += scene_.environment->radiance(toEnvironment(ray.direction, scene_.environmentRotation));
+      sum += scene_.environment->radiance(rotation_.toEnvironment(ray.direction));
       ++covered;
     }
   }
@@ -119,13 +124,12 @@ void Renderer::shade(const ShadingFrame& surface, const Direction& wo, std::uint
   // With the balance heuristic and one sample of each kind, both kinds weigh radiance cos / (sum of both densities).
   const glm::dvec2 e = scrambledSobol(sample, seeds[environmentDirection]);
   const EnvironmentMap::Sample fromLight = scene_.environment->sample(e.x, e.y);
-  const Direction wiLight = surface.toLocal(fromEnvironment(fromLight.direction, scene_.environmentRotation));
+  const Direction wiLight = surface.toLocal(rotation_.fromEnvironment(fromLight.direction));
   if (wiLight.z > 0) work.add(wiLight, wo, fromLight.radiance * (wiLight.z / (fromLight.pdf + lobe_.pdf(wiLight, wo))));
 
   const DirectionSample fromLobe = sampleLobe(wo, sample, seeds);
   if (!(fromLobe.pdf > 0)) return;
-  const EnvironmentMap::Sample seen =
-      scene_.environment->at(toEnvironment(surface.toWorld(fromLobe.wi), scene_.environmentRotation));
+  const EnvironmentMap::Sample seen = scene_.environment->at(rotation_.toEnvironment(surface.toWorld(fromLobe.wi)));
   work.add(fromLobe.wi, wo, seen.radiance * (fromLobe.wi.z / (seen.pdf + fromLobe.pdf)));
 }
 

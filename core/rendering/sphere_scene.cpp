@@ -39,18 +39,11 @@ std::optional<Direction> sphereHit(const CameraRay& ray) {
 }
 
 ShadingFrame shadingFrame(const Direction& normal) {
-  const double radius = std::hypot(normal.x, normal.z);
+  const double radius = std::sqrt(normal.x * normal.x + normal.z * normal.z);
   const Direction tangent = radius > 0 ? Direction{normal.z / radius, 0, -normal.x / radius} : Direction{1, 0, 0};
   return {tangent, glm::cross(normal, tangent), normal};
 }
 
-Direction toEnvironment(const Direction& world, double environmentRotation) {
-  const double c = std::cos(environmentRotation), s = std::sin(environmentRotation);
-  return {world.x * c + world.z * s, world.y, world.z * c - world.x * s};
-}
-
-Direction fromEnvironment(const Direction& environment, double environmentRotation) {
-  return toEnvironment(environment, -environmentRotation);
-}
+EnvironmentRotation::EnvironmentRotation(double angle) : c_(std::cos(angle)), s_(std::sin(angle)) {}
 
 }  // namespace gonio

@@ -69,9 +69,16 @@ struct SphereScene {
   bool showEnvironment = false;    ///< draw the environment behind the sphere (else black, alpha 0)
 };
 
-/// The direction of the environment's picture that is seen in world direction `world`, and back. With c, s the cosine
-/// and sine of the rotation: (x c + z s, y, z c - x s).
-Direction toEnvironment(const Direction& world, double environmentRotation);
-Direction fromEnvironment(const Direction& environment, double environmentRotation);
+/// The turn of an environment about +y: from a world direction to the direction of the environment's picture that is
+/// seen there, and back. With c, s the cosine and sine of the angle (rad): (x c + z s, y, z c - x s).
+class EnvironmentRotation {
+ public:
+  explicit EnvironmentRotation(double angle);
+  Direction toEnvironment(const Direction& w) const { return {w.x * c_ + w.z * s_, w.y, w.z * c_ - w.x * s_}; }
+  Direction fromEnvironment(const Direction& w) const { return {w.x * c_ - w.z * s_, w.y, w.z * c_ + w.x * s_}; }
+
+ private:
+  double c_, s_;
+};
 
 }  // namespace gonio

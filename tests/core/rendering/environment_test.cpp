@@ -131,12 +131,13 @@ class EnvironmentTest : public QObject {
   }
 
   void rotationTurnsFromAheadToTheRight() {
-    QVERIFY(glm::length(fromEnvironment({0, 0, -1}, radians(90)) - Direction(1, 0, 0)) < 1e-15);
+    QVERIFY(glm::length(EnvironmentRotation(radians(90)).fromEnvironment({0, 0, -1}) - Direction(1, 0, 0)) < 1e-15);
+    const EnvironmentRotation rotation(0.7);
     std::mt19937_64 random(3);
     for (int n = 0; n < 1000; ++n) {
       const Direction w = randomDirection(random);
-      QVERIFY(glm::length(fromEnvironment(toEnvironment(w, 0.7), 0.7) - w) < 1e-14);
-      const double turn = EnvironmentMap::positionOf(fromEnvironment(w, 0.7)).x - EnvironmentMap::positionOf(w).x;
+      QVERIFY(glm::length(rotation.fromEnvironment(rotation.toEnvironment(w)) - w) < 1e-14);
+      const double turn = EnvironmentMap::positionOf(rotation.fromEnvironment(w)).x - EnvironmentMap::positionOf(w).x;
       QVERIFY(std::abs(std::remainder(turn - 0.7 / (2 * pi), 1.0)) < 1e-9);
     }
   }

@@ -35,12 +35,13 @@ Rgb quadrature(const Brdf& brdf, const SphereScene& scene, const CameraRay& ray,
   if (!normal) return Rgb(0);
   const ShadingFrame frame = shadingFrame(*normal);
   const Direction wo = frame.toLocal(-ray.direction);
+  const EnvironmentRotation rotation(scene.environmentRotation);
   const int height = width / 2;
   Rgb sum(0);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const Direction w = EnvironmentMap::directionAt((x + 0.5) / width, (y + 0.5) / height);
-      const Direction wi = frame.toLocal(fromEnvironment(w, scene.environmentRotation));
+      const Direction wi = frame.toLocal(rotation.fromEnvironment(w));
       if (wi.z <= 0) continue;
       const double solidAngle = 2 * pi / width * pi / height * std::sin(pi * (y + 0.5) / height);
       sum += brdf.evaluate(wi, wo) * scene.environment->radiance(w) * (wi.z * solidAngle);
