@@ -1,33 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// Twin of core/rendering/environment.h. `environment` holds radiance and, in alpha, the sampler's density (1/sr);
-// `lightPool` holds directions drawn from that density on the CPU, in an order whose every run is well spread.
+// Twin of core/rendering/environment.h. `environment` holds radiance and, in alpha, the sampler's density (1/sr).
+// `lightPool` holds directions drawn from that density on the CPU, with the density in alpha, in an order whose every run
+// is well spread; `lightPoolRadiance` holds their radiance: a draw costs two fetches and no trigonometry.
+#include "math.glsl"
+
 uniform sampler2D environment;
 uniform sampler2D lightPool;
-uniform float environmentRotation;
+uniform sampler2D lightPoolRadiance;
+uniform vec2 environmentTurn;  // cosine and sine of the environment's rotation
 
-vec3 rotateAboutY(vec3 w, float angle) {
-  float c = cos(angle);
-  float s = sin(angle);
-  return vec3(c * w.x - s * w.z, w.y, s * w.x + c * w.z);
-}
+struct Light {
+  vec3 direction;  // world
+  vec3 radiance;
+  float density;   // of the environment's sampler there, 1/sr
+};
 
-vec2 environmentPosition(vec3 w) {
+vec2 environmentPosition(vec3 world) {
+  vec3 w = vec3(world.x * environmentTurn.x + world.z * environmentTurn.y, world.y,
+                world.z * environmentTurn.x - world.x * environmentTurn.y);
   return vec2(0.5 + atan(w.x, -w.z) / (2.0 * pi), acos(clamp(w.y, -1.0, 1.0)) / pi);
 }
 
-vec3 environmentRadiance(vec3 world) {
-  return textureLod(environment, environmentPosition(rotateAboutY(world, -environmentRotation)), 0.0).rgb;
-}
+vec3 environmentRadiance(vec3 world) { return textureLod(environment, environmentPosition(world), 0.0).rgb; }
 
-float environmentDensity(vec3 world) {
-  vec2 at = environmentPosition(rotateAboutY(world, -environmentRotation));
+Light environmentLight(vec3 world) {
+  vec2 at = environmentPosition(world);
   ivec2 size = textureSize(environment, 0);
-  return texelFetch(environment, clamp(ivec2(at * vec2(size)), ivec2(0), size - 1), 0).a;
+  float density = texelFetch(environment, clamp(ivec2(at * vec2(size)), ivec2(0), size - 1), 0).a;
+  return Light(world, textureLod(environment, at, 0.0).rgb, density);
 }
 
-vec3 environmentSample(int index) {
+Light drawnLight(int index) {
   ivec2 size = textureSize(lightPool, 0);
   int wrapped = index % (size.x * size.y);
-  return rotateAboutY(texelFetch(lightPool, ivec2(wrapped % size.x, wrapped / size.x), 0).xyz, environmentRotation);
+  ivec2 at = ivec2(wrapped % size.x, wrapped / size.x);
+  vec4 drawn = texelFetch(lightPool, at, 0);
+  vec3 world = vec3(drawn.x * environmentTurn.x - drawn.z * environmentTurn.y, drawn.y,
+                    drawn.z * environmentTurn.x + drawn.x * environmentTurn.y);
+  return Light(world, texelFetch(lightPoolRadiance, at, 0).rgb, drawn.a);
 }

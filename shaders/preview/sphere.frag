@@ -76,20 +76,19 @@ mat3 shadingFrame(vec3 n) {
 }
 
 #ifdef LIGHT_ENVIRONMENT
-vec3 contribution(vec3 wi, vec3 world, vec3 wo) {
+vec3 contribution(vec3 wi, vec3 wo, Light light) {
   if (wi.z <= 0.0) return vec3(0.0);
   // Balance heuristic with as many samples of either kind (Veach 1997): both weigh 1 / (sum of the densities).
-  float density = environmentDensity(world) + lobeDensity(wi, wo);
-  return evaluateBrdf(wi, wo) * environmentRadiance(world) * (wi.z / density);
+  return evaluateBrdf(wi, wo) * light.radiance * (wi.z / (light.density + lobeDensity(wi, wo)));
 }
 
 vec3 reflected(mat3 frame, vec3 wo, vec4 numbers, uvec3 hash) {
   // Each pixel turns the shared numbers by its own amount: noise that fades, where bands would look like the material.
   vec3 rotation = vec3(hash >> 8u) / 16777216.0;
-  vec3 light = environmentSample(int(numbers.w) + int(hash.x >> 16u));
-  vec3 sum = contribution(light * frame, light, wo);
+  Light light = drawnLight(int(numbers.w) + int(hash.x >> 16u));
+  vec3 sum = contribution(light.direction * frame, wo, light);
   vec3 wi = sampleLobe(wo, fract(numbers.xyz + rotation));
-  return sum + contribution(wi, frame * wi, wo);
+  return sum + (wi.z > 0.0 ? contribution(wi, wo, environmentLight(frame * wi)) : vec3(0.0));
 }
 #else
 vec3 reflected(mat3 frame, vec3 wo, vec4 numbers, uvec3 hash) {

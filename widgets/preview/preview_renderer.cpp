@@ -19,7 +19,7 @@ namespace gonio::widgets {
 namespace {
 
 constexpr int maxSamples = 64;  // of sphere.frag
-enum TextureUnit { tableUnit, environmentUnit, lightPoolUnit, accumulationUnit };
+enum TextureUnit { tableUnit, environmentUnit, lightPoolUnit, lightPoolRadianceUnit, accumulationUnit };
 
 QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d.z)}; }
 
@@ -46,7 +46,7 @@ void PreviewRenderer::initialize() {
 
 void PreviewRenderer::release() {
   if (!initialized_) return;
-  for (GLuint* texture : {&tableTexture_, &environmentTexture_, &lightPoolTexture_}) {
+  for (GLuint* texture : {&tableTexture_, &environmentTexture_, &lightPoolTexture_, &lightPoolRadianceTexture_}) {
     if (*texture) glDeleteTextures(1, texture);
     *texture = 0;
   }
@@ -154,7 +154,7 @@ void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count
 void PreviewRenderer::uploadEnvironment() {
   if (!scene_.environment || scene_.environment == uploadedEnvironment_) return;
   uploadEnvironmentMap(*this, environmentTexture_, *scene_.environment);
-  uploadLightPool(*this, lightPoolTexture_, *scene_.environment);
+  uploadLightPool(*this, lightPoolTexture_, lightPoolRadianceTexture_, *scene_.environment);
   uploadedEnvironment_ = scene_.environment;
 }
 
@@ -168,9 +168,13 @@ void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
   glBindTexture(GL_TEXTURE_2D, environmentTexture_);
   glActiveTexture(GL_TEXTURE0 + lightPoolUnit);
   glBindTexture(GL_TEXTURE_2D, lightPoolTexture_);
+  glActiveTexture(GL_TEXTURE0 + lightPoolRadianceUnit);
+  glBindTexture(GL_TEXTURE_2D, lightPoolRadianceTexture_);
   program.setUniformValue("environment", environmentUnit);
   program.setUniformValue("lightPool", lightPoolUnit);
-  program.setUniformValue("environmentRotation", float(scene_.environmentRotation));
+  program.setUniformValue("lightPoolRadiance", lightPoolRadianceUnit);
+  program.setUniformValue("environmentTurn", QVector2D(float(std::cos(scene_.environmentRotation)),
+                                                       float(std::sin(scene_.environmentRotation))));
   program.setUniformValue("lobeRoughness", float(lobe_.roughness));
   program.setUniformValue("lobeSpecularShare", float(lobe_.specularShare));
 }

@@ -68,7 +68,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   void uploadEnvironment();
 
   bool initialized_ = false;
-  GLuint vertexArray_ = 0, tableTexture_ = 0, environmentTexture_ = 0, lightPoolTexture_ = 0;
+  GLuint vertexArray_ = 0, tableTexture_ = 0, environmentTexture_ = 0, lightPoolTexture_ = 0,
+         lightPoolRadianceTexture_ = 0;
   std::map<QString, std::unique_ptr<QOpenGLShaderProgram>> programs_;
   std::unique_ptr<QOpenGLShaderProgram> displayProgram_;
   std::unique_ptr<QOpenGLFramebufferObject> accumulation_;

@@ -120,7 +120,7 @@ void PreviewWidget::resetView() {
 
 int PreviewWidget::wantedSamples() const {
   // One light has no noise: its samples smooth the edge alone.
-  return scene_.environment ? 1024 : 64;
+  return scene_.environment ? 512 : 64;
 }
 
 QSize PreviewWidget::pixelSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1}); }

@@ -55,14 +55,17 @@ void uploadEnvironmentMap(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const 
   uploadPicture(gl, texture, image.width, image.height, texels, GL_LINEAR);
 }
 
-void uploadLightPool(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const EnvironmentMap& environment) {
+void uploadLightPool(QOpenGLFunctions_4_1_Core& gl, GLuint& directions, GLuint& radiance,
+                     const EnvironmentMap& environment) {
   constexpr int side = 256;
-  std::vector<glm::vec4> texels(side * side);
+  std::vector<glm::vec4> drawn(side * side), seen(side * side);
   for (int i = 0; i < side * side; ++i) {
     const auto sample = environment.sample(additiveRecurrence(2, 0, i), additiveRecurrence(2, 1, i));
-    texels[std::size_t(i)] = glm::vec4(glm::vec3(sample.direction), 0.f);
+    drawn[std::size_t(i)] = glm::vec4(glm::vec3(sample.direction), float(sample.pdf));
+    seen[std::size_t(i)] = glm::vec4(glm::vec3(sample.radiance), 0.f);
   }
-  uploadPicture(gl, texture, side, side, texels, GL_NEAREST);
+  uploadPicture(gl, directions, side, side, drawn, GL_NEAREST);
+  uploadPicture(gl, radiance, side, side, seen, GL_NEAREST);
 }
 
 double additiveRecurrence(int dimensions, int d, int index) {

@@ -17,8 +17,10 @@ void uploadTable(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const Tabulated
 /// RGBA32F of radiance and the sampler's density, 1/sr.
 void uploadEnvironmentMap(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const EnvironmentMap& environment);
 
-/// 256 x 256 directions drawn from the environment's density by a low-discrepancy sequence, in its order.
-void uploadLightPool(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const EnvironmentMap& environment);
+/// 256 x 256 directions drawn from the environment's density by a low-discrepancy sequence, in its order: direction and
+/// density (1/sr) in the first texture, radiance in the second.
+void uploadLightPool(QOpenGLFunctions_4_1_Core& gl, GLuint& directions, GLuint& radiance,
+                     const EnvironmentMap& environment);
 
 /// Dimension `d` (from 0) of point `index` of the additive recurrence of `dimensions` dimensions, in [0, 1):
 /// Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".
