@@ -11,7 +11,7 @@ target_compile_options(gonio_options INTERFACE
   -ffp-contract=off)
 # GCC 12 warns of its own AVX-512 headers wherever Eigen's small factorisations are inlined (GCC bug 105593).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(gonio_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds)
+  target_compile_options(gonio_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict)
 endif()
 if(GONIO_WARNINGS_AS_ERRORS)
   target_compile_options(gonio_options INTERFACE -Werror)
