@@ -8,7 +8,8 @@
 #include <oneapi/tbb/task_arena.h>
 
 #ifdef __linux__
-#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 #include <mutex>
@@ -56,14 +57,9 @@ double parallelSumBlocks(std::size_t count, std::size_t blockSize,
 
 void runQuietly(const std::function<void()>& work) {
 #ifdef __linux__
-  struct IdlePriority {
-    IdlePriority() { set(SCHED_IDLE); }
-    ~IdlePriority() { set(SCHED_OTHER); }
-    static void set(int policy) {
-      const sched_param parameters{};
-      pthread_setschedparam(pthread_self(), policy, &parameters);
-    }
-  } const priority;
+  // A quarter of the share of a normal thread: idle priority would starve on a machine that is busy otherwise.
+  constexpr int niceness = 5;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
 #endif
   tbb::task_arena(1).execute(work);
 }

@@ -40,7 +40,7 @@ class SphereSceneTest : public QObject {
     QVERIFY(sphereHit(cameraRay(orthographic, (1 - 1e-9) / 1.15, 0, 1)));
     QVERIFY(!sphereHit(cameraRay(orthographic, (1 + 1e-9) / 1.15, 0, 1)));
     const CameraFrame perspective = cameraFrame({0.3, 0.2, 4, 0.55});
-    const double edge = std::tan(std::asin(0.25)) / perspective.halfHeight;
+    const double edge = std::tan(std::asin(0.25)) / perspective.halfExtent;
     QVERIFY(!sphereHit(cameraRay(perspective, edge * (1 + 1e-9), 0, 1)));
     for (const double x : {0.0, 0.5, 0.9, 1 - 1e-9}) {
       const CameraRay ray = cameraRay(perspective, x * edge, 0, 1);
