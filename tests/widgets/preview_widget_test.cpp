@@ -5,7 +5,9 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "core/metrics/image_metrics.h"
 #include "core/models/model.h"
+#include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
 
 using namespace gonio;
@@ -80,6 +82,27 @@ class PreviewWidgetTest : public QObject {
     QTest::keyClick(widget_.get(), Qt::Key_R);
     QCOMPARE(widget_->scene().camera.yaw, 0.0);
     QCOMPARE(widget_->scene().camera.distance, distance);
+  }
+
+  /// Samples follow the edit: a rough material edited into a mirror is a clean mirror, not a dark one with sparkles.
+  void sharpenedHighlightIsSampledWhereItIs() {
+    const models::Model& model = models::findModel("ggx");
+    editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
+    edit.edited = edit.fitted;
+    edit.edited.values[*model.spec().find("roughness")] = Rgb(0.01);
+    const auto rough = bakeTable(*model.instantiate(edit.fitted));
+    SphereScene scene;
+    scene.environment = studioEnvironment();
+    widget_->setMaterial(rough, estimateSamplingLobe(*rough));
+    widget_->setScene(scene);
+    widget_->setEdit(edit);
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
+    const Image shown = widget_->linearPicture();
+    const auto edited = editing::applyEdits(rough, std::span(&edit, 1));
+    const Image reference =
+        renderSphere(*edited, scene, {.width = shown.width, .height = shown.height, .samples = 256, .seed = 3});
+    const double snr = metrics::signalToNoiseRatio(reference, shown);
+    QVERIFY2(snr > 25, qPrintable(QString("%1 dB").arg(snr)));
   }
 
   /// Taking the material away shows the empty state again, never a stale picture.

@@ -76,6 +76,11 @@ void PreviewRenderer::setEdit(std::optional<editing::DifferentialEdit> edit) {
   restart();
 }
 
+void PreviewRenderer::setLobe(const SamplingLobe& lobe) {
+  lobe_ = lobe;
+  restart();
+}
+
 void PreviewRenderer::setScene(const SphereScene& scene) {
   scene_ = scene;
   restart();

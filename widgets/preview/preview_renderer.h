@@ -34,6 +34,9 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   void setTable(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe);
   /// Uniforms only. The shader of a model is compiled at its first use.
   void setEdit(std::optional<editing::DifferentialEdit> edit);
+  /// Density of the reflected samples under an environment. An edit that sharpens a highlight needs a new one, else the
+  /// mirror is dark with sparkles.
+  void setLobe(const SamplingLobe& lobe);
   void setScene(const SphereScene& scene);
   /// Size of the accumulated picture in pixels.
   void setSize(const QSize& size);

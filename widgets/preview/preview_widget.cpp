@@ -61,7 +61,13 @@ void PreviewWidget::setMaterial(std::shared_ptr<const TabulatedBrdf> table, cons
 void PreviewWidget::setEdit(std::optional<editing::DifferentialEdit> edit) {
   edit_ = std::move(edit);
   renderer_.setEdit(edit_);
+  renderer_.setLobe(editedLobe());
   restart();
+}
+
+SamplingLobe PreviewWidget::editedLobe() const {
+  if (!table_ || !edit_ || edit_->isIdentity()) return lobe_;
+  return estimateSamplingLobe(*editing::applyEdits(table_, std::span(&*edit_, 1)));
 }
 
 void PreviewWidget::setScene(const SphereScene& scene) {
@@ -156,7 +162,7 @@ void PreviewWidget::initializeGL() {
 
 void PreviewWidget::applyPending() {
   if (!tablePending_) return;
-  renderer_.setTable(table_, lobe_);
+  renderer_.setTable(table_, editedLobe());
   tablePending_ = false;
 }
 

@@ -26,7 +26,7 @@ class PreviewWidget : public QOpenGLWidget {
 
   /// A null table shows the empty state with a hint.
   void setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe);
-  /// Live: changes uniforms only, no table is rebuilt.
+  /// Live: changes uniforms and the sampling density (about 1 ms), no table is rebuilt.
   void setEdit(std::optional<editing::DifferentialEdit> edit);
 
   void setScene(const SphereScene& scene);
@@ -66,6 +66,7 @@ class PreviewWidget : public QOpenGLWidget {
 
  private:
   void applyPending();
+  SamplingLobe editedLobe() const;
   void renderFrame();
   void restart();
   void placeOverlay();
