@@ -19,5 +19,5 @@ picture() {
     "$editor" "$3" --theme "$2" --size 1500x940 --wait 75 --screenshot "$folder/$1.png"
   echo "$folder/$1.png"
 }
-picture editor-chrome dark library:sgd/chrome-steel
+picture editor-chrome dark library:sgd/nickel
 picture editor-fabric light library:sgd/red-fabric

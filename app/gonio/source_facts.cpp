@@ -41,8 +41,11 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded) {
   facts.push_back({tr("Format"), QString::fromStdString(source.format)});
   if (!source.grid.empty()) facts.push_back({tr("Data"), gridText(source.grid)});
   const HalfDifferenceGrid& grid = loaded.table->grid();
-  facts.push_back({tr("Table"), gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount}),
-                   tr("Half-difference grid: theta_h, theta_d, phi_d")});
+  facts.push_back({tr("Table"),
+                   tr("%1, %2 MB")
+                       .arg(gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount}))
+                       .arg(double(loaded.table->bytes()) * 1e-6, 0, 'f', 1),
+                   tr("Half-difference grid: theta_h, theta_d, phi_d; bytes in memory")});
   facts.push_back({tr("Range, 1/sr"), rangeText(loaded.statistics.channels)});
   facts.push_back(
       {tr("Invalid"), percent(loaded.statistics.invalidShare), tr("Cells below the horizon or not measured")});

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+// The preview's frame: a slider step (new uniforms, first frame) at 512 x 512, against the same frame without an edit.
+#include <benchmark/benchmark.h>
+
+#include <QGuiApplication>
+
+#include "core/models/model.h"
+#include "tests/widgets/offscreen_context.h"
+#include "widgets/preview/preview_renderer.h"
+
+namespace {
+
+using namespace gonio;
+
+/// One application, context and renderer for all benchmarks of this program.
+class PreviewFixture {
+ public:
+  static PreviewFixture& instance() {
+    static PreviewFixture fixture;
+    return fixture;
+  }
+
+  widgets::PreviewRenderer renderer;
+  editing::DifferentialEdit edit;
+
+ private:
+  PreviewFixture() : application_(argumentCount_, arguments_) {
+    context_ = std::make_unique<tests::OffscreenContext>();
+    if (!context_->isValid()) throw std::runtime_error("no OpenGL 4.1 core context");
+    renderer.initialize();
+    const models::Model& model = models::findModel("ggx");
+    edit.model = &model;
+    edit.fitted = models::defaultParameters(model.spec());
+    const auto table = bakeTable(*model.instantiate(edit.fitted));
+    renderer.setTable(table, estimateSamplingLobe(*table));
+    renderer.setSize({512, 512});
+  }
+
+  int argumentCount_ = 1;
+  char name_[8] = "preview";
+  char* arguments_[2] = {name_, nullptr};
+  QGuiApplication application_;
+  std::unique_ptr<tests::OffscreenContext> context_;
+};
+
+void runFrames(benchmark::State& state, bool environment, bool edited) {
+  PreviewFixture& fixture = PreviewFixture::instance();
+  SphereScene scene;
+  if (environment) scene.environment = studioEnvironment();
+  fixture.renderer.setScene(scene);
+  fixture.renderer.setEdit({});
+  const auto roughness = *fixture.edit.model->spec().find("roughness");
+  double value = 0.1;
+  for (auto _ : state) {
+    if (edited) {
+      value = value < 0.9 ? value + 0.01 : 0.1;
+      fixture.edit.edited = fixture.edit.fitted;
+      fixture.edit.edited.values[roughness] = Rgb(value);
+      fixture.renderer.setEdit(fixture.edit);
+    }
+    fixture.renderer.restart();
+    fixture.renderer.accumulate(int(state.range(0)));
+  }
+}
+
+void directionalFrame(benchmark::State& state) { runFrames(state, false, false); }
+void directionalSliderStep(benchmark::State& state) { runFrames(state, false, true); }
+void environmentFrame(benchmark::State& state) { runFrames(state, true, false); }
+void environmentSliderStep(benchmark::State& state) { runFrames(state, true, true); }
+
+BENCHMARK(directionalFrame)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(directionalSliderStep)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(environmentFrame)->Arg(1)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(environmentSliderStep)->Arg(1)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
