@@ -7,8 +7,8 @@
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/models/parameters_json.h"
-#include "core/support/error.h"
 #include "core/support/json_object.h"
+#include "core/support/naming_file.h"
 
 namespace gonio::editing {
 
@@ -67,15 +67,6 @@ void checkVersion(const JsonObject& root) {
   if (!version.is_number_integer() || version.get<double>() < 1) root.fail("version", expected);
   if (version.get<double>() > EditDocument::currentVersion)
     root.fail("version", expected + "; a newer Gonio wrote this document");
-}
-
-template <typename Work>
-auto namingFile(const std::filesystem::path& path, Work work) {
-  try {
-    return work();
-  } catch (const Error& error) {
-    throw Error(path.string() + ": " + error.what());
-  }
 }
 
 /// The source as it is written: relative where it lies beside or below the document.

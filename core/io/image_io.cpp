@@ -15,7 +15,7 @@
 #include "core/io/byte_source.h"
 #include "core/io/exr_codec.h"
 #include "core/io/exr_header_check.h"
-#include "core/support/error.h"
+#include "core/support/naming_file.h"
 
 namespace gonio::io {
 
@@ -85,15 +85,6 @@ Image decodeHdr(std::span<const std::byte> bytes) {
   Image image(width, height);
   std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size() * sizeof(glm::vec3));
   return image;
-}
-
-template <typename Work>
-auto namingFile(const std::filesystem::path& path, Work work) {
-  try {
-    return work();
-  } catch (const Error& error) {
-    throw Error(path.string() + ": " + error.what());
-  }
 }
 
 void checkShape(bool matches, int width, int height) {

@@ -10,6 +10,7 @@
 #include "core/io/rgl_brdf.h"
 #include "core/io/sgd_library.h"
 #include "core/io/sha256.h"
+#include "core/support/naming_file.h"
 
 namespace gonio::io {
 
@@ -78,16 +79,12 @@ Material readMaterial(const ByteSource& source, const TaskControl& control) {
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control) {
   if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string());
   const FileSource source(path);
-  try {
+  return namingFile(path, [&] {
     Material material = readMaterial(source, control);
     material.name = path.stem().string();
     material.source.path = std::filesystem::absolute(path).lexically_normal();
     return material;
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const Error& error) {
-    throw Error(path.string() + ": " + error.what());
-  }
+  });
 }
 
 void writeMerl(const TabulatedBrdf& table, const std::filesystem::path& path) {
