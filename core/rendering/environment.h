@@ -45,14 +45,6 @@ class EnvironmentMap {
   static Direction directionAt(double u, double v);
   static glm::dvec2 positionOf(const Direction& world);
 
-  /// Cumulative tables for a sampler elsewhere (the preview's shader): `marginal` has height + 1 entries, `conditional`
-  /// height rows of width + 1 entries, each from 0 to 1. With row y = the last entry <= u1 and column x = the last <=
-  /// u2: cos theta runs from cos(pi y / height) to cos(pi (y + 1) / height) as u1 runs through its interval, u linearly
-  /// from x / width to (x + 1) / width as u2 does; the density is (product of the two intervals' lengths) / (2 pi /
-  /// width * (cos(pi y / height) - cos(pi (y + 1) / height))).
-  const std::vector<float>& marginalCdf() const { return marginal_; }
-  const std::vector<float>& conditionalCdf() const { return conditional_; }
-
  private:
   Rgb bilinear(const glm::dvec2& position) const;
   double pixelPdf(std::size_t x, std::size_t y) const;
@@ -61,6 +53,7 @@ class EnvironmentMap {
   Image image_;
   std::string name_;
   std::vector<double> cosEdges_;  ///< cos theta of the rows' upper edges, and of the last one's lower edge
+  /// Cumulative: height + 1 entries, and height rows of width + 1 entries, each from 0 to 1.
   std::vector<float> marginal_, conditional_;
 };
 
