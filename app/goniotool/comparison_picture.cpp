@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/rendering/false_colour.h"
+
 namespace gonio::tool {
 
 namespace {
@@ -17,21 +19,7 @@ namespace {
 constexpr int gap = 8, captionHeight = 20, legendHeight = 36, barHeight = 10;
 constexpr double legendQuantile = 0.998;
 
-using Color = std::array<std::uint8_t, 3>;
-constexpr Color ink{230, 230, 230}, paper{28, 28, 30};
-
-/// The viridis colour map (Smith and van der Walt 2015) at ten places, linear between them; `x` in [0, 1].
-Color viridis(double x) {
-  constexpr Color anchors[] = {{68, 1, 84},    {72, 40, 120},  {62, 73, 137},  {49, 104, 142}, {38, 130, 142},
-                               {31, 158, 137}, {53, 183, 121}, {110, 206, 88}, {181, 222, 43}, {253, 231, 37}};
-  const double at = std::clamp(x, 0.0, 1.0) * double(std::size(anchors) - 1);
-  const std::size_t low = std::min(std::size_t(at), std::size(anchors) - 2);
-  Color color;
-  for (std::size_t c = 0; c < 3; ++c)
-    color[c] =
-        std::uint8_t(std::lround(anchors[low][c] + (at - double(low)) * (anchors[low + 1][c] - anchors[low][c])));
-  return color;
-}
+constexpr DisplayColour ink{230, 230, 230}, paper{28, 28, 30};
 
 class Canvas {
  public:
@@ -39,13 +27,13 @@ class Canvas {
     fill(0, 0, width, height, paper);
   }
 
-  void set(int x, int y, const Color& color) {
+  void set(int x, int y, const DisplayColour& color) {
     if (x < 0 || y < 0 || x >= picture_.width || y >= picture_.height) return;
     std::uint8_t* pixel = &picture_.bytes[(std::size_t(y) * picture_.width + std::size_t(x)) * 4];
     std::copy(color.begin(), color.end(), pixel);
     pixel[3] = 255;
   }
-  void fill(int left, int top, int width, int height, const Color& color) {
+  void fill(int left, int top, int width, int height, const DisplayColour& color) {
     for (int y = top; y < top + height; ++y)
       for (int x = left; x < left + width; ++x) set(x, y, color);
   }
