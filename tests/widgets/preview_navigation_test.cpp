@@ -45,6 +45,22 @@ class PreviewNavigationTest : public QObject {
     QVERIFY(std::abs(glm::length(light) - 1) < 1e-12);
   }
 
+  /// Orthographic, the sphere's radius 1 in a view of half height 1.15: sin theta is the distance from the middle.
+  /// In perspective, the sine law in the triangle of eye, centre and point.
+  void viewerAngleOfAPointOnTheSphere() {
+    const OrbitCamera flat{.yaw = 1.1, .pitch = 0.4, .fieldOfView = 0};
+    const double extent = cameraFrame(flat).halfExtent;
+    for (const double radius : {0.0, 0.3, 0.9})
+      QVERIFY(std::abs(*viewerPolarAngle(flat, radius / extent * 0.6, radius / extent * 0.8, 1) - std::asin(radius)) <
+              1e-9);
+    const OrbitCamera camera{.yaw = -0.5, .pitch = 0.2};
+    for (const double x : {0.1, 0.5, 0.8}) {
+      const double ray = std::atan(x * cameraFrame(camera).halfExtent);
+      QVERIFY(std::abs(std::sin(*viewerPolarAngle(camera, x, 0, 1)) - camera.distance * std::sin(ray)) < 1e-9);
+    }
+    QVERIFY(!viewerPolarAngle(camera, 1, 1, 1));
+  }
+
   void orbitStopsShortOfThePole() {
     OrbitCamera camera;
     for (int i = 0; i < 100; ++i) camera = orbited(camera, 3, 50);

@@ -47,6 +47,19 @@ class PreviewWidgetTest : public QObject {
     QCOMPARE(picture.pixel(2, 2), picture.pixel(110, 4));
   }
 
+  void controlClickPicksTheViewersAngle() {
+    QSignalSpy picked(widget_.get(), &PreviewWidget::polarAnglePicked);
+    QTest::mouseClick(widget_.get(), Qt::LeftButton, Qt::ControlModifier, {110, 110});
+    QVERIFY(picked.count() == 1 && picked[0][0].toDouble() < 0.01);
+    QTest::mouseClick(widget_.get(), Qt::LeftButton, {}, {60, 110});
+    QCOMPARE(picked.count(), 1);
+    widget_->setPicking(true);
+    QTest::mouseClick(widget_.get(), Qt::LeftButton, {}, {60, 110});
+    QVERIFY(picked.count() == 2 && picked[1][0].toDouble() > 0.3);
+    QTest::mouseClick(widget_.get(), Qt::LeftButton, {}, {2, 2});  // beside the sphere
+    QCOMPARE(picked.count(), 2);
+  }
+
   void convergesAndThenRests() {
     widget_->setMaterial(table_, {});
     QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);

@@ -36,4 +36,11 @@ Direction lightTowards(const OrbitCamera& camera, double x, double y, double asp
   return glm::normalize(ray.direction - 2 * glm::dot(ray.direction, normal) * normal);
 }
 
+std::optional<double> viewerPolarAngle(const OrbitCamera& camera, double x, double y, double aspect) {
+  const CameraRay ray = cameraRay(cameraFrame(camera), x, y, aspect);
+  const std::optional<Direction> normal = sphereHit(ray);
+  if (!normal) return std::nullopt;
+  return std::atan2(glm::length(glm::cross(*normal, ray.direction)), std::max(0.0, -glm::dot(*normal, ray.direction)));
+}
+
 }  // namespace gonio::widgets

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <optional>
+
 #include "core/rendering/sphere_scene.h"
 
 namespace gonio::widgets {
@@ -20,5 +22,9 @@ double environmentTurn(double dx);
 /// Direction to a light whose mirror highlight lies at a picture position (x, y in [-1, 1], y up): it is reflected at
 /// the sphere there; beside the sphere at its silhouette.
 Direction lightTowards(const OrbitCamera& camera, double x, double y, double aspect);
+
+/// Polar angle of the viewer (rad, [0, pi/2]) at the point of the sphere seen at a picture position (x, y in [-1, 1],
+/// y up): the angle between the normal there and the direction to the eye. Nothing beside the sphere.
+std::optional<double> viewerPolarAngle(const OrbitCamera& camera, double x, double y, double aspect);
 
 }  // namespace gonio::widgets

@@ -92,6 +92,11 @@ void PreviewWidget::setOverlayVisible(bool visible) {
   overlay_->setVisible(visible && table_);
 }
 
+void PreviewWidget::setPicking(bool picking) {
+  picking_ = picking;
+  setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
 bool PreviewWidget::converged() const {
   return renderer_.hasMaterial() && renderer_.size() == pixelSize() && renderer_.samples() >= wantedSamples();
 }
@@ -219,14 +224,25 @@ void PreviewWidget::updateOverlay(double milliseconds) {
   placeOverlay();
 }
 
+bool PreviewWidget::pick(const QMouseEvent& event) {
+  if (!(event.buttons() & Qt::LeftButton) || !(picking_ || event.modifiers() & Qt::ControlModifier)) return false;
+  const QPointF at = event.position();
+  if (const auto theta = viewerPolarAngle(scene_.camera, 2 * at.x() / width() - 1, 1 - 2 * at.y() / height(),
+                                          double(width()) / height()))
+    Q_EMIT polarAnglePicked(*theta);
+  return true;
+}
+
 void PreviewWidget::mousePressEvent(QMouseEvent* event) {
   lastPosition_ = event->position();
+  if (pick(*event)) return;
   if (event->button() == Qt::LeftButton && !scene_.environment) dragLight(event->position());
 }
 
 void PreviewWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF delta = event->position() - lastPosition_;
   lastPosition_ = event->position();
+  if (pick(*event)) return;
   SphereScene scene = scene_;
   if (event->buttons() & Qt::LeftButton && !scene.environment) return dragLight(event->position());
   if (event->buttons() & Qt::RightButton && event->modifiers() & Qt::ShiftModifier)

@@ -16,7 +16,8 @@ namespace gonio::widgets {
 
 /// The preview viewport: a material on a sphere, converging while nothing changes, restarting when something does.
 /// Left drag orbits (with a directional light: moves the light), middle or right drag orbits always, wheel zooms,
-/// Shift + right drag turns the environment, F frames, R resets the view.
+/// Shift + right drag turns the environment, Ctrl + left (or left alone while picking) picks the angle of the viewer at
+/// a point, F frames, R resets the view.
 class PreviewWidget : public QOpenGLWidget {
   Q_OBJECT
 
@@ -37,6 +38,8 @@ class PreviewWidget : public QOpenGLWidget {
   ToneMap toneMap() const { return display_.toneMap; }
   void setOverlayVisible(bool visible);
   bool overlayVisible() const { return overlayWanted_; }
+  /// While picking, a left click or drag picks as Ctrl + left does.
+  void setPicking(bool picking);
 
   /// The picture as shown, without overlay, at the quality reached so far.
   QImage grabPicture();
@@ -54,6 +57,8 @@ class PreviewWidget : public QOpenGLWidget {
   void sceneChanged(const gonio::SphereScene& scene);
   void frameRendered(double milliseconds, int samplesPerPixel);
   void failed(const QString& message);
+  /// The user points at the sphere where the viewer stands at this polar angle (rad, [0, pi/2]).
+  void polarAnglePicked(double theta);
 
  protected:
   void initializeGL() override;
@@ -72,6 +77,7 @@ class PreviewWidget : public QOpenGLWidget {
   void placeOverlay();
   void updateOverlay(double milliseconds);
   void dragLight(const QPointF& position);
+  bool pick(const QMouseEvent& event);
   QSize pixelSize() const;
   int wantedSamples() const;
   void fail(const QString& message);
@@ -85,6 +91,7 @@ class PreviewWidget : public QOpenGLWidget {
   SphereScene scene_;
   bool tablePending_ = false;
   bool overlayWanted_ = true;
+  bool picking_ = false;
   QString failure_;
   QPointF lastPosition_;
   QElapsedTimer sinceChange_;
