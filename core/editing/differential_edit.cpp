@@ -36,20 +36,24 @@ std::vector<ActiveEdit> activate(std::span<const DifferentialEdit> edits) {
 
 /// Adds the edits to `values`, which hold the base, for at most chunkSize pairs. The two model values are subtracted
 /// first: where the edit leaves the model as it is, exactly 0 is added and the base survives bit for bit.
-void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> pairs, std::span<Rgb> values) {
+void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> pairs, std::span<Rgb> values,
+              const Rgb& floor = Rgb(0)) {
   std::array<Rgb, chunkSize> edited, fitted;
   for (const ActiveEdit& edit : edits) {
     edit.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
     edit.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      values[i] = glm::max(Rgb(0), values[i] + edit.strength * (edited[i] - fitted[i]));
+      values[i] = glm::max(floor, values[i] + edit.strength * (edited[i] - fitted[i]));
   }
 }
 
 class EditedBrdf final : public Brdf {
  public:
-  EditedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> edits)
-      : base_(std::move(base)), table_(dynamic_cast<const TabulatedBrdf*>(base_.get())), edits_(std::move(edits)) {}
+  EditedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> edits, double floor)
+      : base_(std::move(base)),
+        table_(dynamic_cast<const TabulatedBrdf*>(base_.get())),
+        edits_(std::move(edits)),
+        floor_(floor) {}
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
@@ -70,7 +74,7 @@ class EditedBrdf final : public Brdf {
     base_->evaluate(pairs, values);
     std::array<bool, chunkSize> hasData;
     for (std::size_t i = 0; i < pairs.size(); ++i) hasData[i] = values[i] != Rgb(0) || knows(pairs[i]);
-    addEdits(edits_, pairs, values);
+    addEdits(edits_, pairs, values, floor_);
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (!hasData[i]) values[i] = Rgb(0);
   }
@@ -87,6 +91,7 @@ class EditedBrdf final : public Brdf {
   std::shared_ptr<const Brdf> base_;
   const TabulatedBrdf* table_;  ///< the base where it is a table: it knows where it has data
   std::vector<ActiveEdit> edits_;
+  Rgb floor_;  ///< of the values
 };
 
 /// The directions of a node as bakeTable() evaluates them: rounding must not push a node on the horizon below it.
@@ -108,12 +113,22 @@ std::size_t store(const Rgb& value, TabulatedBrdf::Value& stored) {
   return capped;
 }
 
+std::shared_ptr<const Brdf> editedBrdf(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits,
+                                       double floor) {
+  std::vector<ActiveEdit> active = activate(edits);
+  if (active.empty()) return base;
+  return std::make_shared<const EditedBrdf>(std::move(base), std::move(active), floor);
+}
+
 }  // namespace
 
 std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits) {
-  std::vector<ActiveEdit> active = activate(edits);
-  if (active.empty()) return base;
-  return std::make_shared<const EditedBrdf>(std::move(base), std::move(active));
+  return editedBrdf(std::move(base), edits, 0);
+}
+
+std::shared_ptr<const Brdf> applyEditsUnclamped(std::shared_ptr<const Brdf> base,
+                                                std::span<const DifferentialEdit> edits) {
+  return editedBrdf(std::move(base), edits, std::numeric_limits<double>::lowest());
 }
 
 std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,

@@ -19,7 +19,7 @@ struct DifferentialEdit {
   const models::Model* model = nullptr;
   models::ParameterValues fitted;
   models::ParameterValues edited;
-  double strength = 1;    ///< [0, 1]
+  double strength = 1;  ///< [0, 1]
   bool enabled = true;
 
   /// Whether it leaves every base as it is, bit for bit.
@@ -30,11 +30,16 @@ struct DifferentialEdit {
 /// A pair at which the base has no data (below the horizon) stays 0.
 std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits);
 
-/// The same as a table over the base's cells: invalid cells stay invalid; an identity stack returns the base itself.
-/// A value that would overflow float is capped at the largest float and counted in `*cappedCount` when given.
-/// In parallel, deterministic. @throws Cancelled.
+/// The same without the clamp: where an edit takes away more than was measured, the value is negative. What the
+/// plausibility checks judge; nothing to render.
+std::shared_ptr<const Brdf> applyEditsUnclamped(std::shared_ptr<const Brdf> base,
+                                                std::span<const DifferentialEdit> edits);
+
+/// The edited reflectance as a table over the base's cells: invalid cells stay invalid; an identity stack returns the
+/// base itself. A value that would overflow float is capped at the largest float and counted in `*cappedCount` when
+/// given. In parallel, deterministic. @throws Cancelled.
 std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
-                                               std::span<const DifferentialEdit> edits,
-                                               const TaskControl& control = {}, std::size_t* cappedCount = nullptr);
+                                               std::span<const DifferentialEdit> edits, const TaskControl& control = {},
+                                               std::size_t* cappedCount = nullptr);
 
 }  // namespace gonio::editing

@@ -9,15 +9,19 @@
 #include <sstream>
 
 #include "core/brdf/statistics.h"
+#include "core/coordinates/half_difference.h"
 #include "core/math/sampling.h"
 
 namespace gonio::metrics {
 
 namespace {
 
-constexpr double reciprocityTolerance = 0.02, energyTolerance = 0.01;
+constexpr double reciprocityTolerance = 0.02, energyTolerance = 0.01, coverageTolerance = 0.01;
 /// Values below this share of the mean are judged against it: relative noise of almost black is nobody's concern.
 constexpr double smallShare = 0.05;
+/// A negative value below this share of the mean is rounding.
+constexpr double roundingShare = 1e-6;
+constexpr double steepest = radians(85);
 constexpr std::uint32_t pairCount = 1 << 14;
 constexpr std::array albedoDegrees{0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0};
 
@@ -29,10 +33,19 @@ std::string describe(const DirectionPair& pair) {
   return text.str();
 }
 
+/// Takes in the violation of one pair.
 void worsen(PlausibilityCheck& check, double violation, const DirectionPair& pair) {
+  if (violation > check.limit) check.share += 1;
   if (!(violation > check.worst)) return;
   check.worst = violation;
-  check.where = describe(pair);
+  check.at = pair;
+}
+
+/// After all pairs.
+void conclude(PlausibilityCheck& check, std::size_t tried) {
+  check.passed = check.worst <= check.limit;
+  if (tried > 0) check.share /= double(tried);
+  if (check.at) check.where = describe(*check.at);
 }
 
 /// Half of the pairs spread over both hemispheres up to 85 degrees, half about the mirror direction.
@@ -40,12 +53,12 @@ std::vector<DirectionPair> probePairs() {
   std::vector<DirectionPair> pairs;
   for (std::uint32_t i = 0; i < pairCount; ++i) {
     const glm::dvec2 u = scrambledSobol(i, 21), v = scrambledSobol(i, 22);
-    const Direction wo = fromSpherical(radians(85) * u.x, 2 * pi * u.y);
-    Direction wi = fromSpherical(radians(85) * v.x, 2 * pi * v.y);
+    const Direction wo = fromSpherical(steepest * u.x, 2 * pi * u.y);
+    Direction wi = fromSpherical(steepest * v.x, 2 * pi * v.y);
     if (i % 2) {
       const Direction half = fromSpherical(radians(20) * v.x * v.x * v.x, 2 * pi * v.y);
       wi = 2 * glm::dot(wo, half) * half - wo;
-      if (polarAngle(wi) > radians(85)) continue;
+      if (polarAngle(wi) > steepest) continue;
     }
     pairs.push_back({wi, wo});
   }
@@ -54,61 +67,90 @@ std::vector<DirectionPair> probePairs() {
 
 bool finite(const Rgb& value) { return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z); }
 
+double meanValue(const std::vector<Rgb>& values) {
+  double mean = 0;
+  for (const Rgb& value : values)
+    if (finite(value)) mean += std::max(0.0, maxChannel(value)) / double(values.size());
+  return mean;
+}
+
 PlausibilityCheck reciprocity(const std::vector<DirectionPair>& pairs, const std::vector<Rgb>& forth,
                               const std::vector<Rgb>& back) {
-  PlausibilityCheck check{.name = "reciprocity"};
-  double mean = 0;
-  for (const Rgb& value : forth)
-    if (finite(value)) mean += std::max(0.0, maxChannel(value)) / double(forth.size());
+  PlausibilityCheck check{.name = "reciprocity", .limit = reciprocityTolerance};
+  const double mean = meanValue(forth);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (!finite(forth[i]) || !finite(back[i])) continue;
     const double scale = std::max({maxChannel(forth[i]), maxChannel(back[i]), smallShare * mean});
     if (scale > 0) worsen(check, maxChannel(glm::abs(forth[i] - back[i])) / scale, pairs[i]);
   }
-  check.passed = check.worst <= reciprocityTolerance;
+  conclude(check, pairs.size());
   return check;
 }
 
-PlausibilityCheck energy(const Brdf& brdf) {
-  PlausibilityCheck check{.name = "energy"};
+PlausibilityCheck energy(const Brdf& brdf, const TaskControl& control) {
+  PlausibilityCheck check{.name = "energy", .limit = 1 + energyTolerance};
   for (const double angle : albedoDegrees) {
+    control.throwIfStopped();
     const double albedo = maxChannel(directionalAlbedo(brdf, radians(angle)));
-    if (!(albedo > check.worst)) continue;
-    check.worst = albedo;
-    check.where = "theta_o " + std::to_string(int(angle)) + " degrees";
+    worsen(check, albedo, {{0, 0, 1}, fromSpherical(radians(angle), 0)});
   }
-  check.passed = check.worst <= 1 + energyTolerance;
+  conclude(check, albedoDegrees.size());
+  if (check.at)
+    check.where = "theta_o " + std::to_string(int(std::lround(degrees(polarAngle(check.at->wo))))) + " degrees";
   return check;
 }
 
-PlausibilityCheck negative(const std::vector<DirectionPair>& pairs, const std::vector<Rgb>& values) {
-  PlausibilityCheck check{.name = "negative"};
+PlausibilityCheck negative(const std::vector<DirectionPair>& pairs, const std::vector<Rgb>& values, double limit) {
+  PlausibilityCheck check{.name = "negative", .limit = limit};
   for (std::size_t i = 0; i < pairs.size(); ++i) worsen(check, maxChannel(-values[i]), pairs[i]);
-  check.passed = !(check.worst > 0);
+  conclude(check, pairs.size());
   return check;
 }
 
 PlausibilityCheck nonFinite(const std::vector<DirectionPair>& pairs, const std::vector<Rgb>& values) {
   PlausibilityCheck check{.name = "non-finite"};
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (finite(values[i])) continue;
-    if (check.worst == 0) check.where = describe(pairs[i]);
-    check.worst += 1;
-  }
-  check.passed = check.worst == 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (!finite(values[i])) worsen(check, check.worst + 1, check.at.value_or(pairs[i]));
+  conclude(check, pairs.size());
   return check;
 }
 
 }  // namespace
 
-std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf) {
+std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf, const TaskControl& control) {
   const std::vector<DirectionPair> pairs = probePairs();
   std::vector<DirectionPair> exchanged;
   for (const auto& [wi, wo] : pairs) exchanged.push_back({wo, wi});
   std::vector<Rgb> forth(pairs.size()), back(pairs.size());
   brdf.evaluate(pairs, forth);
+  control.throwIfStopped();
   brdf.evaluate(exchanged, back);
-  return {reciprocity(pairs, forth, back), energy(brdf), negative(pairs, forth), nonFinite(pairs, forth)};
+  return {reciprocity(pairs, forth, back), energy(brdf, control), negative(pairs, forth, 0), nonFinite(pairs, forth)};
+}
+
+PlausibilityCheck checkNegative(const Brdf& brdf) {
+  const std::vector<DirectionPair> pairs = probePairs();
+  std::vector<Rgb> values(pairs.size());
+  brdf.evaluate(pairs, values);
+  return negative(pairs, values, roundingShare * meanValue(values));
+}
+
+PlausibilityCheck checkCoverage(const TabulatedBrdf& table) {
+  PlausibilityCheck check{.name = "extrapolated", .limit = coverageTolerance};
+  double missing = 0, all = 0;
+  for (const DirectionPair& pair : probePairs()) {
+    bool valid = false;
+    table.lookup(toHalfDifference(pair.wi, pair.wo), TableLookup::nearest, &valid);
+    const double weight = pair.wi.z * pair.wo.z;
+    all += weight;
+    if (valid) continue;
+    missing += weight;
+    if (!check.at || weight > check.at->wi.z * check.at->wo.z) check.at = pair;
+  }
+  check.worst = missing / all;
+  conclude(check, 0);
+  check.share = check.worst;
+  return check;
 }
 
 }  // namespace gonio::metrics

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/editing/edit_plausibility.h"
+
+namespace gonio::editing {
+
+std::vector<metrics::PlausibilityCheck> checkEditPlausibility(const std::shared_ptr<const TabulatedBrdf>& base,
+                                                              std::span<const DifferentialEdit> edits,
+                                                              const TaskControl& control) {
+  auto checks = metrics::checkPlausibility(*applyEdits(base, edits), control);
+  control.throwIfStopped();
+  std::vector<metrics::PlausibilityCheck> ordered;
+  for (const char* name : {"energy", "reciprocity", "non-finite"})
+    for (metrics::PlausibilityCheck& check : checks)
+      if (check.name == name) ordered.push_back(std::move(check));
+  ordered.insert(ordered.begin() + 2, metrics::checkNegative(*applyEditsUnclamped(base, edits)));
+  ordered.push_back(metrics::checkCoverage(*base));
+  return ordered;
+}
+
+}  // namespace gonio::editing

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/editing/differential_edit.h"
+#include "core/metrics/plausibility.h"
+
+namespace gonio::editing {
+
+/// The checks of an edited measurement, in the order "energy", "reciprocity", "negative", "non-finite",
+/// "extrapolated": as metrics::checkPlausibility(), but negative values are judged before they are clamped, and
+/// `base`'s coverage is told. Some 100 ms. @throws Cancelled.
+std::vector<metrics::PlausibilityCheck> checkEditPlausibility(const std::shared_ptr<const TabulatedBrdf>& base,
+                                                              std::span<const DifferentialEdit> edits,
+                                                              const TaskControl& control = {});
+
+}  // namespace gonio::editing
