@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "core/math/types.h"
+#include "core/brdf/direction_sample.h"
 
 namespace gonio {
 
@@ -28,6 +28,13 @@ class Brdf {
 
   /// Whether the value depends on the difference of the azimuths only.
   virtual bool isIsotropic() const { return true; }
+
+  /// Draws a direction of light wi for the viewer wo (z > 0) from the density pdf(), for importance sampling: about
+  /// proportional to the value times cos theta_i. `u` are three numbers in [0, 1): which lobe, then two for the
+  /// direction. Always above the horizon, with a positive density. Cosine-weighted where a BRDF knows no better.
+  virtual DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
+  /// Density of sample() at wi, 1/sr: integrates to 1 over the upper hemisphere; 0 below the horizon.
+  virtual double pdf(const Direction& wi, const Direction& wo) const;
 };
 
 }  // namespace gonio

@@ -7,42 +7,14 @@
 #include <cmath>
 #include <vector>
 
+#include "core/brdf/lobe_mixture.h"
+#include "core/brdf/visible_normal_lobe.h"
+
 namespace gonio {
 
 namespace {
 
 constexpr double minRoughness = 1e-3, maxRoughness = 1, maxSpecularShare = 0.95;
-
-Direction cosineDirection(double u1, double u2) {
-  const double r = std::sqrt(u1), phi = 2 * pi * u2;
-  return {r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - u1)};
-}
-
-/// A normal of the GGX distribution as seen from wo: Heitz 2018, section 3.
-Direction visibleNormal(const Direction& wo, double alpha, double u1, double u2) {
-  const Direction stretched = glm::normalize(Direction{alpha * wo.x, alpha * wo.y, wo.z});
-  const double across = std::sqrt(stretched.x * stretched.x + stretched.y * stretched.y);
-  const Direction tangent = across > 0 ? Direction{-stretched.y / across, stretched.x / across, 0} : Direction{1, 0, 0};
-  const Direction bitangent = glm::cross(stretched, tangent);
-  const double r = std::sqrt(u1), phi = 2 * pi * u2;
-  const double s = (1 + stretched.z) / 2;
-  const double x = r * std::cos(phi);
-  const double y = (1 - s) * std::sqrt(1 - x * x) + s * r * std::sin(phi);
-  const double z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
-  const Direction n = x * tangent + y * bitangent + z * stretched;
-  return glm::normalize(Direction{alpha * n.x, alpha * n.y, std::max(0.0, n.z)});
-}
-
-/// Density of wi when visible normals are sampled: D(h) G1(wo) / (4 cos theta_o), without a division by the cosine.
-double visibleNormalPdf(const Direction& wi, const Direction& wo, double alpha) {
-  const Direction sum = wi + wo;
-  const double squaredLength = glm::dot(sum, sum);
-  if (!(squaredLength > 1e-24)) return 0;
-  const double alpha2 = alpha * alpha, cosO = std::max(0.0, wo.z);
-  const double slope = (sum.x * sum.x + sum.y * sum.y + alpha2 * sum.z * sum.z) / squaredLength;
-  const double distribution = alpha2 / (pi * slope * slope);
-  return distribution * 0.5 / (cosO + std::sqrt(alpha2 + (1 - alpha2) * cosO * cosO));
-}
 
 /// Where a BRDF is looked at for the fit: one viewer, half vectors on logarithmic rings about the normal.
 struct ProbeSet {
@@ -98,19 +70,16 @@ ProbeTerms probeTerms(const Brdf& brdf, const ProbeSet& probes) {
 }  // namespace
 
 DirectionSample SamplingLobe::sample(const Direction& wo, const glm::dvec3& u) const {
-  Direction wi;
-  if (u.x < specularShare) {
-    const Direction normal = visibleNormal(wo, roughness, u.y, u.z);
-    wi = 2 * glm::dot(wo, normal) * normal - wo;
-  } else {
-    wi = cosineDirection(u.y, u.z);
-  }
+  const glm::dvec2 point(u.y, u.z);
+  const Direction wi =
+      u.x < specularShare ? VisibleNormalLobe{roughness}.sample(wo, point) : CosineLobe{}.sample(wo, point);
   return {wi, pdf(wi, wo)};
 }
 
 double SamplingLobe::pdf(const Direction& wi, const Direction& wo) const {
   if (!(wi.z > 0)) return 0;
-  return (1 - specularShare) * (wi.z / pi) + specularShare * visibleNormalPdf(wi, wo, roughness);
+  return (1 - specularShare) * CosineLobe{}.density(wi, wo) +
+         specularShare * VisibleNormalLobe{roughness}.density(wi, wo);
 }
 
 SamplingLobe estimateSamplingLobe(const Brdf& brdf) {
@@ -129,7 +98,7 @@ SamplingLobe estimateSamplingLobe(const Brdf& brdf) {
     const ProbeTerms terms = probeTerms(brdf, probes);
     for (int step = 0; step < roughnessSteps; ++step)
       for (std::size_t i = 0; i < terms.energy.size(); ++i) {
-        const double lobePdf = visibleNormalPdf(probes.pairs[i].wi, probes.pairs[i].wo, roughnessAt(step));
+        const double lobePdf = VisibleNormalLobe{roughnessAt(step)}.density(probes.pairs[i].wi, probes.pairs[i].wo);
         for (std::size_t share = 0; share < shares.size(); ++share) {
           const double density = (1 - shares[share]) * terms.cosinePdf[i] + shares[share] * lobePdf;
           moments[std::size_t(step)][share] += terms.energy[i] / density;

@@ -6,12 +6,6 @@
 
 namespace gonio {
 
-/// A direction drawn from a density, with the density in 1/sr. pdf = 0 marks a draw that failed (contributes nothing).
-struct DirectionSample {
-  Direction wi{0, 0, 1};
-  double pdf = 0;
-};
-
 /// A stand-in density for importance sampling any isotropic BRDF: a cosine-weighted part and the visible normals of a
 /// GGX lobe (Heitz 2018, "Sampling the GGX Distribution of Visible Normals"). The preview's shader uses the same two
 /// numbers. pdf > 0 over the whole hemisphere, so estimates stay unbiased however bad the fit of the lobe is.

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
+#include "core/brdf/half_vector_lobe.h"
+#include "core/brdf/tabulated_normals.h"
 #include "core/models/common_parameters.h"
 #include "core/models/fresnel.h"
 #include "core/models/registry.h"
@@ -63,10 +65,15 @@ class Abc final : public Model {
     const double denominator = chosen(p.values[normalisation].x) == 0 ? pi : 1;
     const Rgb kd = p.values[diffuse] / pi, a = p.values[amplitude] / denominator;
     const double b = p.values[narrowness].x, c = p.values[falloff].x, eta = p.values[refractiveIndex].x;
-    return makeGeometryBrdf([=](const SurfaceGeometry& g) {
-      const double lobe = std::exp(-c * std::log1p(b * g.oneMinusCosH));
-      return kd + a * (lobe * fresnelDielectric(g.cosD, eta) * foldedVCavity(g));
-    });
+    return makeGeometryBrdf(
+        [=](const SurfaceGeometry& g) {
+          const double lobe = std::exp(-c * std::log1p(b * g.oneMinusCosH));
+          return kd + a * (lobe * fresnelDielectric(g.cosD, eta) * foldedVCavity(g));
+        },
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(a), HalfVectorLobe{TabulatedNormals([=](double thetaH) {
+                     const double s = std::sin(thetaH / 2);
+                     return std::exp(-c * std::log1p(2 * b * s * s));
+                   })}));
   }
 };
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
+#include "core/brdf/half_vector_lobe.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
@@ -35,7 +36,8 @@ constexpr ModelSpec blinnPhongSpec = {
     .id = "blinn-phong", .name = "Blinn-Phong",
     .description = "A cosine lobe about the half vector; simple and fast. Reciprocal. With normalisation 'none' its "
                    "energy depends on the exponent and exceeds 1 for broad lobes; it darkens toward grazing angles.",
-    .formula = "k_d / pi + k_s N cos^n theta_h", .reference = blinn, .parameters = parameters};
+    .formula = "k_d / pi + k_s N cos^n theta_h", .reference = blinn, .parameters = parameters,
+    .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on
 
 double normaliser(double n, int choice) {
@@ -54,7 +56,9 @@ class BlinnPhong final : public Model {
     const Rgb kd = p.values[diffuse] / pi;
     const Rgb ks = p.values[specular] * normaliser(n, chosen(p.values[normalisation].x));
     return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) { return kd + ks * std::exp(n * std::log1p(-g.oneMinusCosH)); });
+        [=](const SurfaceGeometry& g) { return kd + ks * std::exp(n * std::log1p(-g.oneMinusCosH)); },
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
+                   HalfVectorLobe{CosinePowerNormals{n, n}}));
   }
 };
 

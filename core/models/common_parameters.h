@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include "core/models/fresnel.h"
 #include "core/models/parameter_spec.h"
 
 /// Parameters that mean the same in several models.
@@ -42,15 +43,36 @@ constexpr ParameterSpec normalReflectanceParameter() {
           .reference = "Cook and Torrance 1982, A Reflectance Model for Computer Graphics"};
 }
 
-/// A choice between named conventions; the first is the default.
+constexpr ParameterSpec edgeTintParameter() {
+  return {.id = "edge-tint", .label = "Edge tint", .symbol = "g", .unit = "",
+          .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.5,
+          .group = ParameterGroup::fresnel,
+          .description = "How slowly the reflectance of a metal rises toward its edge; 0 is a dielectric.",
+          .formula = "eta = g (1 - F_0) / (1 + F_0) + (1 - g) (1 + sqrt F_0) / (1 - sqrt F_0), "
+                     "k^2 = (F_0 (eta + 1)^2 - (eta - 1)^2) / (1 - F_0)",
+          .reference = "Gulbrandsen 2014, Artist Friendly Metallic Fresnel",
+          .activeWith = "fresnel", .activeChoice = int(FresnelChoice::conductor)};
+}
+
+/// A choice between named conventions.
 constexpr ParameterSpec choiceParameter(std::string_view id, std::string_view label, std::string_view symbol,
                                         std::string_view description, std::string_view formula,
-                                        std::string_view reference, std::span<const std::string_view> choices) {
+                                        std::string_view reference, std::span<const std::string_view> choices,
+                                        int defaultChoice = 0) {
   const double last = double(choices.size()) - 1;
   return {.id = id, .label = label, .symbol = symbol, .unit = "",
-          .softMin = 0, .softMax = last, .hardMin = 0, .hardMax = last, .defaultValue = 0,
+          .softMin = 0, .softMax = last, .hardMin = 0, .hardMax = last, .defaultValue = double(defaultChoice),
           .group = ParameterGroup::convention,
           .description = description, .formula = formula, .reference = reference, .choices = choices};
+}
+/// Which Fresnel term: that of the model's source is the default.
+constexpr ParameterSpec fresnelParameter(FresnelChoice ofSource) {
+  return choiceParameter("fresnel", "Fresnel", "F",
+                         "How the reflectance rises toward grazing angles: exactly as of glass and plastic, exactly as of "
+                         "a metal, or by Schlick's approximation.",
+                         "dielectric: exact, k = 0; conductor: exact, eta + i k; schlick: F_0 + (1 - F_0)(1 - cos theta_d)^5",
+                         "Cook and Torrance 1982; Born and Wolf, Principles of Optics, 14.2; Schlick 1994",
+                         fresnelChoices, int(ofSource));
 }
 // clang-format on
 

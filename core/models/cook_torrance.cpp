@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
+#include "core/brdf/half_vector_lobe.h"
 #include "core/models/common_parameters.h"
 #include "core/models/fresnel.h"
 #include "core/models/registry.h"
@@ -35,7 +36,7 @@ constexpr ModelSpec cookTorranceSpec = {
     .description = "Beckmann microfacets with V-cavity masking and exact dielectric Fresnel. Reciprocal; conserves "
                    "energy with normalisation 'walter', gains up to 4/pi with 'ngan' and 4 with 'original-1982'.",
     .formula = "k_d / pi + k_s D F G / (N cos theta_i cos theta_o)", .reference = cookTorrance1982,
-    .parameters = parameters};
+    .parameters = parameters, .conservesEnergy = true};
 // clang-format on
 
 /// N of the parameter's choices, for a D that holds 1/pi.
@@ -51,11 +52,14 @@ class CookTorrance final : public Model {
     const double denominator = denominators[chosen(p.values[normalisation].x)];
     const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / (pi * m2 * denominator);
     const double eta = indexFromNormalReflectance(p.values[normalReflectance].x);
-    return makeGeometryBrdf([=](const SurfaceGeometry& g) {
-      const double cos2H = g.half.z * g.half.z;
-      const double distribution = std::exp(-g.sin2H / cos2H * inverseM2) / (cos2H * cos2H);
-      return kd + ks * (distribution * fresnelDielectric(g.cosD, eta) * foldedVCavity(g));
-    });
+    return makeGeometryBrdf(
+        [=](const SurfaceGeometry& g) {
+          const double cos2H = g.half.z * g.half.z;
+          const double distribution = std::exp(-g.sin2H / cos2H * inverseM2) / (cos2H * cos2H);
+          return kd + ks * (distribution * fresnelDielectric(g.cosD, eta) * foldedVCavity(g));
+        },
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
+                   HalfVectorLobe{BeckmannNormals{p.values[roughness].x, p.values[roughness].x}}));
   }
 };
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <string_view>
+
 namespace gonio::models {
 
 /// Unpolarised Fresnel reflectance of a dielectric in the form of Cook and Torrance (1982).
@@ -12,7 +14,38 @@ double fresnelDielectric(double cosD, double eta);
 /// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering" (1994): f0 + (1 - f0)(1 - cosD)^5.
 double fresnelSchlick(double cosD, double f0);
 
+/// Unpolarised Fresnel reflectance of a conductor with the complex index eta + i k (Born and Wolf, Principles of
+/// Optics, section 14.2). k = 0 is a dielectric. @param cosD as above; @param eta, k >= 0. O(1).
+double fresnelConductor(double cosD, double eta, double k);
+
+struct ComplexIndex {
+  double eta, k;
+};
+/// The index of a metal by its reflectance at normal incidence f0 in [0, 1) and its edge tint in [0, 1]: Gulbrandsen
+/// 2014, Artist Friendly Metallic Fresnel. Edge tint 0 gives k = 0, the dielectric of that reflectance; 1 the slowest
+/// rise toward grazing angles.
+ComplexIndex indexFromEdgeTint(double f0, double edgeTint);
+
 /// Index of refraction whose reflectance at normal incidence is f0 in [0, 1); f0 >= 1 gives infinity.
 double indexFromNormalReflectance(double f0);
+
+/// The Fresnel terms that a model can be given, in the order of `fresnelChoices`: the parameter of fresnelParameter()
+/// in core/models/common_parameters.h.
+enum class FresnelChoice { dielectric, conductor, schlick };
+inline constexpr std::string_view fresnelChoices[] = {"dielectric", "conductor", "schlick"};
+
+/// One of them with everything computed that does not depend on the angle. At f0 >= 1 all are 1 at every angle.
+class Fresnel {
+ public:
+  /// @param f0 reflectance at normal incidence, [0, 1]; @param edgeTint of a conductor, [0, 1].
+  Fresnel(FresnelChoice choice, double f0, double edgeTint);
+  /// @param cosD cosine of the angle to the (micro)facet normal, [0, 1].
+  double operator()(double cosD) const;
+
+ private:
+  FresnelChoice choice_;
+  double f0_;
+  ComplexIndex index_;
+};
 
 }  // namespace gonio::models

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cmath>
 
+#include "core/brdf/visible_normal_lobe.h"
 #include "core/models/common_parameters.h"
 #include "core/models/fresnel.h"
 #include "core/models/registry.h"
@@ -35,7 +36,8 @@ constexpr ModelSpec ggxSpec = {
     .description = "Microfacets with long tails, Smith masking and exact dielectric Fresnel. Reciprocal; loses a "
                    "little energy at high roughness (single scattering).",
     .formula = "k_d / pi + k_s D F G / (4 cos theta_i cos theta_o)", .reference = walter,
-    .parameters = parameters};
+    .parameters = parameters,
+    .conservesEnergy = true};
 // clang-format on
 
 /// G / (4 cos theta_i cos theta_o), folded so that nothing is divided by a cosine.
@@ -56,11 +58,13 @@ class Ggx final : public Model {
     const double alpha2 = p.values[roughness].x * p.values[roughness].x;
     const double eta = indexFromNormalReflectance(p.values[normalReflectance].x);
     const bool heightCorrelated = chosen(p.values[masking].x) == 1;
-    return makeGeometryBrdf([=](const SurfaceGeometry& g) {
-      const double slope = g.sin2H + alpha2 * g.half.z * g.half.z;
-      const double distribution = alpha2 / (pi * slope * slope);
-      return kd + ks * (distribution * fresnelDielectric(g.cosD, eta) * foldedMasking(g, alpha2, heightCorrelated));
-    });
+    return makeGeometryBrdf(
+        [=](const SurfaceGeometry& g) {
+          const double slope = g.sin2H + alpha2 * g.half.z * g.half.z;
+          const double distribution = alpha2 / (pi * slope * slope);
+          return kd + ks * (distribution * fresnelDielectric(g.cosD, eta) * foldedMasking(g, alpha2, heightCorrelated));
+        },
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks), VisibleNormalLobe{p.values[roughness].x}));
   }
 };
 

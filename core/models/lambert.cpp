@@ -14,7 +14,8 @@ constexpr ParameterSpec parameters[] = {diffuseParameter(0.5)};
 constexpr ModelSpec lambertSpec = {
     .id = "lambert", .name = "Lambert",
     .description = "The ideal matte surface: looks equally bright from everywhere. Reciprocal; albedo exactly k_d.",
-    .formula = "k_d / pi", .reference = "Lambert 1760, Photometria", .parameters = parameters};
+    .formula = "k_d / pi", .reference = "Lambert 1760, Photometria", .parameters = parameters,
+    .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on
 
 class Lambert final : public Model {

@@ -12,6 +12,9 @@
 
 namespace gonio::models {
 
+/// Chapter 4.2 of the dissertation: made to look right, derived from physics, or a series of basis functions.
+enum class ModelFamily { empirical, analytic, series };
+
 /// What a model is, for people and programs.
 struct ModelSpec {
   std::string_view id;           ///< "ggx"; also the name of its shader (shaders/models/ggx.glsl)
@@ -20,6 +23,12 @@ struct ModelSpec {
   std::string_view formula;
   std::string_view reference;  ///< author, title, year, equation
   std::span<const ParameterSpec> parameters;
+  ModelFamily family = ModelFamily::analytic;
+  /// What the model claims and the tests hold it to. Reciprocal: the value is the same when wi and wo are exchanged.
+  bool reciprocal = true;
+  /// The white-furnace albedo is at most 1 at every angle and for all other parameters within their soft ranges, when
+  /// the linear parameters are at most 1 and add up to 1 at most (choices at their defaults).
+  bool conservesEnergy = false;
 
   /// Index of a parameter by its id, or nothing.
   std::optional<std::size_t> find(std::string_view parameterId) const;

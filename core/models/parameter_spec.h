@@ -8,7 +8,7 @@
 namespace gonio::models {
 
 enum class ParameterScale { linear, logarithmic, angle };
-enum class ParameterGroup { diffuse, specular, fresnel, shadowing, convention };
+enum class ParameterGroup { diffuse, specular, fresnel, shadowing, layer, coefficients, convention };
 
 /// Everything there is to know of one parameter of a model. Sliders, tooltips, JSON, the command line, fitting and
 /// tests all read this record; nothing about a parameter is written anywhere else.
@@ -29,6 +29,13 @@ struct ParameterSpec {
   std::string_view reference;    ///< author, year, equation
   /// A choice between named conventions rather than a number: the value is an index into this list; never fitted.
   std::span<const std::string_view> choices = {};
+  /// Where it matters only with one choice of another parameter: the id of that parameter and the index of the choice.
+  /// Otherwise a slider is greyed and a fit leaves it at its default.
+  std::string_view activeWith = {};
+  int activeChoice = 0;
+  /// Of the second of two parameters along the axes x and y: the id of the first. A fit to isotropic data sets both
+  /// equal.
+  std::string_view isotropicTwin = {};
 };
 
 }  // namespace gonio::models

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <glm/exponential.hpp>
 
+#include "core/brdf/half_vector_lobe.h"
+#include "core/brdf/tabulated_normals.h"
 #include "core/math/special_functions.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
@@ -123,6 +125,19 @@ double evaluateChannel(const Channel& c, const SurfaceGeometry& g, const Angles&
          c.specular * fresnel * distribution * masking(c, a.thetaI) * masking(c, a.thetaO) * a.inverseCosines;
 }
 
+/// The distribution of all channels, each by its strength.
+TabulatedNormals makeNormals(const std::array<Channel, 3>& channels) {
+  return TabulatedNormals([&](double thetaH) {
+    const double logCosH = std::log(std::cos(thetaH)), tan2H = std::tan(thetaH) * std::tan(thetaH);
+    double sum = 0;
+    for (const Channel& c : channels) {
+      const double shifted = c.alpha + tan2H * c.inverseAlpha;
+      sum += c.specular * std::exp(c.logNormalisation - shifted - c.power * std::log(shifted) - 3 * logCosH);
+    }
+    return sum;
+  });
+}
+
 class Sgd final : public Model {
  public:
   const ModelSpec& spec() const override { return sgdSpec; }
@@ -130,17 +145,20 @@ class Sgd final : public Model {
  protected:
   std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
     const std::array<Channel, 3> channels{makeChannel(p, 0), makeChannel(p, 1), makeChannel(p, 2)};
-    return makeGeometryBrdf([channels](const SurfaceGeometry& g) {
-      const double cos2H = g.half.z * g.half.z, m = 1 - g.cosD;
-      const Angles angles{.thetaI = polarAngle(g.wi),
-                          .thetaO = polarAngle(g.wo),
-                          .tan2H = g.sin2H / cos2H,
-                          .log4CosH = 2 * std::log(cos2H),
-                          .oneMinusCosD5 = (m * m) * (m * m) * m,
-                          .inverseCosines = 1 / (g.cosI * g.cosO)};
-      return Rgb(evaluateChannel(channels[0], g, angles), evaluateChannel(channels[1], g, angles),
-                 evaluateChannel(channels[2], g, angles));
-    });
+    return makeGeometryBrdf(
+        [channels](const SurfaceGeometry& g) {
+          const double cos2H = g.half.z * g.half.z, m = 1 - g.cosD;
+          const Angles angles{.thetaI = polarAngle(g.wi),
+                              .thetaO = polarAngle(g.wo),
+                              .tan2H = g.sin2H / cos2H,
+                              .log4CosH = 2 * std::log(cos2H),
+                              .oneMinusCosD5 = (m * m) * (m * m) * m,
+                              .inverseCosines = 1 / (g.cosI * g.cosO)};
+          return Rgb(evaluateChannel(channels[0], g, angles), evaluateChannel(channels[1], g, angles),
+                     evaluateChannel(channels[2], g, angles));
+        },
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
+                   HalfVectorLobe{makeNormals(channels)}));
   }
 
   /// c becomes ln c, and ln K stands behind the values: c exceeds float, and the shader has no incomplete gamma.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/brdf/brdf.h"
+#include "core/brdf/lobe_mixture.h"
 
 namespace gonio::models {
 
@@ -24,12 +25,12 @@ struct SurfaceGeometry {
 /// large.
 bool surfaceGeometry(const DirectionPair& pair, SurfaceGeometry& geometry);
 
-/// Makes a Brdf of a function `Rgb evaluate(const SurfaceGeometry&)`.
-template <typename Evaluate>
+/// Makes a Brdf of a function `Rgb evaluate(const SurfaceGeometry&)` and a density to sample it by, a LobeMixture.
+template <typename Evaluate, typename Sampler>
 class GeometryBrdf final : public Brdf {
  public:
-  explicit GeometryBrdf(Evaluate evaluatePair, bool isotropic = true)
-      : evaluatePair_(std::move(evaluatePair)), isotropic_(isotropic) {}
+  GeometryBrdf(Evaluate evaluatePair, Sampler sampler, bool isotropic)
+      : evaluatePair_(std::move(evaluatePair)), sampler_(std::move(sampler)), isotropic_(isotropic) {}
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
@@ -38,15 +39,20 @@ class GeometryBrdf final : public Brdf {
       values[i] = surfaceGeometry(pairs[i], geometry) ? evaluatePair_(geometry) : Rgb(0);
   }
   bool isIsotropic() const override { return isotropic_; }
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler_.sample(wo, u); }
+  double pdf(const Direction& wi, const Direction& wo) const override { return sampler_.pdf(wi, wo); }
 
  private:
   Evaluate evaluatePair_;
+  Sampler sampler_;
   bool isotropic_;
 };
 
-template <typename Evaluate>
-std::unique_ptr<const Brdf> makeGeometryBrdf(Evaluate evaluatePair, bool isotropic = true) {
-  return std::make_unique<const GeometryBrdf<Evaluate>>(std::move(evaluatePair), isotropic);
+template <typename Evaluate, typename Sampler = CosineSampler>
+std::unique_ptr<const Brdf> makeGeometryBrdf(Evaluate evaluatePair, Sampler sampler = cosineSampler(),
+                                             bool isotropic = true) {
+  return std::make_unique<const GeometryBrdf<Evaluate, Sampler>>(std::move(evaluatePair), std::move(sampler),
+                                                                 isotropic);
 }
 
 }  // namespace gonio::models

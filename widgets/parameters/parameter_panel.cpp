@@ -13,6 +13,7 @@ namespace gonio::widgets {
 namespace {
 constexpr models::ParameterGroup groupOrder[] = {models::ParameterGroup::diffuse, models::ParameterGroup::specular,
                                                  models::ParameterGroup::fresnel, models::ParameterGroup::shadowing,
+                                                 models::ParameterGroup::layer,    models::ParameterGroup::coefficients,
                                                  models::ParameterGroup::convention};
 }
 

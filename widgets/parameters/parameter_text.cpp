@@ -68,6 +68,10 @@ QString groupTitle(models::ParameterGroup group) {
       return tr("Fresnel");
     case models::ParameterGroup::shadowing:
       return tr("Shadowing");
+    case models::ParameterGroup::layer:
+      return tr("Layer");
+    case models::ParameterGroup::coefficients:
+      return tr("Coefficients");
     case models::ParameterGroup::convention:
       return tr("Conventions");
   }

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cmath>
+
+#include "core/brdf/direction_sample.h"
+
+namespace gonio {
+
+/// A lobe (core/brdf/lobe_mixture.h) that draws half vectors and reflects the viewer about them. `Normals` is a density
+/// of unit vectors h with z >= 0:
+///   Direction sample(const glm::dvec2& u) const;
+///   double density(const Direction& h) const;      // 1/sr, integrates to 1 over the upper hemisphere
+/// d omega_i = 4 |h . wo| d omega_h. A half vector turned away from the viewer counts too, so each direction of the
+/// sphere has one half vector above the horizon and the density integrates to 1 over the sphere.
+template <typename Normals>
+struct HalfVectorLobe {
+  Normals normals;
+
+  Direction sample(const Direction& wo, const glm::dvec2& u) const {
+    const Direction h = normals.sample(u);
+    return 2 * glm::dot(wo, h) * h - wo;
+  }
+  double density(const Direction& w, const Direction& wo) const {
+    constexpr double minSquaredLength = 1e-24;
+    Direction sum = w + wo;
+    const double squaredLength = glm::dot(sum, sum);
+    if (!(squaredLength > minSquaredLength)) return 0;
+    const double length = std::sqrt(squaredLength);  // 2 cos theta_d
+    if (sum.z < 0) sum = -sum;
+    return normals.density(sum / length) / (2 * length);
+  }
+};
+template <typename Normals>
+HalfVectorLobe(Normals) -> HalfVectorLobe<Normals>;
+
+/// Unit vector of azimuth (cosPhi, sinPhi) and polar angle of tangent `tangent`, which may be infinite.
+inline Direction normalOfSlope(double tangent, double cosPhi, double sinPhi) {
+  const double cosine = 1 / std::sqrt(1 + tangent * tangent);
+  const double sine = std::isinf(tangent) ? 1 : tangent * cosine;
+  return {sine * cosPhi, sine * sinPhi, cosine};
+}
+
+/// D(h) cos theta_h of Beckmann's distribution with root mean square slopes alphaX, alphaY (Ward 1992, eq. 6, 7; Walter
+/// et al. 2007, eq. 28, 35): exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (pi alpha_x alpha_y h_z^3).
+struct BeckmannNormals {
+  double alphaX, alphaY;
+
+  Direction sample(const glm::dvec2& u) const {
+    const double phi = 2 * pi * u.y, radius = std::sqrt(-std::log1p(-u.x));
+    const double x = alphaX * radius * std::cos(phi), y = alphaY * radius * std::sin(phi);
+    return glm::normalize(Direction(x, y, 1));
+  }
+  double density(const Direction& h) const {
+    if (!(h.z > 0)) return 0;
+    const double x = h.x / (alphaX * h.z), y = h.y / (alphaY * h.z);
+    // In the exponent: 1 / cos^3 overflows where the exponential underflows.
+    return std::exp(-(x * x + y * y) - 3 * std::log(h.z)) / (pi * alphaX * alphaY);
+  }
+};
+
+/// sqrt((n_x + 1)(n_y + 1)) / (2 pi) cos^e theta_h with e = (n_x h_x^2 + n_y h_y^2) / (1 - h_z^2): Ashikhmin and
+/// Shirley 2000, eq. 6, 9, 10; with equal exponents a power of the cosine.
+struct CosinePowerNormals {
+  double exponentX, exponentY;
+
+  Direction sample(const glm::dvec2& u) const {
+    // atan2 finds the quadrant that the published formula needs a case distinction for.
+    const double phi = std::atan2(std::sqrt(exponentX + 1) * std::sin(2 * pi * u.y),
+                                  std::sqrt(exponentY + 1) * std::cos(2 * pi * u.y));
+    const double c = std::cos(phi), s = std::sin(phi);
+    const double exponent = exponentX * c * c + exponentY * s * s;
+    const double oneMinusCos = -std::expm1(std::log1p(-u.x) / (exponent + 1));
+    const double sine = std::sqrt(oneMinusCos * (2 - oneMinusCos));
+    return {sine * c, sine * s, 1 - oneMinusCos};
+  }
+  double density(const Direction& h) const {
+    const double sin2 = h.x * h.x + h.y * h.y;
+    const double norm = std::sqrt((exponentX + 1) * (exponentY + 1)) / (2 * pi);
+    if (!(sin2 > 0)) return norm;
+    if (!(h.z > 0)) return 0;
+    const double exponent = (exponentX * h.x * h.x + exponentY * h.y * h.y) / sin2;
+    return norm * std::exp(exponent * std::log1p(-sin2 / (1 + h.z)));
+  }
+};
+
+}  // namespace gonio

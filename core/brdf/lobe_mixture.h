@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "core/brdf/direction_sample.h"
+
+/// Densities for importance sampling. A lobe is a small value with
+///   Direction sample(const Direction& wo, const glm::dvec2& u) const;    // u in [0, 1)^2, any point of the sphere
+///   double density(const Direction& w, const Direction& wo) const;       // 1/sr, integrates to 1 over the sphere
+/// Half-vector and cosine lobes reach below the horizon, most of all for grazing viewers. LobeMixture folds the lower
+/// hemisphere up (z becomes |z|), so that no draw is lost and the densities integrate to 1 above the horizon exactly.
+namespace gonio {
+
+/// Cosine-weighted directions: for matte materials.
+struct CosineLobe {
+  Direction sample(const Direction&, const glm::dvec2& u) const {
+    const double r = std::sqrt(u.x), phi = 2 * pi * u.y;
+    return {r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - u.x)};
+  }
+  double density(const Direction& w, const Direction&) const { return std::max(0.0, w.z) / pi; }
+};
+
+/// Shares of a diffuse part and a highlight for a mixture: by their albedos (of white light, about), but at least a
+/// tenth of each that is there, so that no part of the value is far above the density.
+inline std::array<double, 2> lobeShares(double diffuseAlbedo, double specularAlbedo) {
+  if (!(specularAlbedo > 0)) return {1, 0};
+  if (!(diffuseAlbedo > 0)) return {0, 1};
+  const double specular = std::clamp(specularAlbedo / (diffuseAlbedo + specularAlbedo), 0.1, 0.9);
+  return {1 - specular, specular};
+}
+
+/// A weighted sum of lobes, folded to the upper hemisphere: Brdf::sample() and pdf() of a model.
+template <typename... Lobes>
+class LobeMixture {
+ public:
+  /// @param shares of the lobes, >= 0, adding up to 1.
+  LobeMixture(const std::array<double, sizeof...(Lobes)>& shares, Lobes... lobes) : shares_(shares), lobes_(lobes...) {}
+
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
+    Direction wi = drawn<0>(wo, u.x, {u.y, u.z});
+    // A draw on the horizon itself is lifted by less than any cosine resolves.
+    wi.z = std::max(std::abs(wi.z), smallestCosine);
+    return {wi, pdf(wi, wo)};
+  }
+
+  double pdf(const Direction& wi, const Direction& wo) const {
+    if (!(wi.z > 0)) return 0;
+    const Direction below(wi.x, wi.y, -wi.z);
+    return sum<0>(wi, wo) + sum<0>(below, wo);
+  }
+
+ private:
+  static constexpr double smallestCosine = 1e-9;
+
+  template <std::size_t index>
+  Direction drawn(const Direction& wo, double which, const glm::dvec2& u) const {
+    if constexpr (index + 1 < sizeof...(Lobes))
+      if (!(which < shares_[index])) return drawn<index + 1>(wo, which - shares_[index], u);
+    return std::get<index>(lobes_).sample(wo, u);
+  }
+
+  template <std::size_t index>
+  double sum(const Direction& w, const Direction& wo) const {
+    if constexpr (index == sizeof...(Lobes))
+      return 0;
+    else
+      return (shares_[index] > 0 ? shares_[index] * std::get<index>(lobes_).density(w, wo) : 0) + sum<index + 1>(w, wo);
+  }
+
+  std::array<double, sizeof...(Lobes)> shares_;
+  std::tuple<Lobes...> lobes_;
+};
+
+using CosineSampler = LobeMixture<CosineLobe>;
+inline CosineSampler cosineSampler() { return {{1.0}, CosineLobe{}}; }
+
+/// The usual pair: a matte part and one highlight. @param diffuseAlbedo, specularAlbedo of the brightest channel.
+template <typename Lobe>
+LobeMixture<CosineLobe, Lobe> diffuseAnd(double diffuseAlbedo, double specularAlbedo, Lobe lobe) {
+  return {lobeShares(diffuseAlbedo, specularAlbedo), CosineLobe{}, lobe};
+}
+
+}  // namespace gonio
