@@ -36,8 +36,10 @@ TableStatistics tableStatistics(const TabulatedBrdf& table) {
 }
 
 Rgb directionalAlbedo(const Brdf& brdf, double theta) {
-  constexpr std::uint32_t sampleCount = 1 << 14;
-  SamplingLobe lobe = estimateSamplingLobe(brdf);
+  return directionalAlbedo(brdf, theta, estimateSamplingLobe(brdf), 1 << 14);
+}
+
+Rgb directionalAlbedo(const Brdf& brdf, double theta, SamplingLobe lobe, std::uint32_t sampleCount) {
   // A fixed number of points for each of the lobe's two parts, each stratified on its own (multiple importance
   // sampling with the balance heuristic): the choice of a part adds no noise.
   const auto specularCount = static_cast<std::uint32_t>(lobe.specularShare * sampleCount);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/plots/plotted_values.h"
+
+namespace gonio::plots {
+
+/// The whole lobe for one direction of the light: values over the hemisphere of the viewer, at the nodes of a mesh of
+/// rings about the normal that is dense about the mirror direction.
+struct LobeSurface {
+  int rings = 0;                      ///< polar angles, from the normal to the horizon
+  int sectors = 0;                    ///< azimuths; the last is a neighbour of the first
+  std::vector<Direction> directions;  ///< wo; sectors run fastest
+  PlottedValues points;
+
+  std::size_t index(int ring, int sector) const {
+    return std::size_t(ring) * std::size_t(sectors) + std::size_t(sector % sectors);
+  }
+};
+
+/// Light at polar angle `thetaI` (rad) and azimuth pi, as in Section. Some ms.
+LobeSurface lobeSurface(const Brdf& brdf, double thetaI, CosineFactor cosine, const TabulatedBrdf* coverage = nullptr,
+                        int rings = 64, int sectors = 96);
+
+}  // namespace gonio::plots

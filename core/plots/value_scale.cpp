@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/plots/value_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gonio::plots {
+
+namespace {
+
+/// 1, 2 or 5 times a power of ten, at least `step`.
+double roundStep(double step) {
+  const double power = std::pow(10, std::floor(std::log10(step)));
+  const double share = step / power;
+  return power * (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10);
+}
+
+}  // namespace
+
+double ValueScale::share(double value) const {
+  if (!logarithmic) return (value - min) / (max - min);
+  return value > 0 ? std::max(0.0, std::log(value / min) / std::log(max / min)) : 0.0;
+}
+
+double ValueScale::value(double share) const {
+  return logarithmic ? min * std::pow(max / min, share) : min + share * (max - min);
+}
+
+ValueScale scaleFor(std::span<const double> values, bool logarithmic, int maxDecades) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const double value : values) {
+    if (!(value > 0) || !std::isfinite(value)) continue;
+    smallest = std::min(smallest, value);
+    largest = std::max(largest, value);
+  }
+  if (!(largest > 0)) return {logarithmic, logarithmic ? 0.1 : 0.0, 1};
+  if (!logarithmic) return {false, 0, largest * 1.05};
+  const double top = std::ceil(std::log10(largest) - 1e-9);
+  const double bottom = std::clamp(std::floor(std::log10(smallest) + 1e-9), top - maxDecades, top - 1);
+  return {true, std::pow(10, bottom), std::pow(10, top)};
+}
+
+std::vector<double> scaleTicks(const ValueScale& scale, int count) {
+  std::vector<double> ticks;
+  if (scale.logarithmic) {
+    const int first = int(std::ceil(std::log10(scale.min) - 1e-9)),
+              last = int(std::floor(std::log10(scale.max) + 1e-9));
+    const int step = std::max(1, (last - first + count - 1) / std::max(1, count));
+    for (int exponent = last; exponent >= first; exponent -= step) ticks.insert(ticks.begin(), std::pow(10, exponent));
+    return ticks;
+  }
+  const double step = roundStep((scale.max - scale.min) / count);
+  for (double i = std::ceil(scale.min / step - 1e-9); i * step <= scale.max * (1 + 1e-12); ++i)
+    if (i != 0) ticks.push_back(i * step);
+  return ticks;
+}
+
+}  // namespace gonio::plots

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <cmath>
+
+#include "core/plots/albedo_curve.h"
+#include "core/plots/lobe_surface.h"
+#include "core/plots/section.h"
+#include "core/plots/slice.h"
+#include "tests/support/function_brdf.h"
+
+using namespace gonio;
+using namespace gonio::plots;
+
+namespace {
+
+constexpr double tolerance = 1e-12;
+
+/// An 8 x 8 x 8 table, 0.5 where theta_h of the node is below 30 degrees, not measured elsewhere.
+TabulatedBrdf partlyMeasured() {
+  const HalfDifferenceGrid grid{8, 8, 8, true};
+  std::vector<std::uint8_t> valid(grid.size());
+  for (std::size_t i = 0; i < grid.size(); ++i) valid[i] = grid.node(i).thetaH < radians(30);
+  return TabulatedBrdf(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.5f)), valid);
+}
+
+}  // namespace
+
+class PlotCurvesTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// Lambert: k_d / pi at every angle; times a cosine, that cosine.
+  void lobeOfLambertIsTheCosine() {
+    const auto brdf = testing::lambert(Rgb(0.2, 0.5, 0.9));
+    const double thetaI = radians(50);
+    for (const auto cosine : {CosineFactor::none, CosineFactor::incident, CosineFactor::outgoing}) {
+      const Curve curve = polarLobe(brdf, thetaI, cosine);
+      QVERIFY(std::is_sorted(curve.angles.begin(), curve.angles.end()));
+      QCOMPARE(curve.angles.front(), -curve.angles.back());
+      for (std::size_t i = 0; i < curve.angles.size(); ++i) {
+        const double factor = cosine == CosineFactor::none       ? 1
+                              : cosine == CosineFactor::incident ? std::cos(thetaI)
+                                                                 : std::cos(curve.angles[i]);
+        QVERIFY(maxChannel(glm::abs(curve.points.values[i] - Rgb(0.2, 0.5, 0.9) / pi * factor)) < tolerance);
+        QVERIFY(curve.points.states[i] == PointState::known);
+      }
+    }
+  }
+
+  /// theta_o = theta_i is the mirror: the half vector is the normal there, and nowhere else.
+  void lobePeaksAtTheMirrorDirection() {
+    const testing::FunctionBrdf brdf(
+        [](const Direction& wi, const Direction& wo) { return Rgb(std::pow(glm::normalize(wi + wo).z, 1e5)); });
+    for (const double thetaI : {0.0, radians(37.3), radians(80)}) {
+      const Curve curve = polarLobe(brdf, thetaI, CosineFactor::none);
+      const auto peak = std::max_element(curve.points.values.begin(), curve.points.values.end(),
+                                         [](const Rgb& a, const Rgb& b) { return a.x < b.x; });
+      QVERIFY(peak->x > 0.98);
+      QVERIFY(std::abs(curve.angles[std::size_t(peak - curve.points.values.begin())] - thetaI) < radians(0.2));
+    }
+  }
+
+  /// A function that returns its own coordinates tells where a section lies.
+  void sectionsLieWhereTheySay() {
+    const testing::FunctionBrdf coordinates([](const Direction& wi, const Direction& wo) {
+      const HalfDifference at = toHalfDifference(wi, wo);
+      return Rgb(at.thetaH, at.thetaD, foldPhiD(at.phiD));
+    });
+    const Section overH{.axis = SectionAxis::thetaH, .thetaD = 0.3, .phiD = 0.6};
+    Curve curve = sectionCurve(coordinates, overH);
+    for (std::size_t i = 1; i < curve.angles.size(); ++i) {
+      if (curve.points.states[i] != PointState::known) continue;
+      QVERIFY(maxChannel(glm::abs(curve.points.values[i] - Rgb(curve.angles[i], 0.3, 0.6))) < 1e-9);
+    }
+    const Section overD{.axis = SectionAxis::thetaD, .thetaH = 0.2, .phiD = 1.1};
+    curve = sectionCurve(coordinates, overD);
+    for (std::size_t i = 1; i < curve.angles.size(); ++i) {
+      if (curve.points.states[i] != PointState::known) continue;
+      QVERIFY(maxChannel(glm::abs(curve.points.values[i] - Rgb(0.2, curve.angles[i], 1.1))) < 1e-9);
+    }
+    // Out of the plane of incidence: the azimuths of light and viewer differ by 90 degrees.
+    const testing::FunctionBrdf product([](const Direction& wi, const Direction& wo) { return Rgb(glm::dot(wi, wo)); });
+    curve = sectionCurve(product, {.axis = SectionAxis::thetaO, .thetaI = 0.4, .planeAzimuth = halfPi});
+    for (std::size_t i = 0; i < curve.angles.size(); ++i)
+      QVERIFY(std::abs(curve.points.values[i].x - std::cos(0.4) * std::cos(curve.angles[i])) < tolerance);
+  }
+
+  /// phi_d = 0: the directions meet the horizon at theta_h + theta_d = 90 degrees.
+  void pointsBelowTheHorizonAreMarked() {
+    const Curve curve =
+        sectionCurve(testing::lambert(Rgb(1)), {.axis = SectionAxis::thetaH, .thetaD = radians(30), .phiD = 0});
+    for (std::size_t i = 0; i < curve.angles.size(); ++i) {
+      const bool below = curve.angles[i] > radians(60);
+      QCOMPARE(curve.points.states[i] == PointState::belowHorizon, below);
+      QCOMPARE(std::isnan(curve.points.at(i, Channel::red)), below);
+      QCOMPARE(curve.points.values[i].x, below ? 0 : 1 / pi);
+    }
+  }
+
+  void pointsThatWereNotMeasuredAreMarked() {
+    const TabulatedBrdf table = partlyMeasured();
+    // Nodes at theta_h = (i / 8)^2 90 degrees: the last valid one is i = 4 (22.5), interpolation reaches to i = 5
+    // (35.2).
+    const Section section{.axis = SectionAxis::thetaH, .thetaD = radians(20), .phiD = halfPi};
+    const Curve curve = sectionCurve(table, section, &table);
+    for (std::size_t i = 0; i < curve.angles.size(); ++i)
+      QCOMPARE(curve.points.states[i] == PointState::known, curve.angles[i] < radians(90.0 * 25 / 64));
+    // Without the coverage the table's 0 stands.
+    QVERIFY(sectionCurve(table, section).points.states.back() == PointState::known);
+  }
+
+  void sliceOfAKnownFunction() {
+    const testing::FunctionBrdf brdf([](const Direction& wi, const Direction& wo) {
+      const HalfDifference at = toHalfDifference(wi, wo);
+      return Rgb(at.thetaH, at.thetaD, wi.z);
+    });
+    for (const auto spacing : {ThetaHSpacing::linear, ThetaHSpacing::squareRoot})
+      for (const double phiD : {0.1, halfPi}) {
+        const Slice slice = halfDifferenceSlice(brdf, phiD, spacing, CosineFactor::none, nullptr, 30);
+        for (int row = 0; row < slice.height; ++row)
+          for (int column = 0; column < slice.width; ++column) {
+            const double thetaH = slice.thetaH(column), thetaD = slice.thetaD(row);
+            const std::size_t i = slice.index(column, row);
+            QCOMPARE(slice.cells.states[i] == PointState::known, isAboveHorizon(thetaH, thetaD, phiD));
+            if (slice.cells.states[i] != PointState::known) continue;
+            QVERIFY(std::abs(slice.cells.values[i].x - thetaH) < 1e-9);
+            QVERIFY(std::abs(slice.cells.values[i].y - thetaD) < 1e-9);
+          }
+      }
+    // At phi_d = 90 degrees cos theta_i = cos theta_h cos theta_d.
+    const Slice slice =
+        halfDifferenceSlice(testing::lambert(Rgb(pi)), halfPi, ThetaHSpacing::linear, CosineFactor::incident);
+    const std::size_t i = slice.index(10, 70);
+    QVERIFY(std::abs(slice.cells.values[i].x - std::cos(slice.thetaH(10)) * std::cos(slice.thetaD(70))) < tolerance);
+  }
+
+  void spacingOfTheSliceIsUndone() {
+    for (const auto spacing : {ThetaHSpacing::linear, ThetaHSpacing::squareRoot})
+      for (const double share : {0.0, 0.1, 0.7, 1.0})
+        QVERIFY(std::abs(thetaHShare(spacing, thetaHAt(spacing, share)) - share) < tolerance);
+    QCOMPARE(thetaHAt(ThetaHSpacing::squareRoot, 0.5), halfPi / 4);
+  }
+
+  void albedoOfLambertIsItsReflectance() {
+    const Rgb albedo(0.2, 0.5, 0.9);
+    const Curve curve = albedoCurve(testing::lambert(albedo), 7, 256);
+    QCOMPARE(curve.angles.front(), 0.0);
+    QVERIFY(std::abs(curve.angles.back() - radians(89)) < tolerance);
+    for (const Rgb& value : curve.points.values) QVERIFY(maxChannel(glm::abs(value - albedo)) < tolerance);
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY_EXCEPTION_THROWN(albedoCurve(testing::lambert(albedo), 7, 256, {stop.get_token(), {}}), Cancelled);
+  }
+
+  /// The mesh covers the hemisphere: the areas of its cells, by the corners' solid angles, sum to 2 pi.
+  void lobeSurfaceCoversTheHemisphere() {
+    const LobeSurface lobe = lobeSurface(testing::lambert(Rgb(1)), radians(60), CosineFactor::outgoing);
+    double solidAngle = 0;
+    for (int ring = 0; ring + 1 < lobe.rings; ++ring)
+      for (int sector = 0; sector < lobe.sectors; ++sector) {
+        const Direction a = lobe.directions[lobe.index(ring, sector)],
+                        b = lobe.directions[lobe.index(ring + 1, sector)];
+        const Direction c = lobe.directions[lobe.index(ring, sector + 1)];
+        double turn = azimuth(lobe.directions[lobe.index(ring + 1, sector + 1)]) - azimuth(b);
+        if (turn < 0) turn += 2 * pi;
+        solidAngle += (a.z - b.z) * turn;
+        QVERIFY(c.z > 0);
+      }
+    QVERIFY(std::abs(solidAngle - 2 * pi) < 0.01);
+    for (std::size_t i = 0; i < lobe.directions.size(); ++i)
+      QVERIFY(std::abs(lobe.points.values[i].x - lobe.directions[i].z / pi) < tolerance);
+  }
+};
+
+QTEST_APPLESS_MAIN(PlotCurvesTest)
+#include "plot_curves_test.moc"
