@@ -62,8 +62,8 @@ int compare(const Options& options, const Tool& tool) {
             {"identical", std::isinf(snr) && std::isinf(brdfSnr)}};
   if (!options.image.empty()) json["image"] = options.image;
   print(tool, json,
-        errorsText(errors) + "\nrendered SNR " + number(snr) + " dB, PSNR " + number(psnr) + " dB (" +
-            comparisonSceneName + "), BRDF SNR " + number(brdfSnr) + " dB\n");
+        "rendered SNR " + number(snr) + " dB, PSNR " + number(psnr) + " dB (" + comparisonSceneName + "), BRDF SNR " +
+            number(brdfSnr) + " dB\n" + errorsText(errors));
   return 0;
 }
 

@@ -18,8 +18,8 @@ struct Options {
 
 std::string text(const fitting::FitResult& result) {
   const models::ModelSpec& spec = result.model->spec();
-  return std::string(spec.name) + ": " + errorsText(result.errors) + ", " + number(result.seconds) + " s\n" +
-         parametersText(spec, result.parameters);
+  return std::string(spec.name) + ", " + number(result.seconds) + " s\n" + parametersText(spec, result.parameters) +
+         errorsText(result.errors);
 }
 
 int fit(const Options& options, const Tool& tool) {
@@ -56,7 +56,7 @@ void addFit(CLI::App& app, Tool& tool) {
   command->add_option("--model", options->model, "The model")->check(CLI::IsMember(modelIds()));
   command->add_flag("--all", options->all, "All models, one after the other");
   std::vector<std::string> metricNames;
-  for (const metrics::BrdfMetric metric : metrics::allBrdfMetrics()) metricNames.emplace_back(metricName(metric));
+  for (const metrics::BrdfMetric metric : metrics::minimisableMetrics()) metricNames.emplace_back(metricName(metric));
   command->add_option("--metric", options->metric, "What is made small (log)")->check(CLI::IsMember(metricNames));
   command->add_option("--max-angle", options->maxAngle, "Cells beyond this polar angle are left out, degrees (85)")
       ->check(CLI::Range(1.0, 90.0));

@@ -48,9 +48,14 @@ Json errorsJson(const std::vector<double>& errors) {
 
 std::string errorsText(const std::vector<double>& errors) {
   std::string text;
-  const auto metrics = metrics::allBrdfMetrics();
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    text += (i ? ", " : "") + std::string(metrics::metricName(metrics[i])) + " " + number(errors[i]);
+  const auto records = metrics::metricRecords();
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const std::string value = number(errors[i]) + (records[i].unit.empty() ? "" : " ") + std::string(records[i].unit);
+    char line[160];
+    std::snprintf(line, sizeof line, "  %-27s %-24s %s\n", std::string(records[i].id).c_str(), value.c_str(),
+                  std::string(records[i].name).c_str());
+    text += line;
+  }
   return text;
 }
 

@@ -30,6 +30,7 @@ Json rgbJson(const Rgb& value);
 
 /// {"log": 0.01, ...} of values in the order of metrics::allBrdfMetrics().
 Json errorsJson(const std::vector<double>& errors);
+/// A line for each metric: id, error, unit, and what it is.
 std::string errorsText(const std::vector<double>& errors);
 
 /// {name: value or [r, g, b]}; a choice by its index. The text has a line for each, a choice by its name.

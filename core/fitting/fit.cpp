@@ -59,8 +59,9 @@ models::ParameterValues fitParameters(const TabulatedBrdf& table, const models::
   models::ParameterValues parameters = blackParameters(model.spec());
   if (census.used == 0) return parameters;
   const Strata strata = nonlinearCount(model.spec()) <= fewParameters ? fineStrata : coarseStrata;
-  const FitTarget search(stratifiedCells(table, census, searchStrata.thetaD, searchStrata.phiD), options.metric);
-  const FitTarget polish(stratifiedCells(table, census, strata.thetaD, strata.phiD), options.metric);
+  const MetricTransform metric(options.metric, options.gamma);
+  const FitTarget search(stratifiedCells(table, census, searchStrata.thetaD, searchStrata.phiD), metric);
+  const FitTarget polish(stratifiedCells(table, census, strata.thetaD, strata.phiD), metric);
   progress.add(preparationShare);
   const std::vector<std::vector<int>> groups = channelGroups(model.spec());
   const models::ParameterValues base = parameters;
@@ -90,7 +91,8 @@ FitResult fit(const TabulatedBrdf& table, const models::Model& model, const FitO
   result.grazingCells = census.grazing;
   result.parameters = fitParameters(table, model, options, census, control.stop, progress);
   result.cancelled = control.stop.stop_requested();
-  result.errors = metrics::brdfErrors(table, *model.instantiate(result.parameters), options.maxPolarAngle);
+  result.errors =
+      metrics::brdfErrors(table, *model.instantiate(result.parameters), options.maxPolarAngle, options.gamma);
   progress.add(1);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

@@ -13,7 +13,10 @@
 namespace gonio::fitting {
 
 struct FitOptions {
+  /// What is made small; one that is minimisable (metrics::MetricRecord).
   metrics::BrdfMetric metric = metrics::BrdfMetric::log;
+  /// Of BrdfMetric::gamma alone: from smallestGamma to largestGamma.
+  double gamma = metrics::defaultGamma;
   /// Cells with a polar angle beyond this (rad) are left out as grazing.
   double maxPolarAngle = metrics::defaultMaxPolarAngle;
 };

@@ -48,6 +48,7 @@ void append(FitCells& result, const TabulatedBrdf& table, std::size_t cell, doub
   const DirectionPair pair = table.grid().directions(cell);
   result.pairs.push_back(pair);
   result.cosI.push_back(std::max(0.0, pair.wi.z));
+  result.cosO.push_back(std::max(0.0, pair.wo.z));
   result.rootWeight.push_back(weight);
   for (int channel = 0; channel < 3; ++channel) result.values[channel].push_back(table.values()[cell][channel]);
 }

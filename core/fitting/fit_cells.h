@@ -21,7 +21,7 @@ CellCensus takeCensus(const TabulatedBrdf& table, double maxPolarAngle);
 /// The cells that a fit compares, in arrays.
 struct FitCells {
   std::vector<DirectionPair> pairs;
-  std::vector<double> cosI;                   ///< cosine of the polar angle of wi, >= 0
+  std::vector<double> cosI, cosO;             ///< cosines of the polar angles of wi and wo, >= 0
   std::vector<double> rootWeight;             ///< sqrt of the weight; the weights add up to 1
   std::array<std::vector<double>, 3> values;  ///< reflectance by channel, 1/sr
 

@@ -86,7 +86,7 @@ double computeResiduals(const ChannelProblem& problem, const LinearVector& p, st
   residuals.resize(problem.size());
   double cost = 0;
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    const double d = problem.metric.transform(problem.model(p, i) * problem.cosI[i]) - problem.transformed[i];
+    const double d = problem.metric.transform(problem.model(p, i) * problem.factor[i]) - problem.transformed[i];
     residuals[i] = problem.rootWeight[i] * problem.metric.shape(d);
     cost += residuals[i] * residuals[i];
   }
@@ -106,11 +106,11 @@ LinearVector gaussNewtonTarget(const ChannelProblem& problem, const ChannelSolut
   std::vector<double> slopes(problem.size()), target(problem.size());
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const double model = problem.model(at.parameters, i);
-    const double x = model * problem.cosI[i];
+    const double x = model * problem.factor[i];
     double weight = problem.rootWeight[i];
-    if (problem.metric.shape(1.0) != 1.0)
+    if (problem.metric.isReweighted())
       weight *= problem.metric.reweight(problem.metric.transform(x) - problem.transformed[i]);
-    slopes[i] = weight * problem.metric.slope(x) * problem.cosI[i];
+    slopes[i] = weight * problem.metric.slope(x) * problem.factor[i];
     target[i] = slopes[i] * model - at.residuals[i];
   }
   const NormalEquations normal(problem, slopes, target);

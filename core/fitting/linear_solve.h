@@ -22,14 +22,15 @@ LinearVector solveBounded(const LinearMatrix& normal, const LinearVector& rightS
 /// One colour channel of a fit with the non-linear parameters fixed: the model is sum_j p_j basis_j.
 struct ChannelProblem {
   MetricTransform metric;
-  std::span<const double> cosI, rootWeight;
-  std::span<const double> transformed;  ///< transform(measured cos theta_i)
-  std::span<const double> startWeight;  ///< rootWeight slope(measured cos theta_i) cos theta_i
+  std::span<const double> factor;  ///< what the metric multiplies the reflectance by
+  std::span<const double> rootWeight;
+  std::span<const double> transformed;  ///< transform(measured factor)
+  std::span<const double> startWeight;  ///< rootWeight slope(measured factor) factor
   std::span<const double> values;       ///< measured, 1/sr
   std::vector<std::span<const double>> bases;
   LinearVector upper;
 
-  std::size_t size() const { return cosI.size(); }
+  std::size_t size() const { return factor.size(); }
   double model(const LinearVector& p, std::size_t cell) const {
     double sum = 0;
     for (std::size_t j = 0; j < bases.size(); ++j) sum += p[Eigen::Index(j)] * bases[j][cell];

@@ -3,59 +3,98 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
-#include "core/metrics/brdf_metrics.h"
+#include "core/metrics/metric_domain.h"
 
 namespace gonio::fitting {
 
-/// A metric as least squares: the residual of one value is `shape(transform(x) - transform(y))` with x = rho cos
-/// theta_i of the model and y that of the measurement; the sum of the squares is the metric's sum (core/metrics).
+/// A metric as least squares: the residual of one value is `shape(transform(x) - transform(y))` with x the reflectance
+/// of the model times the metric's factor and y that of the measurement; the sum of the squares is the metric's sum
+/// (core/metrics).
 class MetricTransform {
  public:
-  explicit MetricTransform(metrics::BrdfMetric metric) : metric_(metric) {}
+  explicit MetricTransform(metrics::BrdfMetric metric, double gamma = metrics::defaultGamma)
+      : record_(&metrics::metricRecord(metric)), domain_(record_->domain), power_(record_->power), gamma_(gamma) {
+    assert(record_->minimisable);
+  }
 
+  double factor(double cosI, double cosO) const { return metrics::metricFactor(record_->factor, cosI, cosO); }
+  /// What the metric multiplies the measure of a cell by.
+  double weight(double cosI, double cosO) const { return metrics::metricWeight(record_->weight, cosI, cosO); }
+
+  /// Of x below 0 (a model with signed coefficients) the straight continuation, so that the solver is led back.
   double transform(double x) const {
-    switch (metric_) {
-      case metrics::BrdfMetric::cosineL2:
-        return x;
-      case metrics::BrdfMetric::cubeRoot:
+    switch (domain_) {
+      case metrics::MetricDomain::cubeRoot:
         return std::cbrt(x);
+      case metrics::MetricDomain::log:
+        return x < 0 ? x : std::log1p(x);
+      case metrics::MetricDomain::gamma:
+        return x < 0 ? -metrics::gammaRoot(-x, gamma_) : metrics::gammaRoot(x, gamma_);
+      case metrics::MetricDomain::logRelative:
+        return x < 0 ? logOffset() + x / offset : std::log(x + offset);
       default:
-        return std::log1p(x);
+        return x;
     }
   }
-  /// Derivative of transform(); bounded, so that a cube root at 0 does not swallow all other cells.
+  /// Derivative of transform(); bounded, so that a root at 0 does not swallow all other cells.
   double slope(double x) const {
-    switch (metric_) {
-      case metrics::BrdfMetric::cosineL2:
-        return 1;
-      case metrics::BrdfMetric::cubeRoot: {
-        const double root = std::cbrt(std::max(x, smallest));
+    switch (domain_) {
+      case metrics::MetricDomain::cubeRoot: {
+        const double root = std::cbrt(std::max(std::abs(x), smallest));
         return 1 / (3 * root * root);
       }
+      case metrics::MetricDomain::log:
+        return 1 / (1 + std::max(x, 0.0));
+      case metrics::MetricDomain::gamma: {
+        const double bounded = std::max(std::abs(x), smallest);
+        return metrics::gammaRoot(bounded, gamma_) / (gamma_ * bounded);
+      }
+      case metrics::MetricDomain::logRelative:
+        return 1 / (std::max(x, 0.0) + offset);
       default:
-        return 1 / (1 + x);
+        return 1;
     }
   }
 
-  /// d for the quadratic metrics; for the mean of |d| a smooth function whose square tends to |d|.
-  double shape(double d) const { return isAbsolute() ? d * reweight(d) : d; }
+  bool isReweighted() const { return power_ != metrics::MetricPower::square; }
+  /// d for the quadratic metrics; for the means of |d|^p a smooth function whose square tends to |d|^p.
+  double shape(double d) const { return isReweighted() ? d * reweight(d) : d; }
   double shapeSlope(double d) const {
-    if (!isAbsolute()) return 1;
     const double square = d * d + kink * kink;
-    return reweight(d) * (1 - 0.5 * d * d / square);
+    switch (power_) {
+      case metrics::MetricPower::absolute:
+        return reweight(d) * (1 - d * d / (2 * square));
+      case metrics::MetricPower::twoThirds:
+        return reweight(d) * (1 - 2 * d * d / (3 * square));
+      default:
+        return 1;
+    }
   }
   /// shape(d) / d: the weight of iteratively reweighted least squares.
-  double reweight(double d) const { return isAbsolute() ? 1 / std::sqrt(std::sqrt(d * d + kink * kink)) : 1; }
+  double reweight(double d) const {
+    switch (power_) {
+      case metrics::MetricPower::absolute:
+        return 1 / std::sqrt(std::sqrt(d * d + kink * kink));
+      case metrics::MetricPower::twoThirds:
+        return 1 / std::cbrt(d * d + kink * kink);
+      default:
+        return 1;
+    }
+  }
 
  private:
-  static constexpr double smallest = 1e-6;  ///< 1/sr; reflectances below count as this for the slope of the cube root
+  static constexpr double smallest = 1e-6;  ///< 1/sr; reflectances below count as this for the slope of a root
   static constexpr double kink = 1e-4;      ///< half width of the rounded tip of |d|
+  static constexpr double offset = metrics::logRelativeOffset;
+  static double logOffset() { return std::log(offset); }
 
-  bool isAbsolute() const { return metric_ == metrics::BrdfMetric::meanAbsoluteLog; }
-
-  metrics::BrdfMetric metric_;
+  const metrics::MetricRecord* record_;
+  metrics::MetricDomain domain_;
+  metrics::MetricPower power_;
+  double gamma_;
 };
 
 }  // namespace gonio::fitting

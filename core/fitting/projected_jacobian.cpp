@@ -25,9 +25,9 @@ class Linearisation {
  public:
   Linearisation(const ChannelProblem& problem, const ChannelSolution& solution) : slopes_(problem.size()) {
     for (std::size_t i = 0; i < problem.size(); ++i) {
-      const double x = problem.model(solution.parameters, i) * problem.cosI[i];
+      const double x = problem.model(solution.parameters, i) * problem.factor[i];
       const double d = problem.metric.transform(x) - problem.transformed[i];
-      slopes_[i] = problem.rootWeight[i] * problem.metric.shapeSlope(d) * problem.metric.slope(x) * problem.cosI[i];
+      slopes_[i] = problem.rootWeight[i] * problem.metric.shapeSlope(d) * problem.metric.slope(x) * problem.factor[i];
     }
     for (std::size_t j = 0; j < problem.bases.size(); ++j) {
       const double p = solution.parameters[Eigen::Index(j)];

@@ -23,14 +23,23 @@ double unitStrength(const models::ParameterSpec& spec) { return std::min(1.0, sp
 
 bool isNonlinear(const models::ParameterSpec& spec) { return !isLinear(spec) && spec.choices.empty(); }
 
-FitTarget::FitTarget(FitCells fitCells, metrics::BrdfMetric fitMetric) : cells(std::move(fitCells)), metric(fitMetric) {
+FitTarget::FitTarget(FitCells fitCells, MetricTransform fitMetric) : cells(std::move(fitCells)), metric(fitMetric) {
+  double total = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double cosI = cells.cosI[i], cosO = cells.cosO[i];
+    factor.push_back(metric.factor(cosI, cosO));
+    rootWeight.push_back(cells.rootWeight[i] * std::sqrt(metric.weight(cosI, cosO)));
+    total += rootWeight[i] * rootWeight[i];
+  }
+  if (total > 0)
+    for (double& weight : rootWeight) weight /= std::sqrt(total);
   for (std::size_t channel = 0; channel < 3; ++channel) {
     transformed[channel].resize(cells.size());
     startWeight[channel].resize(cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const double x = cells.values[channel][i] * cells.cosI[i];
+      const double x = cells.values[channel][i] * factor[i];
       transformed[channel][i] = metric.transform(x);
-      startWeight[channel][i] = cells.rootWeight[i] * metric.slope(x) * cells.cosI[i];
+      startWeight[channel][i] = rootWeight[i] * metric.slope(x) * factor[i];
     }
   }
 }
@@ -131,8 +140,8 @@ void ProjectedProblem::evaluateBases(const models::ParameterValues& at) {
 ChannelProblem ProjectedProblem::channelProblem(std::size_t slot) const {
   const std::size_t channel = std::size_t(channels_[slot]);
   ChannelProblem problem{.metric = target_.metric,
-                         .cosI = target_.cells.cosI,
-                         .rootWeight = target_.cells.rootWeight,
+                         .factor = target_.factor,
+                         .rootWeight = target_.rootWeight,
                          .transformed = target_.transformed[channel],
                          .startWeight = target_.startWeight[channel],
                          .values = target_.cells.values[channel],

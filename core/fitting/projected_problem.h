@@ -17,10 +17,12 @@ namespace gonio::fitting {
 struct FitTarget {
   FitCells cells;
   MetricTransform metric;
-  std::array<std::vector<double>, 3> transformed;  ///< transform(measured cos theta_i)
-  std::array<std::vector<double>, 3> startWeight;  ///< rootWeight slope(measured cos theta_i) cos theta_i
+  std::vector<double> factor;                      ///< what the metric multiplies the reflectance by
+  std::vector<double> rootWeight;                  ///< sqrt of the cells' weight times the metric's; they add up to 1
+  std::array<std::vector<double>, 3> transformed;  ///< transform(measured factor)
+  std::array<std::vector<double>, 3> startWeight;  ///< rootWeight slope(measured factor) factor
 
-  FitTarget(FitCells fitCells, metrics::BrdfMetric fitMetric);
+  FitTarget(FitCells fitCells, MetricTransform fitMetric);
 };
 
 /// Whether a parameter is found by the non-linear solver: it is neither linear in every channel nor a choice.

@@ -3,48 +3,19 @@
 #include "core/metrics/brdf_metrics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
+#include <glm/common.hpp>
+#include <span>
+#include <vector>
 
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
 #include "core/metrics/decibels.h"
-#include "core/support/error.h"
+#include "core/metrics/metric_domain.h"
 
 namespace gonio::metrics {
 
 namespace {
-
-struct NamedMetric {
-  BrdfMetric metric;
-  std::string_view name;
-};
-constexpr std::array namedMetrics{NamedMetric{BrdfMetric::log, "log"}, NamedMetric{BrdfMetric::cosineL2, "cosine-l2"},
-                                  NamedMetric{BrdfMetric::cubeRoot, "cube-root"},
-                                  NamedMetric{BrdfMetric::meanAbsoluteLog, "mean-absolute-log"}};
-constexpr std::size_t metricCount = namedMetrics.size();
-constexpr std::array metrics{BrdfMetric::log, BrdfMetric::cosineL2, BrdfMetric::cubeRoot, BrdfMetric::meanAbsoluteLog};
-
-/// A measurement error can leave a reconstruction below 0, where a root is undefined.
-double reflected(double value, double cosI) { return std::max(0.0, value) * cosI; }
-
-using PerMetric = std::array<double, metricCount>;  ///< in the order of `metrics`
-
-/// What the metrics sum over the channels of one cell.
-PerMetric deviations(const Rgb& reference, const Rgb& test, double cosI) {
-  double logSquared = 0, linearSquared = 0, rootSquared = 0, logAbsolute = 0;
-  for (int channel = 0; channel < 3; ++channel) {
-    const double r = reflected(reference[channel], cosI), t = reflected(test[channel], cosI);
-    // log((1 + r) / (1 + t)) without cancellation for small values.
-    const double log = std::log1p((r - t) / (1 + t)), linear = r - t, root = std::cbrt(r) - std::cbrt(t);
-    logSquared += log * log;
-    logAbsolute += std::abs(log);
-    linearSquared += linear * linear;
-    rootSquared += root * root;
-  }
-  return {logSquared, linearSquared, rootSquared, logAbsolute};
-}
 
 /// The reference's cells of one block that pass a filter, with both values.
 struct Cells {
@@ -104,77 +75,117 @@ double smallestCosine(double maxPolarAngle) { return std::cos(maxPolarAngle) - 1
 
 constexpr std::size_t block = 8192;
 
+/// Weighted sums over the cells of a block, one of each a metric, in the order of metricRecords().
 struct Sums {
-  PerMetric deviations{};
-  double weight = 0;
+  std::vector<double> deviations = std::vector<double>(metricRecords().size(), 0.0);
+  std::vector<double> weights = std::vector<double>(metricRecords().size(), 0.0);
 };
 
-Sums sumDeviations(const TabulatedBrdf& reference, const Cells& cells) {
-  Sums sums;
-  const auto rowLength = std::size_t(reference.grid().phiDCount);
-  std::size_t row = std::size_t(-1);
-  double weight = 0;
-  for (std::size_t i = 0; i < cells.indices.size(); ++i) {
-    const std::size_t cell = cells.indices[i];
-    if (cell / rowLength != row) {
+/// Sums the metrics asked for over one block of cells. Metrics of one factor and domain share their differences.
+class BlockSums {
+ public:
+  BlockSums(const TabulatedBrdf& reference, const Cells& cells, double gamma)
+      : reference_(reference), cells_(cells), gamma_(gamma), measures_(cells.indices.size()) {
+    const auto rowLength = std::size_t(reference.grid().phiDCount);
+    std::size_t row = std::size_t(-1);
+    for (std::size_t i = 0; i < measures_.size(); ++i) {
+      const std::size_t cell = cells.indices[i];
+      // The same for all phi_d.
+      measures_[i] = cell / rowLength == row ? measures_[i - 1] : reference.grid().cellMeasure(cell);
       row = cell / rowLength;
-      weight = reference.grid().cellMeasure(cell);  // the same for all phi_d
     }
-    const Rgb value(reference.values()[cell]);
-    sums.weight += 3 * weight;
-    const PerMetric found = deviations(value, cells.test[i], cells.pairs[i].wi.z);
-    for (std::size_t m = 0; m < metricCount; ++m) sums.deviations[m] += weight * found[m];
   }
-  return sums;
-}
 
-}  // namespace
-
-std::span<const BrdfMetric> allBrdfMetrics() { return metrics; }
-
-std::string_view metricName(BrdfMetric metric) {
-  for (const NamedMetric& named : namedMetrics)
-    if (named.metric == metric) return named.name;
-  return {};
-}
-
-BrdfMetric metricByName(std::string_view name) {
-  std::string known;
-  for (const NamedMetric& named : namedMetrics) {
-    if (named.name == name) return named.metric;
-    known += (known.empty() ? "" : ", ") + std::string(named.name);
+  Sums sum(std::span<const BrdfMetric> wanted) {
+    Sums sums;
+    std::vector<bool> done(metricRecords().size(), false);
+    for (const BrdfMetric metric : wanted) {
+      const MetricRecord& first = metricRecord(metric);
+      if (done[static_cast<std::size_t>(metric)]) continue;
+      computeDifferences(first);
+      for (const BrdfMetric other : wanted) {
+        const MetricRecord& record = metricRecord(other);
+        if (record.factor != first.factor || record.domain != first.domain) continue;
+        const auto index = static_cast<std::size_t>(other);
+        accumulate(record, sums.deviations[index], sums.weights[index]);
+        done[index] = true;
+      }
+    }
+    return sums;
   }
-  throw Error("there is no metric named '" + std::string(name) + "'; the metrics are " + known);
-}
 
-double brdfError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf& test, double maxPolarAngle) {
-  const std::vector<double> errors = brdfErrors(reference, test, maxPolarAngle);
-  for (std::size_t i = 0; i < metricCount; ++i)
-    if (metrics[i] == metric) return errors[i];
-  return 0;
-}
+ private:
+  void computeDifferences(const MetricRecord& record) {
+    differences_.resize(cells_.indices.size());
+    if (record.domain == MetricDomain::lab) {
+      for (std::size_t i = 0; i < differences_.size(); ++i)
+        differences_[i] = labOf(glm::max(Rgb(0), referenceAt(i))) - labOf(glm::max(Rgb(0), cells_.test[i]));
+      return;
+    }
+    visitDifference(record.domain, gamma_, [&](const auto& difference) {
+      for (std::size_t i = 0; i < differences_.size(); ++i) {
+        const DirectionPair& pair = cells_.pairs[i];
+        const double factor = metricFactor(record.factor, pair.wi.z, pair.wo.z);
+        const Rgb r = glm::max(Rgb(0), referenceAt(i)) * factor, t = glm::max(Rgb(0), cells_.test[i]) * factor;
+        differences_[i] = {difference(r.x, t.x), difference(r.y, t.y), difference(r.z, t.z)};
+      }
+    });
+  }
 
-std::vector<double> brdfErrors(const TabulatedBrdf& reference, const Brdf& test, double maxPolarAngle) {
+  void accumulate(const MetricRecord& record, double& deviation, double& weightSum) const {
+    const double terms = record.domain == MetricDomain::lab ? 1 : 3;
+    for (std::size_t i = 0; i < differences_.size(); ++i) {
+      const DirectionPair& pair = cells_.pairs[i];
+      const double weight = measures_[i] * metricWeight(record.weight, pair.wi.z, pair.wo.z);
+      const Rgb& d = differences_[i];
+      weightSum += terms * weight;
+      deviation +=
+          weight * (metricPower(record.power, d.x) + metricPower(record.power, d.y) + metricPower(record.power, d.z));
+    }
+  }
+
+  Rgb referenceAt(std::size_t i) const { return Rgb(reference_.values()[cells_.indices[i]]); }
+
+  const TabulatedBrdf& reference_;
+  const Cells& cells_;
+  double gamma_;
+  std::vector<double> measures_;
+  std::vector<Rgb> differences_;
+};
+
+/// In the order of metricRecords(); 0 for metrics that are not wanted.
+std::vector<double> errorsBy(std::span<const BrdfMetric> wanted, const TabulatedBrdf& reference, const Brdf& test,
+                             double maxPolarAngle, double gamma) {
   const std::size_t count = reference.grid().size();
   const double minCosine = smallestCosine(maxPolarAngle);
   const GridDirections directions(reference.grid());
   std::vector<Sums> blocks((count + block - 1) / block);
   parallelForBlocks(count, block, [&](std::size_t begin, std::size_t end) {
     const Cells cells = cellsOfBlock(reference, directions, test, begin, end, minCosine);
-    blocks[begin / block] = sumDeviations(reference, cells);
+    blocks[begin / block] = BlockSums(reference, cells, gamma).sum(wanted);
   });
-  Sums total;
-  for (const Sums& sums : blocks) {
-    total.weight += sums.weight;
-    for (std::size_t m = 0; m < metricCount; ++m) total.deviations[m] += sums.deviations[m];
-  }
-  std::vector<double> errors(metricCount, 0.0);
-  if (!(total.weight > 0)) return errors;
-  for (std::size_t m = 0; m < metricCount; ++m) {
-    const double mean = total.deviations[m] / total.weight;
-    errors[m] = metrics[m] == BrdfMetric::meanAbsoluteLog ? mean : std::sqrt(mean);
+  std::vector<double> errors(metricRecords().size(), 0.0);
+  for (std::size_t m = 0; m < errors.size(); ++m) {
+    double deviation = 0, weight = 0;
+    for (const Sums& sums : blocks) {
+      deviation += sums.deviations[m];
+      weight += sums.weights[m];
+    }
+    if (!(weight > 0)) continue;
+    errors[m] = metricRecords()[m].isRoot ? std::sqrt(deviation / weight) : deviation / weight;
   }
   return errors;
+}
+
+}  // namespace
+
+double brdfError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf& test, double maxPolarAngle,
+                 double gamma) {
+  return errorsBy(std::span(&metric, 1), reference, test, maxPolarAngle, gamma)[static_cast<std::size_t>(metric)];
+}
+
+std::vector<double> brdfErrors(const TabulatedBrdf& reference, const Brdf& test, double maxPolarAngle, double gamma) {
+  return errorsBy(allBrdfMetrics(), reference, test, maxPolarAngle, gamma);
 }
 
 double brdfSignalToNoiseRatio(const TabulatedBrdf& reference, const Brdf& test) {

@@ -18,18 +18,20 @@ LinearVector vectorOf(std::initializer_list<double> values) {
 
 /// A channel with two bases, a broad and a narrow one, and a measurement that is given.
 struct Channel {
-  std::vector<double> cosI, rootWeight, broad, narrow, values, transformed, startWeight;
+  std::vector<double> cosI, factor, rootWeight, broad, narrow, values, transformed, startWeight;
 
   ChannelProblem problem(metrics::BrdfMetric metric, double upper = 100) {
     const MetricTransform transform(metric);
+    factor.clear();
     transformed.clear();
     startWeight.clear();
     for (std::size_t i = 0; i < values.size(); ++i) {
-      transformed.push_back(transform.transform(values[i] * cosI[i]));
-      startWeight.push_back(rootWeight[i] * transform.slope(values[i] * cosI[i]) * cosI[i]);
+      factor.push_back(transform.factor(cosI[i], 0.5));
+      transformed.push_back(transform.transform(values[i] * factor[i]));
+      startWeight.push_back(rootWeight[i] * transform.slope(values[i] * factor[i]) * factor[i]);
     }
     return {.metric = transform,
-            .cosI = cosI,
+            .factor = factor,
             .rootWeight = rootWeight,
             .transformed = transformed,
             .startWeight = startWeight,
@@ -56,7 +58,7 @@ Channel makeChannel(double a, double b, double noise) {
 double costAt(const ChannelProblem& p, double a, double b) {
   double cost = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double d = p.metric.transform(p.model(vectorOf({a, b}), i) * p.cosI[i]) - p.transformed[i];
+    const double d = p.metric.transform(p.model(vectorOf({a, b}), i) * p.factor[i]) - p.transformed[i];
     const double r = p.rootWeight[i] * p.metric.shape(d);
     cost += r * r;
   }
@@ -117,7 +119,7 @@ class LinearSolveTest : public QObject {
 
   void exactDataAreRecovered_data() {
     QTest::addColumn<metrics::BrdfMetric>("metric");
-    for (const metrics::BrdfMetric metric : metrics::allBrdfMetrics())
+    for (const metrics::BrdfMetric metric : metrics::minimisableMetrics())
       QTest::newRow(std::string(metrics::metricName(metric)).c_str()) << metric;
   }
   void exactDataAreRecovered() {
@@ -137,7 +139,7 @@ class LinearSolveTest : public QObject {
     const ChannelSolution solution = solveLinearParameters(problem, {});
     const double a = solution.parameters[0], b = solution.parameters[1];
     // Reweighting creeps along the edges of a sum of absolute values: good enough for a fit.
-    const double tolerance = metric == metrics::BrdfMetric::meanAbsoluteLog ? 1e-3 : 1e-9;
+    const double tolerance = problem.metric.isReweighted() ? 1e-3 : 1e-9;
     QVERIFY(std::abs(solution.cost / costAt(problem, a, b) - 1) < 1e-12);
     for (const double da : {0.1, 0.5, 0.9, 0.99, 0.999, 1.0, 1.001, 1.01, 1.1, 2.0, 10.0})
       for (const double db : {0.1, 0.5, 0.9, 0.99, 0.999, 1.0, 1.001, 1.01, 1.1, 2.0, 10.0})
@@ -156,7 +158,7 @@ class LinearSolveTest : public QObject {
 
   void hardCase12BlackChannelIsExactlyZero() {
     Channel channel = makeChannel(0, 0, 0);
-    for (const metrics::BrdfMetric metric : metrics::allBrdfMetrics()) {
+    for (const metrics::BrdfMetric metric : metrics::minimisableMetrics()) {
       const ChannelSolution solution = solveLinearParameters(channel.problem(metric), vectorOf({1, 1}));
       QCOMPARE(solution.parameters[0], 0.0);
       QCOMPARE(solution.parameters[1], 0.0);

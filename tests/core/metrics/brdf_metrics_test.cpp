@@ -23,24 +23,76 @@ TabulatedBrdf constantTable(double value, const HalfDifferenceGrid& grid = {}) {
   return *bakeTable(testing::FunctionBrdf([&](const Direction&, const Direction&) { return Rgb(value); }), grid);
 }
 
+constexpr double gammaOfTests = 1.7;
+
+/// Textbook CIE 1976 L*a*b* of a grey whose reflectance factor is y: a* = b* = 0.
+double greyLightness(double y) { return 116 * (y > 216.0 / 24389 ? std::cbrt(y) : (24389.0 / 27 * y + 16) / 116) - 16; }
+
+/// What a metric sums for one channel of one cell, written out one by one.
+double plainTerm(BrdfMetric metric, double a, double b, double cosI, double cosO) {
+  const double x = a * cosI, y = b * cosI;
+  const double cosines = std::max(cosI * cosO, 1e-3), u = a * cosines, v = b * cosines;
+  const double relative = std::log((u + 1e-3) / (v + 1e-3));
+  switch (metric) {
+    case BrdfMetric::log:
+      return std::pow(std::log(1 + x) - std::log(1 + y), 2);
+    case BrdfMetric::cosineL2:
+      return std::pow(x - y, 2);
+    case BrdfMetric::cubeRoot:
+      return std::pow(std::pow(x, 1.0 / 3) - std::pow(y, 1.0 / 3), 2);
+    case BrdfMetric::meanAbsoluteLog:
+      return std::abs(std::log(1 + x) - std::log(1 + y));
+    case BrdfMetric::bieronPeersLog:
+      return cosO * std::pow(std::log(1 + x) - std::log(1 + y), 2);
+    case BrdfMetric::gamma:
+      return std::pow(std::pow(x, 1 / gammaOfTests) - std::pow(y, 1 / gammaOfTests), 2);
+    case BrdfMetric::logRelative:
+      return relative * relative;
+    case BrdfMetric::rms:
+      return std::pow(a - b, 2);
+    case BrdfMetric::cosineCubeRoot:
+      return std::pow(std::abs(x - y), 2.0 / 3);
+    case BrdfMetric::projectedRms:
+      return cosO * std::pow(a - b, 2);
+    case BrdfMetric::meanAbsolute:
+      return std::abs(a - b);
+    case BrdfMetric::cosinesCubeRoot:
+      return std::pow(std::abs(u - v), 2.0 / 3);
+    case BrdfMetric::meanAbsoluteLogRelative:
+      return std::abs(relative);
+    default:  // lab, of greys: all of it in one channel's share
+      return cosI * cosO * std::pow(greyLightness(pi * a) - greyLightness(pi * b), 2) / 3;
+  }
+}
+
+double plainWeight(BrdfMetric metric, double cosI, double cosO) {
+  if (metric == BrdfMetric::bieronPeersLog || metric == BrdfMetric::projectedRms) return cosO;
+  return metric == BrdfMetric::lab ? cosI * cosO / 3 : 1;
+}
+
 /// The definition, cell by cell with the grid's own methods.
 double plainError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf& test, double maxPolarAngle) {
   double sum = 0, weightSum = 0;
   for (std::size_t i = 0; i < reference.grid().size(); ++i) {
     if (!reference.valid()[i] || !reference.grid().nodeWithin(i, maxPolarAngle)) continue;
     const auto [wi, wo] = reference.grid().directions(i);
-    const double weight = reference.grid().cellMeasure(i);
+    const double measure = reference.grid().cellMeasure(i);
     const Rgb value = test.evaluate(wi, wo);
     for (int channel = 0; channel < 3; ++channel) {
-      const double r = reference.values()[i][channel] * wi.z, t = value[channel] * wi.z;
-      const double d = metric == BrdfMetric::cosineL2   ? r - t
-                       : metric == BrdfMetric::cubeRoot ? std::cbrt(r) - std::cbrt(t)
-                                                        : std::log(1 + r) - std::log(1 + t);
-      sum += weight * (metric == BrdfMetric::meanAbsoluteLog ? std::abs(d) : d * d);
-      weightSum += weight;
+      sum += measure * plainTerm(metric, reference.values()[i][channel], value[channel], wi.z, wo.z);
+      weightSum += measure * plainWeight(metric, wi.z, wo.z);
     }
   }
-  return metric == BrdfMetric::meanAbsoluteLog ? sum / weightSum : std::sqrt(sum / weightSum);
+  const bool isRoot = metric != BrdfMetric::meanAbsoluteLog && metric != BrdfMetric::meanAbsolute &&
+                      metric != BrdfMetric::cosinesCubeRoot && metric != BrdfMetric::meanAbsoluteLogRelative;
+  return isRoot ? std::sqrt(sum / weightSum) : sum / weightSum;
+}
+
+/// Every cell, and every channel, times `factor`.
+TabulatedBrdf scaled(const TabulatedBrdf& table, float factor) {
+  Values values(table.values().begin(), table.values().end());
+  for (auto& value : values) value *= factor;
+  return {table.grid(), std::move(values), Flags(table.valid().begin(), table.valid().end())};
 }
 
 }  // namespace
@@ -50,17 +102,78 @@ class BrdfMetricsTest : public QObject {
  private Q_SLOTS:
   void agreesWithTheDefinition() {
     const HalfDifferenceGrid grid{36, 18, 36, true};  // has nodes at exactly 60, 80 and 85 degrees
-    const auto table = bakeTable(*testing::ggx(Rgb(0.3, 0.1, 0), Rgb(1), 0.2, 0.3), grid);
-    const auto test = testing::ggx(Rgb(0.25, 0.2, 0.1), Rgb(0.8), 0.25, 0.3);
-    for (const double angle : {60.0, 80.0, 85.0}) {
-      const std::vector<double> errors = brdfErrors(*table, *test, radians(angle));
-      for (std::size_t m = 0; m < errors.size(); ++m) {
-        const double expected = plainError(allBrdfMetrics()[m], *table, *test, radians(angle));
-        QVERIFY2(std::abs(errors[m] / expected - 1) < 1e-9,
-                 qPrintable(QString("%1: %2, %3").arg(int(m)).arg(errors[m]).arg(expected)));
-        QCOMPARE(brdfError(allBrdfMetrics()[m], *table, *test, radians(angle)), errors[m]);
+    for (const bool isGrey : {false, true}) {
+      const auto table = bakeTable(*testing::ggx(isGrey ? Rgb(0.3) : Rgb(0.3, 0.1, 0), Rgb(1), 0.2, 0.3), grid);
+      const auto test = testing::ggx(isGrey ? Rgb(0.2) : Rgb(0.25, 0.2, 0.1), Rgb(0.8), 0.25, 0.3);
+      for (const double angle : {60.0, 80.0, 85.0}) {
+        const std::vector<double> errors = brdfErrors(*table, *test, radians(angle), gammaOfTests);
+        QCOMPARE(errors.size(), metricRecords().size());
+        for (const BrdfMetric metric : allBrdfMetrics()) {
+          const double error = errors[std::size_t(metric)];
+          QCOMPARE(brdfError(metric, *table, *test, radians(angle), gammaOfTests), error);
+          if (metric == BrdfMetric::lab && !isGrey) continue;
+          const double expected = plainError(metric, *table, *test, radians(angle));
+          QVERIFY2(std::abs(error / expected - 1) < 1e-9,
+                   qPrintable(QString("%1: %2, %3").arg(metricName(metric).data()).arg(error).arg(expected)));
+        }
       }
     }
+  }
+
+  /// Of two constants the mean over both hemispheres is that of powers of cosines: <cos^n> = 1 / (n + 1).
+  void closedFormsOfConstants() {
+    const double a = 0.25, b = 0.16, d = a - b;
+    const TabulatedBrdf reference = constantTable(a), test = constantTable(b);
+    const std::vector<double> errors = brdfErrors(reference, test, halfPi, 2);
+    const auto verify = [&](BrdfMetric metric, double expected, double tolerance) {
+      QVERIFY2(std::abs(errors[std::size_t(metric)] / expected - 1) < tolerance,
+               qPrintable(
+                   QString("%1 %2 %3").arg(metricName(metric).data()).arg(errors[std::size_t(metric)]).arg(expected)));
+    };
+    for (const BrdfMetric metric : {BrdfMetric::rms, BrdfMetric::projectedRms, BrdfMetric::meanAbsolute})
+      verify(metric, d, 1e-6);
+    // What is left is the grid's staircase at the horizon.
+    verify(BrdfMetric::cosineL2, d / std::sqrt(3.0), 0.01);
+    verify(BrdfMetric::cubeRoot, (std::cbrt(a) - std::cbrt(b)) * std::sqrt(3.0 / 5), 0.01);
+    verify(BrdfMetric::gamma, (0.5 - 0.4) / std::sqrt(2.0), 0.01);
+    verify(BrdfMetric::cosineCubeRoot, std::cbrt(d) * std::sqrt(3.0 / 5), 0.01);
+    verify(BrdfMetric::cosinesCubeRoot, std::pow(d, 2.0 / 3) * 9 / 25, 0.01);
+    verify(BrdfMetric::lab, greyLightness(pi * a) - greyLightness(pi * b), 1e-4);
+  }
+
+  /// Both materials 8 times as bright.
+  void scalingLaws() {
+    const HalfDifferenceGrid grid{30, 20, 24, true};
+    const auto reference = bakeTable(*testing::ggx(Rgb(0.3, 0.1, 0), Rgb(1), 0.2, 0.3), grid);
+    const auto test = bakeTable(*testing::ggx(Rgb(0.25, 0.2, 0.1), Rgb(0.8), 0.25, 0.3), grid);
+    const std::vector<double> once = brdfErrors(*reference, *test, defaultMaxPolarAngle, 1.5);
+    const std::vector<double> eight = brdfErrors(scaled(*reference, 8), scaled(*test, 8), defaultMaxPolarAngle, 1.5);
+    const auto verify = [&](BrdfMetric metric, double factor) {
+      const auto m = std::size_t(metric);
+      QVERIFY2(std::abs(eight[m] / (factor * once[m]) - 1) < 1e-6, metricName(metric).data());
+    };
+    for (const BrdfMetric metric :
+         {BrdfMetric::cosineL2, BrdfMetric::rms, BrdfMetric::projectedRms, BrdfMetric::meanAbsolute})
+      verify(metric, 8);
+    for (const BrdfMetric metric : {BrdfMetric::cubeRoot, BrdfMetric::cosineCubeRoot}) verify(metric, 2);
+    for (const BrdfMetric metric : {BrdfMetric::gamma, BrdfMetric::cosinesCubeRoot}) verify(metric, 4);
+    // Logarithms grow less than what they are taken of.
+    for (const BrdfMetric metric : {BrdfMetric::log, BrdfMetric::meanAbsoluteLog, BrdfMetric::bieronPeersLog}) {
+      const auto m = std::size_t(metric);
+      QVERIFY(eight[m] > once[m] && eight[m] < 8 * once[m]);
+    }
+  }
+
+  /// The gamma metric is the cosine-weighted L2 at 1 and the cube root at 3.
+  void gammaMeetsItsNeighbours() {
+    const auto table = bakeTable(*testing::ggx(Rgb(0.3, 0.1, 0), Rgb(1), 0.2, 0.3), {30, 20, 24, true});
+    const auto test = testing::ggx(Rgb(0.25, 0.2, 0.1), Rgb(0.8), 0.25, 0.3);
+    const auto gammaError = [&](double gamma) {
+      return brdfError(BrdfMetric::gamma, *table, *test, defaultMaxPolarAngle, gamma);
+    };
+    QVERIFY(std::abs(gammaError(1) / brdfError(BrdfMetric::cosineL2, *table, *test) - 1) < 1e-12);
+    QVERIFY(std::abs(gammaError(3) / brdfError(BrdfMetric::cubeRoot, *table, *test) - 1) < 1e-9);
+    QVERIFY(std::abs(gammaError(2) / gammaError(2 + 1e-9) - 1) < 1e-6);
   }
 
   void equalValuesGiveZero() {
@@ -141,7 +254,14 @@ class BrdfMetricsTest : public QObject {
   }
 
   void names() {
-    for (const BrdfMetric metric : allBrdfMetrics()) QVERIFY(metricByName(metricName(metric)) == metric);
+    for (const BrdfMetric metric : allBrdfMetrics()) {
+      const MetricRecord& record = metricRecord(metric);
+      QVERIFY(record.metric == metric);
+      QVERIFY(metricByName(record.id) == metric);
+      if (!record.alias.empty()) QVERIFY(metricByName(record.alias) == metric);
+      QVERIFY(!record.name.empty() && !record.formula.empty() && !record.reference.empty());
+      QCOMPARE(std::ranges::find(minimisableMetrics(), metric) != minimisableMetrics().end(), record.minimisable);
+    }
     QVERIFY_THROWS_EXCEPTION(Error, metricByName("vibes"));
   }
 };
