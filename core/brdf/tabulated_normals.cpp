@@ -9,62 +9,71 @@ namespace gonio {
 
 namespace {
 
-constexpr double firstEdge = 1e-5;
+constexpr double firstCircle = 1e-5;
 
-/// The edges of the rings: 1 - cos theta, in which a ring's area is even.
+/// The circles by 1 - cos theta, in which areas are even.
 template <std::size_t count>
-std::array<double, count> makeEdges() {
-  std::array<double, count> edges{};
+std::array<double, count> makeCircles() {
+  std::array<double, count> circles{};
   for (std::size_t i = 1; i < count; ++i) {
-    const double theta = firstEdge * std::pow(halfPi / firstEdge, double(i - 1) / double(count - 2));
-    edges[i] = 2 * std::sin(theta / 2) * std::sin(theta / 2);
+    const double theta = firstCircle * std::pow(halfPi / firstCircle, double(i - 1) / double(count - 2));
+    circles[i] = 2 * std::sin(theta / 2) * std::sin(theta / 2);
   }
-  edges[count - 1] = 1;
-  return edges;
+  circles[count - 1] = 1;
+  return circles;
 }
 
 template <std::size_t count>
-const std::array<double, count>& edgesOf(const std::array<double, count>&) {
-  static const std::array<double, count> edges = makeEdges<count>();
-  return edges;
+const std::array<double, count>& circlesOf(const std::array<double, count>&) {
+  static const std::array<double, count> circles = makeCircles<count>();
+  return circles;
+}
+
+/// The last circle at or inside of `value`, so that another follows it.
+template <std::size_t count>
+std::size_t ringOf(const std::array<double, count>& ascending, double value) {
+  const auto above = std::upper_bound(ascending.begin() + 1, ascending.end() - 1, value);
+  return std::size_t(above - ascending.begin()) - 1;
 }
 
 }  // namespace
 
 TabulatedNormals::TabulatedNormals(const std::function<double(double)>& weight) {
-  const auto& edges = edgesOf(cumulative_);
-  const auto share = [&](int ring, bool cosine) {
-    const double low = edges[std::size_t(ring)], high = edges[std::size_t(ring) + 1], middle = (low + high) / 2;
-    const double value = cosine ? 1 - middle : weight(2 * std::asin(std::sqrt(middle / 2)));
-    return std::isfinite(value) ? std::max(0.0, value) * (high - low) : 0;
-  };
+  const auto& x = circlesOf(density_);
   for (const bool cosine : {false, true}) {
+    for (std::size_t i = 0; i < circles; ++i) {
+      const double value = cosine ? 1 - x[i] : weight(2 * std::asin(std::sqrt(x[i] / 2)));
+      density_[i] = std::isfinite(value) ? std::max(0.0, value) : 0;
+    }
     cumulative_[0] = 0;
-    for (int ring = 0; ring < rings; ++ring)
-      cumulative_[std::size_t(ring) + 1] = cumulative_[std::size_t(ring)] + share(ring, cosine);
+    for (std::size_t i = 1; i < circles; ++i)
+      cumulative_[i] = cumulative_[i - 1] + pi * (density_[i - 1] + density_[i]) * (x[i] - x[i - 1]);
     if (cumulative_.back() > 0 && std::isfinite(cumulative_.back())) break;
   }
   const double total = cumulative_.back();
   for (double& value : cumulative_) value /= total;
+  for (double& value : density_) value /= total;
 }
 
 Direction TabulatedNormals::sample(const glm::dvec2& u) const {
-  const auto& edges = edgesOf(cumulative_);
-  const auto above = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, u.x);
-  const std::size_t ring = std::size_t(above - cumulative_.begin()) - 1;
-  const double share = cumulative_[ring + 1] - cumulative_[ring];
-  const double part = share > 0 ? std::min(1.0, (u.x - cumulative_[ring]) / share) : 0.5;
-  const double oneMinusCos = edges[ring] + part * (edges[ring + 1] - edges[ring]);
+  const auto& x = circlesOf(density_);
+  const std::size_t ring = ringOf(cumulative_, u.x);
+  const double width = x[ring + 1] - x[ring], low = density_[ring], rise = density_[ring + 1] - low;
+  // low t + rise t^2 / 2 = what is left of u over the area, solved without cancellation.
+  const double left = std::max(0.0, u.x - cumulative_[ring]) / (2 * pi * width);
+  const double root = std::sqrt(std::max(0.0, low * low + 2 * rise * left));
+  const double t = low + root > 0 ? std::min(1.0, 2 * left / (low + root)) : 0.5;
+  const double oneMinusCos = x[ring] + t * width;
   const double sine = std::sqrt(oneMinusCos * (2 - oneMinusCos)), phi = 2 * pi * u.y;
   return {sine * std::cos(phi), sine * std::sin(phi), 1 - oneMinusCos};
 }
 
 double TabulatedNormals::density(const Direction& h) const {
-  const auto& edges = edgesOf(cumulative_);
-  const double oneMinusCos = (h.x * h.x + h.y * h.y) / (1 + std::max(0.0, h.z));
-  const auto above = std::upper_bound(edges.begin(), edges.end() - 1, oneMinusCos);
-  const std::size_t ring = std::size_t(above - edges.begin()) - 1;
-  return (cumulative_[ring + 1] - cumulative_[ring]) / (2 * pi * (edges[ring + 1] - edges[ring]));
+  const auto& x = circlesOf(density_);
+  const double oneMinusCos = std::min(1.0, (h.x * h.x + h.y * h.y) / (1 + std::max(0.0, h.z)));
+  const std::size_t ring = ringOf(x, oneMinusCos);
+  const double t = (oneMinusCos - x[ring]) / (x[ring + 1] - x[ring]);
+  return density_[ring] + t * (density_[ring + 1] - density_[ring]);
 }
 
 }  // namespace gonio
