@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/editing/edit_migration.h"
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/models/parameters_json.h"
@@ -60,13 +61,14 @@ DifferentialEdit editFromJson(const nlohmann::json& json, const std::string& whe
   return edit;
 }
 
-void checkVersion(const JsonObject& root) {
+int readVersion(const JsonObject& root) {
   if (root.text("format") != formatName) root.fail("format", "\"" + std::string(formatName) + "\"");
   const std::string expected = "a version from 1 to " + std::to_string(EditDocument::currentVersion);
   const nlohmann::json& version = root.member("version", expected);
   if (!version.is_number_integer() || version.get<double>() < 1) root.fail("version", expected);
   if (version.get<double>() > EditDocument::currentVersion)
     root.fail("version", expected + "; a newer Gonio wrote this document");
+  return version.get<int>();
 }
 
 /// The source as it is written: relative where it lies beside or below the document.
@@ -92,7 +94,7 @@ nlohmann::json toJson(const EditDocument& document) {
 
 EditDocument documentFromJson(const nlohmann::json& json) {
   const JsonObject root(json, "");
-  checkVersion(root);
+  const int version = readVersion(root);
   EditDocument document;
   const JsonObject source = root.object("source");
   document.sourcePath = source.text("path");
@@ -101,7 +103,7 @@ EditDocument documentFromJson(const nlohmann::json& json) {
   if (!isSha256(document.sourceSha256)) source.fail("sha256", "64 digits 0-9 and a-f");
   const nlohmann::json& edits = root.array("edits");
   for (std::size_t i = 0; i < edits.size(); ++i)
-    document.edits.push_back(editFromJson(edits[i], "edits[" + std::to_string(i) + "]"));
+    document.edits.push_back(editFromJson(migratedEdit(edits[i], version), "edits[" + std::to_string(i) + "]"));
   if (root.contains("view")) {
     if (!root.member("view", "an object").is_object()) root.fail("view", "an object");
     document.view = root.member("view", "an object");

@@ -13,11 +13,11 @@
 namespace gonio::editing {
 
 /// What a .gonio file holds: which source, which edits; never measured data. JSON, versioned:
-///   {"format": "gonio document", "version": 1, "source": {"path": "a.binary", "sha256": "..."},
+///   {"format": "gonio document", "version": 2, "source": {"path": "a.binary", "sha256": "..."},
 ///    "edits": [{"type": "differential", "model": "ggx", "fitted": {..}, "edited": {..}, "strength": 1,
 ///               "enabled": true}], "view": {..}}
 struct EditDocument {
-  static constexpr int currentVersion = 1;
+  static constexpr int currentVersion = 2;
 
   /// Absolute, or relative to the folder of the document; "library:sgd/chrome" for a bundled material.
   std::string sourcePath;
@@ -28,7 +28,7 @@ struct EditDocument {
 
 /// @throws Error when an edit's values do not fit its model.
 nlohmann::json toJson(const EditDocument& document);
-/// Keys that this version does not know are left out.
+/// Keys that this version does not know are left out; older versions open with the same numbers.
 /// @throws Error telling the key, what was found and what was expected; unknown models and newer versions too.
 EditDocument documentFromJson(const nlohmann::json& json);
 

@@ -14,6 +14,7 @@ namespace {
 bool isFiniteNumber(const nlohmann::json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
 
 Rgb valueFromJson(const ParameterSpec& parameter, const JsonObject& object) {
+  if (!object.contains(parameter.id)) return Rgb(parameter.defaultValue);
   const char* expected = parameter.perChannel ? "a number or three (red, green, blue)" : "a number";
   const nlohmann::json& value = object.member(parameter.id, expected);
   if (isFiniteNumber(value)) return Rgb(value.get<double>());

@@ -14,8 +14,9 @@ namespace gonio::models {
 /// @throws Error when the count of values is wrong or one is not finite.
 nlohmann::json parametersToJson(const ModelSpec& spec, const ParameterValues& parameters);
 
-/// The reverse. Every parameter of the model must be there, and no other. A single number stands for three equal ones;
-/// values outside the hard range are kept (Model::instantiate() clamps them).
+/// The reverse. A parameter that is not there has its default: documents written before a model got it go on opening
+/// with the same numbers. Parameters that the model does not have are errors. A single number stands for three equal
+/// ones; values outside the hard range are kept (Model::instantiate() clamps them).
 /// @param where the object's place in its document, for the errors: "edits[0].fitted".
 /// @throws Error naming the parameter, what was found and what was expected.
 ParameterValues parametersFromJson(const ModelSpec& spec, const nlohmann::json& json, const std::string& where);

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cmath>
+
+#include "core/brdf/half_vector_lobe.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+inline constexpr std::string_view ward1992 = "Ward 1992, Measuring and Modeling Anisotropic Reflection";
+
+/// exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (4 pi alpha_x alpha_y): the Gaussian of surface slopes that
+/// the models of Ward's family share (Ward 1992, eq. 5a without the square root; Walter 2005, Notes on the Ward BRDF:
+/// no azimuth is needed).
+class WardLobe {
+ public:
+  WardLobe(double alphaX, double alphaY)
+      : inverseX2_(1 / (alphaX * alphaX)),
+        inverseY2_(1 / (alphaY * alphaY)),
+        normaliser_(1 / (4 * pi * alphaX * alphaY)) {}
+
+  double operator()(const SurfaceGeometry& g) const {
+    const double slopes = g.half.x * g.half.x * inverseX2_ + g.half.y * g.half.y * inverseY2_;
+    return normaliser_ * std::exp(-slopes / (g.half.z * g.half.z));
+  }
+
+ private:
+  double inverseX2_, inverseY2_, normaliser_;
+};
+
+/// k_d / pi + k_s WardLobe * fade: the models differ in `double fade(const SurfaceGeometry&)` alone.
+template <typename Fade>
+std::unique_ptr<const Brdf> makeWardBrdf(const Rgb& kd, const Rgb& ks, double alphaX, double alphaY, Fade fade) {
+  return makeGeometryBrdf([kd = kd / pi, ks, lobe = WardLobe(alphaX, alphaY),
+                           fade](const SurfaceGeometry& g) { return kd + ks * (lobe(g) * fade(g)); },
+                          diffuseAnd(maxChannel(kd), maxChannel(ks), HalfVectorLobe{BeckmannNormals{alphaX, alphaY}}),
+                          alphaX == alphaY);
+}
+
+}  // namespace gonio::models

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+// p: diffuse, specular, roughness x, roughness y
+#include "ward_lobe.glsl"
+
+const int PARAMETER_COUNT_WARD_ANISOTROPIC = 4;
+
+vec3 evaluate_ward_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_WARD_ANISOTROPIC]) {
+  SurfaceGeometry g;
+  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  float fade = 1.0 / (sqrt(g.cosI) * sqrt(g.cosO));
+  return p[0] / pi + p[1] * (wardLobe(g, p[2].x, p[3].x, 0.0) * fade);
+}
