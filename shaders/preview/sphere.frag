@@ -4,9 +4,12 @@
 // Assembled by widgets/preview/shader_library: a variant holds only what its scene calls for.
 //   LIGHT_ENVIRONMENT   environment light by multiple importance sampling (else one directional light)
 //   SHOW_ENVIRONMENT    the environment behind the sphere
-//   EDIT_MODEL          measured + strength (model(edited) - model(fitted)), with EVALUATE_MODEL and EDIT_PARAMETERS
+//   EDIT_MODEL          measured + strength (model(edited) - model(fitted)), with EVALUATE_MODEL and MODEL_PARAMETERS
+//   MODEL_ALONE         the model and no table, with EVALUATE_MODEL and MODEL_PARAMETERS
 #include "half_difference.glsl"
+#ifndef MODEL_ALONE
 #include "preview/table.glsl"
+#endif
 #ifdef LIGHT_ENVIRONMENT
 #include "preview/environment.glsl"
 #include "preview/sampling_lobe.glsl"
@@ -30,13 +33,19 @@ uniform vec3 toLight;
 uniform vec3 irradiance;
 
 #ifdef EDIT_MODEL
-uniform vec3 editedParameters[EDIT_PARAMETERS];
-uniform vec3 fittedParameters[EDIT_PARAMETERS];
+uniform vec3 editedParameters[MODEL_PARAMETERS];
+uniform vec3 fittedParameters[MODEL_PARAMETERS];
 uniform float editStrength;
+#endif
+#ifdef MODEL_ALONE
+uniform vec3 modelParameters[MODEL_PARAMETERS];
 #endif
 
 vec3 evaluateBrdf(vec3 wi, vec3 wo) {
   if (wi.z <= 0.0 || wo.z <= 0.0) return vec3(0.0);
+#ifdef MODEL_ALONE
+  return EVALUATE_MODEL(wi, wo, modelParameters);
+#else
   bool valid;
   vec3 value = evaluateTable(wi, wo, valid);
 #ifdef EDIT_MODEL
@@ -46,6 +55,7 @@ vec3 evaluateBrdf(vec3 wi, vec3 wo) {
   }
 #endif
   return value;
+#endif
 }
 
 // PCG hash of a pixel (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering").

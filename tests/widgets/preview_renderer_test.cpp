@@ -25,20 +25,22 @@ std::shared_ptr<const TabulatedBrdf> bakedModel(const char* id,
 }
 
 /// SNR of the shader's converged picture against the CPU's, dB.
-double agreement(widgets::PreviewRenderer& renderer, const std::shared_ptr<const TabulatedBrdf>& table,
-                 const std::optional<editing::DifferentialEdit>& edit, const SphereScene& scene) {
-  const SamplingLobe lobe = estimateSamplingLobe(*table);
-  renderer.setTable(table, lobe);
-  renderer.setEdit(edit);
+double agreement(widgets::PreviewRenderer& renderer, widgets::PreviewSubject subject, const SphereScene& scene) {
+  const std::shared_ptr<const Brdf> brdf = widgets::subjectBrdf(subject);
+  subject.lobe = estimateSamplingLobe(subject.table ? *subject.table : *brdf);
+  renderer.setSubject(subject);
   renderer.setScene(scene);
   renderer.setSize({side, side});
   const int samples = 512;
   for (int i = 0; i < samples / 64; ++i) renderer.accumulate(64);
-  std::shared_ptr<const Brdf> brdf = table;
-  if (edit) brdf = editing::applyEdits(table, std::span(&*edit, 1));
   const Image reference =
-      renderSphere(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = lobe});
+      renderSphere(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
   return metrics::signalToNoiseRatio(reference, renderer.readPicture());
+}
+
+double agreement(widgets::PreviewRenderer& renderer, const std::shared_ptr<const TabulatedBrdf>& table,
+                 const std::optional<editing::DifferentialEdit>& edit, const SphereScene& scene) {
+  return agreement(renderer, {.table = table, .lobe = {}, .edit = edit}, scene);
 }
 
 }  // namespace
@@ -95,6 +97,65 @@ class PreviewRendererTest : public QObject {
       const double snr = agreement(*renderer_, table, edit, {});
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
+  }
+
+  /// The model alone, without its table, is the model of the core: under one light every model, under an environment
+  /// one.
+  void modelAlone() {
+    for (const models::Model* model : models::allModels()) {
+      widgets::PreviewSubject subject{.table = nullptr, .lobe = {}};
+      subject.model = model;
+      subject.parameters = models::defaultParameters(model->spec());
+      const double snr = agreement(*renderer_, subject, {});
+      QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
+    }
+    widgets::PreviewSubject subject{.table = nullptr, .lobe = {}};
+    subject.model = &models::findModel("ggx");
+    subject.parameters = models::defaultParameters(subject.model->spec());
+    const double snr = agreement(*renderer_, subject, {.environment = studioEnvironment()});
+    QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
+  }
+
+  /// With a model alone, the table behind it does not count: neither its values nor where it has none.
+  void modelAloneIgnoresTheTable() {
+    widgets::PreviewSubject subject{.table = nullptr, .lobe = {}};
+    subject.model = &models::findModel("ggx");
+    subject.parameters = models::defaultParameters(subject.model->spec());
+    renderer_->setScene({});
+    renderer_->setSize({side, side});
+    renderer_->setSubject(subject);
+    renderer_->accumulate(8);
+    const Image alone = renderer_->readPicture();
+    subject.table = bakedModel("lambert", {});
+    renderer_->setSubject(subject);
+    renderer_->accumulate(8);
+    QVERIFY(renderer_->readPicture().pixels == alone.pixels);
+  }
+
+  /// Two pictures of one context share a table's texture and keep their own accumulations.
+  void twoPicturesShareResources() {
+    const auto table = bakedModel("ggx", {{"roughness", 0.3}});
+    const auto resources = std::make_shared<widgets::PreviewResources>();
+    widgets::PreviewRenderer first(resources), second(resources);
+    first.initialize();
+    second.initialize();
+    const auto texture = resources->table(table);
+    QCOMPARE(resources->table(table), texture);
+    for (widgets::PreviewRenderer* picture : {&first, &second}) {
+      picture->setTable(table, {});
+      picture->setScene({});
+      picture->setSize({side, side});
+    }
+    first.accumulate(4);
+    first.accumulate(4);
+    second.accumulate(4);
+    QCOMPARE(first.samples(), 8);
+    QCOMPARE(second.samples(), 4);
+    second.accumulate(4);
+    QVERIFY(first.readPicture().pixels == second.readPicture().pixels);
+    first.release();
+    second.release();
+    resources->release();
   }
 
   /// An edit with nothing changed draws the same bits as no edit.

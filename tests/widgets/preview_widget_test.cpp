@@ -9,6 +9,9 @@
 #include "core/models/model.h"
 #include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
+#include "widgets/preview/false_colour_legend.h"
+#include "widgets/preview/preview_overlay.h"
+#include "widgets/preview/split_bar.h"
 
 using namespace gonio;
 using widgets::PreviewWidget;
@@ -116,6 +119,65 @@ class PreviewWidgetTest : public QObject {
         renderSphere(*edited, scene, {.width = shown.width, .height = shown.height, .samples = 256, .seed = 3});
     const double snr = metrics::signalToNoiseRatio(reference, shown);
     QVERIFY2(snr > 25, qPrintable(QString("%1 dB").arg(snr)));
+  }
+
+  /// A comparison draws the second subject beside the first, with names; the key shows it whole; off costs no frame
+  /// more.
+  void comparisonOfTwoSubjects() {
+    const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
+    widget_->setSubject({.table = table_, .lobe = {}}, "Grey");
+    widget_->setOther({.table = black, .lobe = {}}, "Black");
+    widget_->setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
+    QVERIFY(widget_->isComparing());
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    QImage picture = widget_->grabPicture();
+    QVERIFY(picture.pixelColor(90, 110).red() > 60 && picture.pixelColor(130, 110).red() < 10);
+    QCOMPARE(widget_->overlay()->name(0)->text(), "Grey");
+    QCOMPARE(widget_->overlay()->name(1)->text(), "Black");
+    widget_->setFlickering(true);
+    QVERIFY(widget_->grabPicture().pixelColor(90, 110).red() < 10);
+    QCOMPARE(widget_->overlay()->name(0)->text(), "Black");
+    widget_->setFlickering(false);
+    widget_->setComparison({});
+    QVERIFY(!widget_->isComparing() && widget_->converged());
+    QVERIFY(widget_->grabPicture().pixelColor(130, 110).red() > 60);
+    QVERIFY(!widget_->overlay()->name(0)->isVisible());
+  }
+
+  /// The bar follows the mouse and the keys, and tells its place.
+  void splitBarMoves() {
+    widget_->setSubject({.table = table_, .lobe = {}}, "A");
+    widget_->setOther({.table = table_, .lobe = {}}, "B");
+    widget_->setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
+    QSignalSpy moves(widget_.get(), &PreviewWidget::splitMoved);
+    widgets::SplitBar* bar = widget_->overlay()->splitBar();
+    QVERIFY(bar->isVisible());
+    const QPoint middle(bar->width() / 2, bar->height() / 2);
+    QTest::mousePress(bar, Qt::LeftButton, {}, middle);
+    QTest::mouseMove(bar, middle + QPoint(44, 0));
+    QTest::mouseRelease(bar, Qt::LeftButton, {}, bar->rect().center());
+    QVERIFY(std::abs(widget_->comparison().split - 0.7) < 0.02);
+    QTest::keyClick(bar, Qt::Key_Left);
+    QVERIFY(std::abs(widget_->comparison().split - 0.68) < 0.02);
+    QTest::keyClick(bar, Qt::Key_Home);
+    QCOMPARE(widget_->comparison().split, 0.5);
+    QVERIFY(moves.count() >= 3);
+  }
+
+  /// The legend tells the range that the colours have: 0.18 against black is a difference of at most 0.18 here.
+  void differenceFindsItsRange() {
+    const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
+    widget_->setSubject({.table = table_, .lobe = {}}, "Grey");
+    widget_->setOther({.table = black, .lobe = {}}, "Black");
+    widget_->setComparison({.mode = widgets::CompareMode::difference});
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    const double found = widget_->differenceRange();
+    QVERIFY2(found >= 0.1 && found <= 1, qPrintable(QString::number(found)));
+    QCOMPARE(widget_->overlay()->legend()->range(), found);
+    QVERIFY(widget_->overlay()->legend()->isVisible());
+    widget_->setComparison({.mode = widgets::CompareMode::difference, .range = 0.25});
+    widget_->grabPicture();
+    QCOMPARE(widget_->differenceRange(), 0.25);
   }
 
   /// Taking the material away shows the empty state again, never a stale picture.

@@ -11,7 +11,6 @@
 #include <glm/vec4.hpp>
 
 #include "core/support/error.h"
-#include "widgets/preview/shader_library.h"
 #include "widgets/preview/textures.h"
 
 namespace gonio::widgets {
@@ -19,65 +18,47 @@ namespace gonio::widgets {
 namespace {
 
 constexpr int maxSamples = 64;  // of sphere.frag
-enum TextureUnit { tableUnit, environmentUnit, lightPoolUnit, lightPoolRadianceUnit, accumulationUnit };
-
 QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d.z)}; }
 
-std::unique_ptr<QOpenGLShaderProgram> link(const QByteArray& fragment, const char* name) {
-  auto program = std::make_unique<QOpenGLShaderProgram>();
-  if (!program->addShaderFromSourceCode(QOpenGLShader::Vertex, assembleShader("preview/fullscreen.vert")) ||
-      !program->addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) || !program->link())
-    throw Error(std::string("shader ") + name + " was refused by the graphics driver: " + program->log().toStdString());
-  return program;
+QString shaderId(const models::Model& model) {
+  return QString::fromUtf8(model.spec().id.data(), qsizetype(model.spec().id.size()));
 }
 
-void drawFullscreen(QOpenGLFunctions_4_1_Core& gl) { gl.glDrawArrays(GL_TRIANGLES, 0, 3); }
-
 }  // namespace
+
+PreviewRenderer::PreviewRenderer(std::shared_ptr<PreviewResources> resources) : resources_(std::move(resources)) {}
 
 PreviewRenderer::~PreviewRenderer() = default;
 
 void PreviewRenderer::initialize() {
+  if (!resources_->isInitialized()) resources_->initialize();
   if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
-  glGenVertexArrays(1, &vertexArray_);
-  displayProgram_ = link(assembleShader("preview/display.frag"), "preview/display.frag");
-  initialized_ = true;
 }
 
 void PreviewRenderer::release() {
-  if (!initialized_) return;
-  for (GLuint* texture : {&tableTexture_, &environmentTexture_, &lightPoolTexture_, &lightPoolRadianceTexture_}) {
-    if (*texture) glDeleteTextures(1, texture);
-    *texture = 0;
-  }
-  glDeleteVertexArrays(1, &vertexArray_);
-  programs_.clear();
-  displayProgram_.reset();
   accumulation_.reset();
-  uploadedEnvironment_.reset();
-  initialized_ = false;
+  tableTexture_.reset();
+  uploadedTable_.reset();
+  if (resources_.use_count() == 1) resources_->release();
+  restart();
+}
+
+void PreviewRenderer::setSubject(const PreviewSubject& subject) {
+  subject_ = subject;
+  restart();
 }
 
 void PreviewRenderer::setTable(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe) {
-  lobe_ = lobe;
-  restart();
-  if (!table) {
-    if (tableTexture_) glDeleteTextures(1, &tableTexture_);
-    tableTexture_ = 0;
-    return;
-  }
-  phiPeriod_ = table->grid().phiDPeriod();
-  uploadTable(*this, tableTexture_, *table);
+  setSubject({.table = std::move(table), .lobe = lobe});
 }
 
 void PreviewRenderer::setEdit(std::optional<editing::DifferentialEdit> edit) {
-  edit_ = std::move(edit);
-  if (edit_ && edit_->isIdentity()) edit_.reset();
+  subject_.edit = std::move(edit);
   restart();
 }
 
 void PreviewRenderer::setLobe(const SamplingLobe& lobe) {
-  lobe_ = lobe;
+  subject_.lobe = lobe;
   restart();
 }
 
@@ -97,17 +78,15 @@ QOpenGLShaderProgram& PreviewRenderer::sphereProgram() {
   QStringList definitions, preamble;
   if (scene_.environment) definitions << "LIGHT_ENVIRONMENT";
   if (scene_.environment && scene_.showEnvironment) definitions << "SHOW_ENVIRONMENT";
-  if (edit_) {
-    const QString id = QString::fromUtf8(edit_->model->spec().id.data(), qsizetype(edit_->model->spec().id.size()));
-    const auto count = edit_->model->shaderParameters(edit_->fitted).size();
-    definitions << "EDIT_MODEL"
-                << "EVALUATE_MODEL evaluate_" + QString(id).replace('-', '_')
-                << QString("EDIT_PARAMETERS %1").arg(count);
-    preamble << "models/" + id + ".glsl";
+  const bool edited = subject_.hasActiveEdit();
+  if (const models::Model* model = edited ? subject_.edit->model : subject_.model) {
+    const auto count = model->shaderParameters(edited ? subject_.edit->fitted : subject_.parameters).size();
+    definitions << (edited ? "EDIT_MODEL" : "MODEL_ALONE")
+                << "EVALUATE_MODEL evaluate_" + shaderId(*model).replace('-', '_')
+                << QString("MODEL_PARAMETERS %1").arg(count);
+    preamble << "models/" + shaderId(*model) + ".glsl";
   }
-  auto& program = programs_[definitions.join(' ')];
-  if (!program) program = link(assembleShader("preview/sphere.frag", definitions, preamble), "preview/sphere.frag");
-  return *program;
+  return resources_->program("preview/sphere.frag", definitions, preamble);
 }
 
 void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
@@ -130,15 +109,17 @@ void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
   }
 }
 
-void PreviewRenderer::setEditUniforms(QOpenGLShaderProgram& program) {
-  if (!edit_) return;
-  const auto set = [&](const char* name, const models::ParameterValues& values) {
-    const std::vector<glm::vec3> uniforms = edit_->model->shaderParameters(values);
+void PreviewRenderer::setModelUniforms(QOpenGLShaderProgram& program) {
+  const auto set = [&](const char* name, const models::Model& model, const models::ParameterValues& values) {
+    const std::vector<glm::vec3> uniforms = model.shaderParameters(values);
     program.setUniformValueArray(name, &uniforms.front().x, int(uniforms.size()), 3);
   };
-  set("editedParameters", edit_->edited);
-  set("fittedParameters", edit_->fitted);
-  program.setUniformValue("editStrength", float(edit_->strength));
+  if (subject_.model) set("modelParameters", *subject_.model, subject_.parameters);
+  if (!subject_.hasActiveEdit()) return;
+  const editing::DifferentialEdit& edit = *subject_.edit;
+  set("editedParameters", *edit.model, edit.edited);
+  set("fittedParameters", *edit.model, edit.fitted);
+  program.setUniformValue("editStrength", float(edit.strength));
 }
 
 void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count) {
@@ -156,45 +137,36 @@ void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count
   program.setUniformValueArray("pixelOffsets", offsets, count);
 }
 
-void PreviewRenderer::uploadEnvironment() {
-  if (!scene_.environment || scene_.environment == uploadedEnvironment_) return;
-  uploadEnvironmentMap(*this, environmentTexture_, *scene_.environment);
-  uploadLightPool(*this, lightPoolTexture_, lightPoolRadianceTexture_, *scene_.environment);
-  uploadedEnvironment_ = scene_.environment;
-}
-
 void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
-  glActiveTexture(GL_TEXTURE0 + tableUnit);
-  glBindTexture(GL_TEXTURE_3D, tableTexture_);
-  program.setUniformValue("table", tableUnit);
-  program.setUniformValue("phiPeriod", float(phiPeriod_));
+  const std::shared_ptr<const TabulatedBrdf> table = subject_.model ? nullptr : subject_.table;
+  if (table != uploadedTable_ || (table && !tableTexture_)) {
+    glActiveTexture(GL_TEXTURE0 + tableUnit);
+    tableTexture_ = resources_->table(table);
+    uploadedTable_ = table;
+  }
+  if (tableTexture_) {
+    glActiveTexture(GL_TEXTURE0 + tableUnit);
+    glBindTexture(GL_TEXTURE_3D, tableTexture_->name);
+    program.setUniformValue("table", tableUnit);
+    program.setUniformValue("phiPeriod", float(tableTexture_->phiPeriod));
+  }
   if (!scene_.environment) return;
-  glActiveTexture(GL_TEXTURE0 + environmentUnit);
-  glBindTexture(GL_TEXTURE_2D, environmentTexture_);
-  glActiveTexture(GL_TEXTURE0 + lightPoolUnit);
-  glBindTexture(GL_TEXTURE_2D, lightPoolTexture_);
-  glActiveTexture(GL_TEXTURE0 + lightPoolRadianceUnit);
-  glBindTexture(GL_TEXTURE_2D, lightPoolRadianceTexture_);
+  resources_->bindEnvironment(scene_.environment);
   program.setUniformValue("environment", environmentUnit);
   program.setUniformValue("lightPool", lightPoolUnit);
   program.setUniformValue("lightPoolRadiance", lightPoolRadianceUnit);
   program.setUniformValue("environmentTurn", QVector2D(float(std::cos(scene_.environmentRotation)),
                                                        float(std::sin(scene_.environmentRotation))));
-  program.setUniformValue("lobeRoughness", float(lobe_.roughness));
-  program.setUniformValue("lobeSpecularShare", float(lobe_.specularShare));
+  program.setUniformValue("lobeRoughness", float(subject_.lobe.roughness));
+  program.setUniformValue("lobeSpecularShare", float(subject_.lobe.specularShare));
 }
 
-void PreviewRenderer::accumulate(int count) {
-  if (!hasMaterial() || count <= 0) return;
-  count = std::min(count, maxSamples);
+void PreviewRenderer::prepareTarget() {
   if (!accumulation_) {
     accumulation_ = std::make_unique<QOpenGLFramebufferObject>(size_, QOpenGLFramebufferObject::NoAttachment,
                                                                GL_TEXTURE_2D, GL_RGBA32F);
     samples_ = 0;
   }
-  glActiveTexture(GL_TEXTURE0 + environmentUnit);
-  uploadEnvironment();
-  QOpenGLShaderProgram& program = sphereProgram();
   accumulation_->bind();
   glViewport(0, 0, size_.width(), size_.height());
   glDisable(GL_DEPTH_TEST);
@@ -205,50 +177,24 @@ void PreviewRenderer::accumulate(int count) {
   }
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  glBindVertexArray(vertexArray_);
+}
+
+void PreviewRenderer::accumulate(int count) {
+  if (!hasMaterial() || count <= 0) return;
+  count = std::min(count, maxSamples);
+  QOpenGLShaderProgram& program = sphereProgram();
   program.bind();
   bindTextures(program);
   setCameraUniforms(program);
-  setEditUniforms(program);
+  setModelUniforms(program);
+  prepareTarget();
   setSampleUniforms(program, count);
-  drawFullscreen(*this);
+  resources_->drawFullscreen();
   glDisable(GL_BLEND);
-  glBindVertexArray(0);
   program.release();
   accumulation_->release();
   glFinish();
   samples_ += count;
-}
-
-void PreviewRenderer::present(const QSize& viewport, const Display& display) {
-  glViewport(0, 0, viewport.width(), viewport.height());
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_BLEND);
-  if (samples_ == 0 || !accumulation_) {
-    glClearColor(float(display.backgroundEdge.redF()), float(display.backgroundEdge.greenF()),
-                 float(display.backgroundEdge.blueF()), 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    return;
-  }
-  glActiveTexture(GL_TEXTURE0 + accumulationUnit);
-  glBindTexture(GL_TEXTURE_2D, accumulation_->texture());
-  // Linear: a first frame at half the resolution is stretched smoothly.
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glBindVertexArray(vertexArray_);
-  QOpenGLShaderProgram& program = *displayProgram_;
-  program.bind();
-  program.setUniformValue("accumulation", accumulationUnit);
-  program.setUniformValue("samples", float(samples_));
-  program.setUniformValue("exposure", float(display.exposure));
-  program.setUniformValue("filmic", display.toneMap == ToneMap::filmic);
-  const auto colour = [](const QColor& c) { return QVector3D(float(c.redF()), float(c.greenF()), float(c.blueF())); };
-  program.setUniformValue("backgroundCentre", colour(display.backgroundCentre));
-  program.setUniformValue("backgroundEdge", colour(display.backgroundEdge));
-  drawFullscreen(*this);
-  program.release();
-  glBindVertexArray(0);
-  glActiveTexture(GL_TEXTURE0);
 }
 
 Image PreviewRenderer::readPicture() {

@@ -2,15 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/preview_widget.h"
 
-#include <QElapsedTimer>
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QWheelEvent>
 
 #include "core/support/error.h"
-#include "widgets/preview/preview_navigation.h"
+#include "widgets/preview/preview_overlay.h"
+#include "widgets/preview/split_bar.h"
 
 namespace gonio::widgets {
 
@@ -19,7 +16,12 @@ constexpr int restMs = 120;  // without a change: the picture is at rest
 }  // namespace
 
 PreviewWidget::PreviewWidget(QWidget* parent)
-    : QOpenGLWidget(parent), overlay_(new QLabel(this)), hint_(new QLabel(this)) {
+    : QOpenGLWidget(parent),
+      resources_(std::make_shared<PreviewResources>()),
+      first_(resources_),
+      second_(resources_),
+      display_(resources_),
+      overlay_(new PreviewOverlay(this)) {
   QSurfaceFormat format;
   format.setVersion(4, 1);
   format.setProfile(QSurfaceFormat::CoreProfile);
@@ -29,104 +31,140 @@ PreviewWidget::PreviewWidget(QWidget* parent)
   setMinimumSize(200, 200);
   setAccessibleName(tr("Preview"));
   setAccessibleDescription(tr("The material on a sphere. Drag to orbit, wheel to zoom."));
-  overlay_->setStyleSheet("background: rgba(0, 0, 0, 120); color: #e8e8e8; padding: 4px 8px; border-radius: 4px;");
-  overlay_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  overlay_->hide();
-  hint_->setStyleSheet("color: #c8c8c8; background: transparent;");
-  hint_->setAlignment(Qt::AlignCenter);
-  hint_->setWordWrap(true);
-  hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  hint_->setText(tr("Open a measured material (Ctrl+O), drop a file here,\nor double-click one in the library."));
   frameTimer_.setSingleShot(true);
   connect(&frameTimer_, &QTimer::timeout, this, [this] { update(); });
+  connect(&first_.estimator, &LobeEstimator::estimated, this, [this](const auto& lobe) { adoptLobe(first_, lobe); });
+  connect(&second_.estimator, &LobeEstimator::estimated, this, [this](const auto& lobe) { adoptLobe(second_, lobe); });
+  connect(overlay_->splitBar(), &SplitBar::moved, this, [this](double share) {
+    comparison_.split = share;
+    update();
+    Q_EMIT splitMoved(share);
+  });
+  setMaterial(nullptr, {});
 }
 
 PreviewWidget::~PreviewWidget() {
-  if (!context()) return;
+  if (context()) release();
+}
+
+void PreviewWidget::release() {
   makeCurrent();
-  renderer_.release();
+  first_.picture.release();
+  second_.picture.release();
+  resources_->release();
   doneCurrent();
 }
 
 void PreviewWidget::setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe) {
-  table_ = std::move(table);
-  lobe_ = lobe;
-  tablePending_ = true;
-  budget_.reset();
-  hint_->setVisible(!table_);
-  overlay_->setVisible(overlayWanted_ && table_);
-  restart();
+  setSubject({.table = std::move(table), .lobe = lobe});
 }
 
 void PreviewWidget::setEdit(std::optional<editing::DifferentialEdit> edit) {
-  edit_ = std::move(edit);
-  renderer_.setEdit(edit_);
-  renderer_.setLobe(editedLobe());
-  restart();
+  PreviewSubject subject = first_.subject;
+  subject.edit = std::move(edit);
+  setSubject(subject, first_.name);
 }
 
-SamplingLobe PreviewWidget::editedLobe() const {
-  if (!table_ || !edit_ || edit_->isIdentity()) return lobe_;
-  return estimateSamplingLobe(*editing::applyEdits(table_, std::span(&*edit_, 1)));
+void PreviewWidget::setSubject(const PreviewSubject& subject, const QString& name) {
+  const bool another = subject.table != first_.subject.table;
+  changeSubject(first_, subject, name);
+  if (another) budget_.reset();
+  if (!failure_.isEmpty()) return;
+  overlay_->setHint(subject.isEmpty() ? tr("Open a measured material (Ctrl+O), drop a file here,\n"
+                                           "or double-click one in the library.")
+                                      : QString());
+  if (subject.isEmpty()) overlay_->setStatus({});
+}
+
+void PreviewWidget::setOther(const PreviewSubject& subject, const QString& name) {
+  changeSubject(second_, subject, name);
+}
+
+void PreviewWidget::changeSubject(Side& side, const PreviewSubject& subject, const QString& name) {
+  side.name = name;
+  showOverlay();
+  if (sameSubject(subject, side.subject)) return;
+  const bool wasPlain = !side.subject.hasActiveEdit() && !side.subject.model;
+  side.subject = subject;
+  PreviewSubject drawn = subject;
+  if (subject.hasActiveEdit() || subject.model) {
+    // The lobe of the step before serves until the new one is known.
+    if (!wasPlain) drawn.lobe = side.picture.subject().lobe;
+    side.estimator.request(subject);
+  } else {
+    side.estimator.cancel();
+  }
+  side.picture.setSubject(drawn);
+  changed();
+}
+
+void PreviewWidget::adoptLobe(Side& side, const SamplingLobe& lobe) {
+  if (similarLobes(lobe, side.picture.subject().lobe)) return;
+  side.picture.setLobe(lobe);
+  update();
+}
+
+void PreviewWidget::setComparison(const PreviewComparison& comparison) {
+  if (comparison == comparison_) return;
+  if (comparison.difference != comparison_.difference || comparison.range != comparison_.range) range_ = 0;
+  comparison_ = comparison;
+  showOverlay();
+  changed();
+}
+
+bool PreviewWidget::isComparing() const {
+  return comparison_.mode != CompareMode::off && !first_.subject.isEmpty() && !second_.subject.isEmpty();
+}
+
+void PreviewWidget::setFlickering(bool flickering) {
+  flickering_ = flickering && isComparing() && comparison_.mode != CompareMode::twoUp;
+  showOverlay();
+  update();
 }
 
 void PreviewWidget::setScene(const SphereScene& scene) {
   scene_ = scene;
-  renderer_.setScene(scene_);
-  restart();
+  first_.picture.setScene(scene_);
+  second_.picture.setScene(scene_);
+  changed();
   Q_EMIT sceneChanged(scene_);
 }
 
 void PreviewWidget::setExposure(double stops) {
-  display_.exposure = stops;
+  settings_.exposure = stops;
   update();
 }
 
 void PreviewWidget::setToneMap(ToneMap toneMap) {
-  display_.toneMap = toneMap;
+  settings_.toneMap = toneMap;
   update();
 }
 
-void PreviewWidget::setOverlayVisible(bool visible) {
-  overlayWanted_ = visible;
-  overlay_->setVisible(visible && table_);
-}
+void PreviewWidget::setOverlayVisible(bool visible) { overlay_->setStatusWanted(visible); }
+
+bool PreviewWidget::overlayVisible() const { return overlay_->statusWanted(); }
 
 void PreviewWidget::setPicking(bool picking) {
   picking_ = picking;
   setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
-bool PreviewWidget::converged() const {
-  return renderer_.hasMaterial() && renderer_.size() == pixelSize() && renderer_.samples() >= wantedSamples();
+bool PreviewWidget::needsFrames(const Side& side) const {
+  return side.picture.size() != pictureSize() || side.picture.samples() < wantedSamples();
 }
 
-QImage PreviewWidget::grabPicture() {
-  overlay_->hide();
-  QImage picture = grabFramebuffer();
-  overlay_->setVisible(overlayWanted_ && table_);
-  return picture;
+bool PreviewWidget::converged() const {
+  const auto done = [this](const Side& side) { return !needsFrames(side) && !side.estimator.isBusy(); };
+  return hasMaterial() && done(first_) && (!isComparing() || done(second_));
 }
+
+QImage PreviewWidget::grabPicture() { return grabFramebuffer(); }
 
 Image PreviewWidget::linearPicture() {
   makeCurrent();
-  Image picture = renderer_.readPicture();
+  Image picture = first_.picture.readPicture();
   doneCurrent();
   return picture;
-}
-
-void PreviewWidget::frameObject() {
-  SphereScene scene = scene_;
-  scene.camera.distance = OrbitCamera{}.distance;
-  setScene(scene);
-}
-
-void PreviewWidget::resetView() {
-  SphereScene scene = scene_;
-  scene.camera = OrbitCamera{};
-  scene.light = DirectionalLight{};
-  scene.environmentRotation = 0;
-  setScene(scene);
 }
 
 int PreviewWidget::wantedSamples() const {
@@ -136,168 +174,118 @@ int PreviewWidget::wantedSamples() const {
 
 QSize PreviewWidget::pixelSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1}); }
 
-void PreviewWidget::restart() {
-  renderer_.restart();
+QSize PreviewWidget::pictureSize() const {
+  const QSize all = pixelSize();
+  const bool halved = isComparing() && comparison_.mode == CompareMode::twoUp;
+  return halved ? QSize(std::max(1, all.width() / 2), all.height()) : all;
+}
+
+void PreviewWidget::changed() {
   sinceChange_.start();
   update();
+}
+
+void PreviewWidget::restart() {
+  first_.picture.restart();
+  second_.picture.restart();
+  changed();
 }
 
 void PreviewWidget::fail(const QString& message) {
   if (failure_ == message) return;
   failure_ = message;
-  hint_->setText(message);
-  hint_->show();
+  overlay_->setHint(message);
   Q_EMIT failed(message);
 }
 
 void PreviewWidget::initializeGL() {
   // Reparenting (a dock that floats) destroys the context and makes another: everything is uploaded again.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-    makeCurrent();
-    renderer_.release();
-    doneCurrent();
-  });
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &PreviewWidget::release);
   try {
-    renderer_.initialize();
-    tablePending_ = table_ != nullptr;
+    first_.picture.initialize();
+    second_.picture.initialize();
+    display_.initialize();
   } catch (const Error& error) {
     fail(QString::fromUtf8(error.what()));
   }
 }
 
-void PreviewWidget::applyPending() {
-  if (!tablePending_) return;
-  renderer_.setTable(table_, editedLobe());
-  tablePending_ = false;
-}
-
 void PreviewWidget::renderFrame() {
   const bool resting = !sinceChange_.isValid() || sinceChange_.elapsed() >= restMs;
-  const double fullPixels = double(pixelSize().width()) * pixelSize().height();
-  const FrameBudget::Frame frame = budget_.next(fullPixels, renderer_.samples(), wantedSamples(), resting);
-  renderer_.setSize(frame.scale == 1 ? pixelSize() : pixelSize() / 2);
+  const bool firstNeeds = needsFrames(first_), secondNeeds = isComparing() && needsFrames(second_);
+  const double fullPixels = double(pictureSize().width()) * pictureSize().height() * (firstNeeds + secondNeeds);
+  const int accumulated = std::min(firstNeeds ? first_.picture.samples() : wantedSamples(),
+                                   secondNeeds ? second_.picture.samples() : wantedSamples());
+  const FrameBudget::Frame frame = budget_.next(fullPixels, accumulated, wantedSamples(), resting);
   QElapsedTimer timer;
   timer.start();
-  renderer_.accumulate(frame.samples);
+  for (Side* side : {&first_, &second_}) {
+    if (!(side == &first_ ? firstNeeds : secondNeeds)) continue;
+    side->picture.setSize(frame.scale == 1 ? pictureSize() : pictureSize() / 2);
+    side->picture.accumulate(frame.samples);
+  }
   const double milliseconds = double(timer.nsecsElapsed()) * 1e-6;
   budget_.record(fullPixels * frame.scale * frame.scale, frame.samples, milliseconds);
-  updateOverlay(milliseconds);
-  Q_EMIT frameRendered(milliseconds, renderer_.samples());
+  updateRange();
+  updateStatus(milliseconds);
+  Q_EMIT frameRendered(milliseconds, first_.picture.samples());
   // A frame at half the resolution stands until the hand rests; others are refined at once.
-  if (!converged()) frameTimer_.start(frame.scale < 1 ? restMs : 0);
+  if (needsFrames(first_) || (isComparing() && needsFrames(second_))) frameTimer_.start(frame.scale < 1 ? restMs : 0);
+}
+
+void PreviewWidget::updateRange() {
+  if (!isComparing() || comparison_.mode != CompareMode::difference) return;
+  const int samples = std::min(first_.picture.samples(), second_.picture.samples());
+  if (comparison_.range > 0) {
+    range_ = comparison_.range;
+  } else {
+    // Noise makes a range too wide: it is found again at 4 times as many samples, and at last.
+    const bool due =
+        range_ == 0 || samples >= 4 * rangeSamples_ || (samples >= wantedSamples() && rangeSamples_ < samples);
+    if (samples < rangeSamples_) rangeSamples_ = samples;
+    if (!due || first_.picture.size() != second_.picture.size() || samples == 0) return;
+    range_ = automaticRange(
+        pictureDifferences(first_.picture.readPicture(), second_.picture.readPicture(), comparison_.difference));
+    rangeSamples_ = samples;
+  }
+  overlay_->setRange(comparison_.difference, range_);
 }
 
 void PreviewWidget::paintGL() {
   if (!failure_.isEmpty()) return;
   try {
-    applyPending();
-    if (renderer_.hasMaterial() && !converged()) renderFrame();
+    if (hasMaterial() && (needsFrames(first_) || (isComparing() && needsFrames(second_)))) renderFrame();
+    if (range_ == 0) updateRange();
     context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-    renderer_.present(pixelSize(), display_);
+    if (isComparing() && !flickering_)
+      display_.present(pixelSize(), settings_, comparison_, std::max(range_, 1e-9), first_.picture, second_.picture);
+    else
+      display_.present(pixelSize(), settings_, flickering_ ? second_.picture : first_.picture);
   } catch (const Error& error) {
     fail(QString::fromUtf8(error.what()));
   }
 }
 
-void PreviewWidget::resizeGL(int, int) {
-  placeOverlay();
-  restart();
+void PreviewWidget::resizeGL(int, int) { restart(); }
+
+void PreviewWidget::showOverlay() {
+  PreviewComparison shown = comparison_;
+  if (!isComparing()) shown.mode = CompareMode::off;
+  overlay_->setComparison(shown, {first_.name, second_.name}, flickering_ && isComparing());
 }
 
-void PreviewWidget::placeOverlay() {
-  overlay_->adjustSize();
-  overlay_->move(10, height() - overlay_->height() - 10);
-  hint_->setGeometry(rect().adjusted(40, 40, -40, -40));
-}
-
-void PreviewWidget::updateOverlay(double milliseconds) {
-  if (!overlay_->isVisible()) return;
+void PreviewWidget::updateStatus(double milliseconds) {
   const QString light =
       scene_.environment ? QString::fromStdString(scene_.environment->name()) : tr("directional light");
-  const QString curve = QString::fromUtf8(toneMapName(display_.toneMap).data());
-  overlay_->setText(tr("%1 | exposure %2 | %3 | %4 ms | %5 samples")
-                        .arg(light)
-                        .arg(display_.exposure, 0, 'f', 1)
-                        .arg(curve)
-                        .arg(milliseconds, 0, 'f', 1)
-                        .arg(renderer_.samples()));
-  placeOverlay();
-}
-
-bool PreviewWidget::pick(const QMouseEvent& event) {
-  if (!(event.buttons() & Qt::LeftButton) || !(picking_ || event.modifiers() & Qt::ControlModifier)) return false;
-  const QPointF at = event.position();
-  if (const auto theta = viewerPolarAngle(scene_.camera, 2 * at.x() / width() - 1, 1 - 2 * at.y() / height(),
-                                          double(width()) / height()))
-    Q_EMIT polarAnglePicked(*theta);
-  return true;
-}
-
-void PreviewWidget::mousePressEvent(QMouseEvent* event) {
-  lastPosition_ = event->position();
-  if (pick(*event)) return;
-  if (event->button() == Qt::LeftButton && !scene_.environment) dragLight(event->position());
-}
-
-void PreviewWidget::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF delta = event->position() - lastPosition_;
-  lastPosition_ = event->position();
-  if (pick(*event)) return;
-  SphereScene scene = scene_;
-  if (event->buttons() & Qt::LeftButton && !scene.environment) return dragLight(event->position());
-  if (event->buttons() & Qt::RightButton && event->modifiers() & Qt::ShiftModifier)
-    scene.environmentRotation += environmentTurn(delta.x());
-  else if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton | Qt::RightButton))
-    scene.camera = orbited(scene.camera, delta.x(), delta.y());
-  else
-    return;
-  setScene(scene);
-}
-
-void PreviewWidget::dragLight(const QPointF& position) {
-  SphereScene scene = scene_;
-  scene.light.toLight = lightTowards(scene.camera, 2 * position.x() / width() - 1, 1 - 2 * position.y() / height(),
-                                     double(width()) / height());
-  setScene(scene);
-}
-
-void PreviewWidget::wheelEvent(QWheelEvent* event) {
-  SphereScene scene = scene_;
-  scene.camera = zoomed(scene.camera, event->angleDelta().y() / 120.0);
-  setScene(scene);
-  event->accept();
-}
-
-void PreviewWidget::keyPressEvent(QKeyEvent* event) {
-  const double step = event->modifiers() & Qt::ShiftModifier ? 2 : 20;  // pixels of a drag
-  SphereScene scene = scene_;
-  switch (event->key()) {
-    case Qt::Key_F:
-      return frameObject();
-    case Qt::Key_R:
-      return resetView();
-    case Qt::Key_Left:
-      scene.camera = orbited(scene.camera, -step, 0);
-      break;
-    case Qt::Key_Right:
-      scene.camera = orbited(scene.camera, step, 0);
-      break;
-    case Qt::Key_Up:
-      scene.camera = orbited(scene.camera, 0, -step);
-      break;
-    case Qt::Key_Down:
-      scene.camera = orbited(scene.camera, 0, step);
-      break;
-    case Qt::Key_Plus:
-      scene.camera = zoomed(scene.camera, 1);
-      break;
-    case Qt::Key_Minus:
-      scene.camera = zoomed(scene.camera, -1);
-      break;
-    default:
-      return QOpenGLWidget::keyPressEvent(event);
-  }
-  setScene(scene);
+  const QString curve = QString::fromUtf8(toneMapName(settings_.toneMap).data());
+  overlay_->setStatus(tr("%1 | exposure %2 | %3 | %4 ms | %5 samples")
+                          .arg(light)
+                          .arg(settings_.exposure, 0, 'f', 1)
+                          .arg(curve)
+                          .arg(milliseconds, 0, 'f', 1)
+                          .arg(first_.picture.samples()));
 }
 
 }  // namespace gonio::widgets
+
+#include "moc_preview_widget.cpp"

@@ -3,18 +3,21 @@
 #pragma once
 
 #include <QElapsedTimer>
-#include <QLabel>
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <memory>
 #include <optional>
 
 #include "widgets/preview/frame_budget.h"
-#include "widgets/preview/preview_renderer.h"
+#include "widgets/preview/lobe_estimator.h"
+#include "widgets/preview/preview_display.h"
 
 namespace gonio::widgets {
 
-/// The preview viewport: a material on a sphere, converging while nothing changes, restarting when something does.
+class PreviewOverlay;
+
+/// The preview viewport: a material on a sphere, converging while nothing changes, restarting when something does; or
+/// two subjects against each other, in one scene.
 /// Left drag orbits (with a directional light: moves the light), middle or right drag orbits always, wheel zooms,
 /// Shift + right drag turns the environment, Ctrl + left (or left alone while picking) picks the angle of the viewer at
 /// a point, F frames, R resets the view.
@@ -25,33 +28,47 @@ class PreviewWidget : public QOpenGLWidget {
   explicit PreviewWidget(QWidget* parent = nullptr);
   ~PreviewWidget() override;
 
-  /// A null table shows the empty state with a hint.
+  /// The first subject: a table without an edit. A null table shows the empty state with a hint.
   void setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe);
-  /// Live: changes uniforms and the sampling density (about 1 ms), no table is rebuilt.
+  /// Live: changes uniforms of the first subject, no table is rebuilt.
   void setEdit(std::optional<editing::DifferentialEdit> edit);
+  /// The first subject. Its lobe is that of the table; what an edit or a model alone needs is estimated in the
+  /// background. A subject that is as before does not restart its picture.
+  void setSubject(const PreviewSubject& subject, const QString& name = {});
+  /// The second subject of comparisons. It costs nothing while it is empty or the mode is off.
+  void setOther(const PreviewSubject& subject, const QString& name);
+  void setComparison(const PreviewComparison& comparison);
+  const PreviewComparison& comparison() const { return comparison_; }
+  /// Whether two subjects are shown.
+  bool isComparing() const;
+  /// The difference that has the last colour now.
+  double differenceRange() const { return range_; }
 
   void setScene(const SphereScene& scene);
   const SphereScene& scene() const { return scene_; }
   void setExposure(double stops);
-  double exposure() const { return display_.exposure; }
+  double exposure() const { return settings_.exposure; }
   void setToneMap(ToneMap toneMap);
-  ToneMap toneMap() const { return display_.toneMap; }
+  ToneMap toneMap() const { return settings_.toneMap; }
   void setOverlayVisible(bool visible);
-  bool overlayVisible() const { return overlayWanted_; }
+  bool overlayVisible() const;
+  PreviewOverlay* overlay() const { return overlay_; }
   /// While picking, a left click or drag picks as Ctrl + left does.
   void setPicking(bool picking);
 
   /// The picture as shown, without overlay, at the quality reached so far.
   QImage grabPicture();
-  /// The linear radiance of the picture as it has converged so far.
+  /// The linear radiance of the first subject as it has converged so far.
   Image linearPicture();
-  bool hasMaterial() const { return table_ != nullptr; }
+  bool hasMaterial() const { return first_.picture.hasMaterial(); }
   /// Whether the picture has all the samples that it will get.
   bool converged() const;
 
  public Q_SLOTS:
   void frameObject();
   void resetView();
+  /// In a comparison: shows the second subject while it is on.
+  void setFlickering(bool flickering);
 
  Q_SIGNALS:
   void sceneChanged(const gonio::SphereScene& scene);
@@ -59,6 +76,8 @@ class PreviewWidget : public QOpenGLWidget {
   void failed(const QString& message);
   /// The user points at the sphere where the viewer stands at this polar angle (rad, [0, pi/2]).
   void polarAnglePicked(double theta);
+  /// By the user, on the picture.
+  void splitMoved(double share);
 
  protected:
   void initializeGL() override;
@@ -70,34 +89,50 @@ class PreviewWidget : public QOpenGLWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void applyPending();
-  SamplingLobe editedLobe() const;
+  struct Side {
+    explicit Side(const std::shared_ptr<PreviewResources>& resources) : picture(resources) {}
+    PreviewRenderer picture;
+    PreviewSubject subject;
+    QString name;
+    LobeEstimator estimator;
+  };
+  struct PicturePosition {
+    double x, y, aspect;  ///< x, y in [-1, 1], y up
+  };
+  void changeSubject(Side& side, const PreviewSubject& subject, const QString& name);
+  void adoptLobe(Side& side, const SamplingLobe& lobe);
   void renderFrame();
+  void updateRange();
   void restart();
-  void placeOverlay();
-  void updateOverlay(double milliseconds);
+  void release();
+  void changed();
+  void showOverlay();
+  void updateStatus(double milliseconds);
   void dragLight(const QPointF& position);
   bool pick(const QMouseEvent& event);
+  PicturePosition picturePosition(const QPointF& position) const;
+  bool needsFrames(const Side& side) const;
   QSize pixelSize() const;
+  QSize pictureSize() const;
   int wantedSamples() const;
   void fail(const QString& message);
 
-  PreviewRenderer renderer_;
-  PreviewRenderer::Display display_;
+  std::shared_ptr<PreviewResources> resources_;
+  Side first_, second_;
+  PreviewDisplay display_;
+  DisplaySettings settings_;
   FrameBudget budget_;
-  std::shared_ptr<const TabulatedBrdf> table_;
-  SamplingLobe lobe_;
-  std::optional<editing::DifferentialEdit> edit_;
   SphereScene scene_;
-  bool tablePending_ = false;
-  bool overlayWanted_ = true;
+  PreviewComparison comparison_;
+  double range_ = 0;      ///< 0: not found yet
+  int rangeSamples_ = 0;  ///< at which the range was found
+  bool flickering_ = false;
   bool picking_ = false;
   QString failure_;
   QPointF lastPosition_;
   QElapsedTimer sinceChange_;
   QTimer frameTimer_;
-  QLabel* overlay_;
-  QLabel* hint_;
+  PreviewOverlay* overlay_;
 };
 
 }  // namespace gonio::widgets

@@ -3,8 +3,6 @@
 #include "widgets/preview/textures.h"
 
 #include <cmath>
-#include <glm/vec4.hpp>
-#include <vector>
 
 namespace gonio::widgets {
 
@@ -66,6 +64,11 @@ void uploadLightPool(QOpenGLFunctions_4_1_Core& gl, GLuint& directions, GLuint& 
   }
   uploadPicture(gl, directions, side, side, drawn, GL_NEAREST);
   uploadPicture(gl, radiance, side, side, seen, GL_NEAREST);
+}
+
+void uploadColours(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, int size, const std::vector<glm::vec4>& colours) {
+  uploadPicture(gl, texture, size, 1, colours, GL_LINEAR);
+  gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
 }
 
 double additiveRecurrence(int dimensions, int d, int index) {

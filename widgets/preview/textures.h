@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QOpenGLFunctions_4_1_Core>
+#include <glm/vec4.hpp>
+#include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
 #include "core/rendering/environment.h"
@@ -21,6 +23,9 @@ void uploadEnvironmentMap(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const 
 /// density (1/sr) in the first texture, radiance in the second.
 void uploadLightPool(QOpenGLFunctions_4_1_Core& gl, GLuint& directions, GLuint& radiance,
                      const EnvironmentMap& environment);
+
+/// A row of `size` display colours, linear between their centres.
+void uploadColours(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, int size, const std::vector<glm::vec4>& colours);
 
 /// Dimension `d` (from 0) of point `index` of the additive recurrence of `dimensions` dimensions, in [0, 1):
 /// Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/lobe_estimator.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace gonio;
+using widgets::LobeEstimator;
+
+namespace {
+
+widgets::PreviewSubject ggx(double roughness) {
+  widgets::PreviewSubject subject{.table = nullptr, .lobe = {}};
+  subject.model = &models::findModel("ggx");
+  subject.parameters = models::defaultParameters(subject.model->spec());
+  subject.parameters.values[*subject.model->spec().find("roughness")] = Rgb(roughness);
+  return subject;
+}
+
+}  // namespace
+
+class LobeEstimatorTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  /// Of many requests the last one is told, once: what came between is left out.
+  void theNewestRequestWins() {
+    LobeEstimator estimator;
+    QSignalSpy told(&estimator, &LobeEstimator::estimated);
+    for (const double roughness : {0.9, 0.5, 0.3, 0.05}) estimator.request(ggx(roughness));
+    QVERIFY(estimator.isBusy());
+    QTRY_VERIFY(!estimator.isBusy());
+    QCOMPARE(told.count(), 1);
+    const auto lobe = told.front().front().value<SamplingLobe>();
+    QVERIFY(widgets::similarLobes(lobe, estimateSamplingLobe(*widgets::subjectBrdf(ggx(0.05)))));
+    QVERIFY(!widgets::similarLobes(lobe, estimateSamplingLobe(*widgets::subjectBrdf(ggx(0.9)))));
+  }
+
+  void cancelledRequestsAreNotTold() {
+    LobeEstimator estimator;
+    QSignalSpy told(&estimator, &LobeEstimator::estimated);
+    estimator.request(ggx(0.3));
+    estimator.cancel();
+    QTRY_VERIFY(!estimator.isBusy());
+    QCOMPARE(told.count(), 0);
+    estimator.request({});  // nothing to estimate
+    QVERIFY(!estimator.isBusy());
+  }
+
+  /// Destroyed while it works: it waits and tells nothing.
+  void mayBeDestroyedWhileBusy() {
+    for (int i = 0; i < 20; ++i) {
+      LobeEstimator estimator;
+      estimator.request(ggx(0.3));
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(LobeEstimatorTest)
+#include "lobe_estimator_test.moc"

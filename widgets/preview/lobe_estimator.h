@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <optional>
+
+#include "widgets/preview/preview_subject.h"
+
+namespace gonio::widgets {
+
+/// Estimates the sampling lobe of a subject in another thread (about 1 ms, up to 10 for costly models). While one
+/// estimate runs, of all further requests the newest alone is kept.
+class LobeEstimator : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LobeEstimator(QObject* parent = nullptr);
+  ~LobeEstimator() override;
+
+  void request(const PreviewSubject& subject);
+  /// Forgets what was requested: nothing is told any more.
+  void cancel();
+  bool isBusy() const { return m_busy; }
+
+ Q_SIGNALS:
+  void estimated(const gonio::SamplingLobe& lobe);
+
+ private:
+  void start(const PreviewSubject& subject);
+  void finish();
+
+  QFutureWatcher<SamplingLobe> m_watcher;
+  std::optional<PreviewSubject> m_next;
+  bool m_busy = false, m_wanted = false;
+};
+
+/// Whether two lobes sample about as well as each other: no picture needs to start anew for the difference.
+bool similarLobes(const SamplingLobe& a, const SamplingLobe& b);
+
+}  // namespace gonio::widgets

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/preview_overlay.h"
+
+#include <QEvent>
+#include <algorithm>
+
+#include "widgets/preview/false_colour_legend.h"
+#include "widgets/preview/split_bar.h"
+
+namespace gonio::widgets {
+
+namespace {
+constexpr int margin = 10;
+}
+
+PreviewOverlay::PreviewOverlay(QWidget* viewport)
+    : QObject(viewport),
+      m_viewport(viewport),
+      m_status(addLabel()),
+      m_hint(new QLabel(viewport)),
+      m_names{addLabel(), addLabel()},
+      m_split(new SplitBar(viewport)),
+      m_legend(new FalseColourLegend(viewport)) {
+  m_hint->setStyleSheet("color: #c8c8c8; background: transparent;");
+  m_hint->setAlignment(Qt::AlignCenter);
+  m_hint->setWordWrap(true);
+  m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
+  m_split->hide();
+  m_legend->hide();
+  viewport->installEventFilter(this);
+}
+
+QLabel* PreviewOverlay::addLabel() {
+  auto* label = new QLabel(m_viewport);
+  label->setStyleSheet("background: rgba(0, 0, 0, 150); color: #e8e8e8; padding: 4px 8px; border-radius: 4px;");
+  label->setTextFormat(Qt::PlainText);
+  label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  label->hide();
+  return label;
+}
+
+void PreviewOverlay::setStatusWanted(bool wanted) {
+  m_statusWanted = wanted;
+  m_status->setVisible(wanted && !m_status->text().isEmpty());
+}
+
+void PreviewOverlay::setStatus(const QString& text) {
+  m_status->setText(text);
+  setStatusWanted(m_statusWanted);
+  place();
+}
+
+void PreviewOverlay::setHint(const QString& text) {
+  m_hint->setText(text);
+  m_hint->setVisible(!text.isEmpty());
+}
+
+void PreviewOverlay::setComparison(const PreviewComparison& shown, const std::array<QString, 2>& names,
+                                   bool flickering) {
+  m_mode = flickering ? CompareMode::flicker : shown.mode;
+  const bool both = m_mode == CompareMode::split || m_mode == CompareMode::twoUp;
+  m_names[0]->setText(m_mode == CompareMode::difference ? tr("%1 against %2").arg(names[0], names[1])
+                      : flickering                      ? names[1]
+                                                        : names[0]);
+  m_names[1]->setText(names[1]);
+  m_names[0]->setVisible(m_mode != CompareMode::off);
+  m_names[1]->setVisible(both);
+  m_split->setPosition(shown.split);
+  m_split->setVisible(m_mode == CompareMode::split);
+  m_legend->setVisible(m_mode == CompareMode::difference);
+  place();
+}
+
+void PreviewOverlay::setRange(DifferenceKind kind, double range) { m_legend->setDifference(kind, range); }
+
+void PreviewOverlay::place() {
+  const int width = m_viewport->width(), height = m_viewport->height();
+  m_hint->setGeometry(m_viewport->rect().adjusted(4 * margin, 4 * margin, -4 * margin, -4 * margin));
+  m_status->adjustSize();
+  m_status->move(margin, height - m_status->height() - margin);
+  for (QLabel* name : m_names) name->adjustSize();
+  m_names[0]->move(margin, margin);
+  m_names[1]->move(m_mode == CompareMode::twoUp ? width / 2 + margin : width - m_names[1]->width() - margin, margin);
+  const QSize wanted = m_legend->sizeHint();
+  m_legend->resize(std::min(wanted.width(), width - 2 * margin), wanted.height());
+  const int below = m_status->isVisible() ? m_status->height() + margin : 0;
+  m_legend->move(margin, height - m_legend->height() - margin - below);
+}
+
+bool PreviewOverlay::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_viewport && event->type() == QEvent::Resize) place();
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_preview_overlay.cpp"

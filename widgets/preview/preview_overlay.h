@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QLabel>
+#include <array>
+
+#include "widgets/preview/preview_comparison.h"
+
+namespace gonio::widgets {
+
+class FalseColourLegend;
+class SplitBar;
+
+/// What lies over the preview's picture: facts about the frame, a hint while it is empty, and for a comparison the
+/// names of the sides, the split bar and the legend of the difference.
+class PreviewOverlay : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PreviewOverlay(QWidget* viewport);
+
+  void setStatusWanted(bool wanted);
+  bool statusWanted() const { return m_statusWanted; }
+  /// An empty text hides it.
+  void setStatus(const QString& text);
+  /// In the middle; an empty text hides it.
+  void setHint(const QString& text);
+
+  /// @param shown what the picture shows now: mode off hides all.
+  void setComparison(const PreviewComparison& shown, const std::array<QString, 2>& names, bool flickering);
+  void setRange(DifferenceKind kind, double range);
+
+  SplitBar* splitBar() const { return m_split; }
+  FalseColourLegend* legend() const { return m_legend; }
+  QLabel* name(std::size_t side) const { return m_names[side]; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QLabel* addLabel();
+  void place();
+
+  QWidget* m_viewport;
+  QLabel *m_status, *m_hint;
+  std::array<QLabel*, 2> m_names;
+  SplitBar* m_split;
+  FalseColourLegend* m_legend;
+  CompareMode m_mode = CompareMode::off;
+  bool m_statusWanted = true;
+};
+
+}  // namespace gonio::widgets

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/preview_resources.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+
+#include "core/rendering/false_colour.h"
+#include "core/support/error.h"
+#include "widgets/preview/shader_library.h"
+#include "widgets/preview/textures.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+std::unique_ptr<QOpenGLShaderProgram> link(const QByteArray& fragment, const QString& name) {
+  auto program = std::make_unique<QOpenGLShaderProgram>();
+  if (!program->addShaderFromSourceCode(QOpenGLShader::Vertex, assembleShader("preview/fullscreen.vert")) ||
+      !program->addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) || !program->link())
+    throw Error("shader " + name.toStdString() +
+                " was refused by the graphics driver: " + program->log().toStdString());
+  return program;
+}
+
+}  // namespace
+
+TableTexture::~TableTexture() {
+  if (QOpenGLContext* context = QOpenGLContext::currentContext(); context && name)
+    context->functions()->glDeleteTextures(1, &name);
+}
+
+void PreviewResources::initialize() {
+  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
+  glGenVertexArrays(1, &vertexArray_);
+  initialized_ = true;
+}
+
+void PreviewResources::release() {
+  if (!initialized_) return;
+  for (GLuint* texture :
+       {&environmentTexture_, &lightPoolTexture_, &lightPoolRadianceTexture_, &colourMaps_[0], &colourMaps_[1]}) {
+    if (*texture) glDeleteTextures(1, texture);
+    *texture = 0;
+  }
+  glDeleteVertexArrays(1, &vertexArray_);
+  programs_.clear();
+  tables_.clear();
+  uploadedEnvironment_.reset();
+  initialized_ = false;
+}
+
+QOpenGLShaderProgram& PreviewResources::program(const QString& fragment, const QStringList& definitions,
+                                                const QStringList& preamble) {
+  auto& program = programs_[fragment + ' ' + definitions.join(' ')];
+  if (!program) program = link(assembleShader(fragment, definitions, preamble), fragment);
+  return *program;
+}
+
+void PreviewResources::drawFullscreen() {
+  glBindVertexArray(vertexArray_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+}
+
+std::shared_ptr<const TableTexture> PreviewResources::table(const std::shared_ptr<const TabulatedBrdf>& table) {
+  if (!table) return nullptr;
+  std::erase_if(tables_, [](const auto& entry) { return entry.second.expired(); });
+  auto& known = tables_[table];
+  if (auto texture = known.lock()) return texture;
+  auto texture = std::make_shared<TableTexture>();
+  texture->phiPeriod = table->grid().phiDPeriod();
+  uploadTable(*this, texture->name, *table);
+  known = texture;
+  return texture;
+}
+
+void PreviewResources::bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
+  if (environment != uploadedEnvironment_) {
+    glActiveTexture(GL_TEXTURE0 + environmentUnit);
+    uploadEnvironmentMap(*this, environmentTexture_, *environment);
+    uploadLightPool(*this, lightPoolTexture_, lightPoolRadianceTexture_, *environment);
+    uploadedEnvironment_ = environment;
+  }
+  glActiveTexture(GL_TEXTURE0 + environmentUnit);
+  glBindTexture(GL_TEXTURE_2D, environmentTexture_);
+  glActiveTexture(GL_TEXTURE0 + lightPoolUnit);
+  glBindTexture(GL_TEXTURE_2D, lightPoolTexture_);
+  glActiveTexture(GL_TEXTURE0 + lightPoolRadianceUnit);
+  glBindTexture(GL_TEXTURE_2D, lightPoolRadianceTexture_);
+}
+
+void PreviewResources::bindColourMap(bool isSigned) {
+  glActiveTexture(GL_TEXTURE0 + colourMapUnit);
+  if (!colourMaps_[isSigned]) uploadColourMap(isSigned);
+  glBindTexture(GL_TEXTURE_2D, colourMaps_[isSigned]);
+}
+
+void PreviewResources::uploadColourMap(bool isSigned) {
+  constexpr int size = 256;
+  std::vector<glm::vec4> texels;
+  for (int i = 0; i < size; ++i) {
+    const double x = i / (size - 1.0);
+    const DisplayColour colour = isSigned ? signedColour(2 * x - 1) : viridis(x);
+    texels.push_back(glm::vec4(colour[0], colour[1], colour[2], 255) / 255.f);
+  }
+  uploadColours(*this, colourMaps_[isSigned], size, texels);
+}
+
+}  // namespace gonio::widgets

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QOpenGLFunctions_4_1_Core>
+#include <QOpenGLShaderProgram>
+#include <map>
+#include <memory>
+
+#include "core/brdf/tabulated_brdf.h"
+#include "core/rendering/environment.h"
+
+namespace gonio::widgets {
+
+enum TextureUnit {
+  tableUnit,
+  environmentUnit,
+  lightPoolUnit,
+  lightPoolRadianceUnit,
+  accumulationUnit,
+  otherAccumulationUnit,
+  colourMapUnit
+};
+
+/// A table on the graphics card; freed with its last user, in whose hands the context must be current.
+struct TableTexture {
+  GLuint name = 0;
+  double phiPeriod = 0;
+
+  TableTexture() = default;
+  TableTexture(const TableTexture&) = delete;
+  TableTexture& operator=(const TableTexture&) = delete;
+  ~TableTexture();
+};
+
+/// What all pictures of one OpenGL context share: linked shaders, the environment's textures, tables that several
+/// pictures show. Every call needs that context to be current.
+class PreviewResources : protected QOpenGLFunctions_4_1_Core {
+ public:
+  /// @throws Error when the context has no OpenGL 4.1 core functions.
+  void initialize();
+  bool isInitialized() const { return initialized_; }
+  /// Frees everything that belongs to the context.
+  void release();
+
+  /// A fullscreen pass with the given fragment shader, assembled and linked at its first use.
+  /// @throws Error with the compiler's log.
+  QOpenGLShaderProgram& program(const QString& fragment, const QStringList& definitions = {},
+                                const QStringList& preamble = {});
+  /// Draws the bound program over the viewport.
+  void drawFullscreen();
+
+  /// Uploads at the first use (about 20 ms for 90 x 90 x 180).
+  std::shared_ptr<const TableTexture> table(const std::shared_ptr<const TabulatedBrdf>& table);
+  /// Binds the environment's pictures to their units, uploading them when it is another one than before.
+  void bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
+  /// Binds viridis or the signed map (core/rendering/false_colour.h) to its unit.
+  void bindColourMap(bool isSigned);
+
+ private:
+  void uploadColourMap(bool isSigned);
+
+  bool initialized_ = false;
+  GLuint vertexArray_ = 0, environmentTexture_ = 0, lightPoolTexture_ = 0, lightPoolRadianceTexture_ = 0;
+  GLuint colourMaps_[2] = {0, 0};
+  std::map<QString, std::unique_ptr<QOpenGLShaderProgram>> programs_;
+  std::map<std::weak_ptr<const TabulatedBrdf>, std::weak_ptr<const TableTexture>, std::owner_less<>> tables_;
+  std::shared_ptr<const EnvironmentMap> uploadedEnvironment_;
+};
+
+}  // namespace gonio::widgets

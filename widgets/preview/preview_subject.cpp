@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/preview_subject.h"
+
+namespace gonio::widgets {
+
+bool sameSubject(const PreviewSubject& a, const PreviewSubject& b) {
+  if (a.model || b.model) return a.model == b.model && a.parameters == b.parameters;
+  if (a.table != b.table || a.hasActiveEdit() != b.hasActiveEdit()) return false;
+  if (a.lobe.roughness != b.lobe.roughness || a.lobe.specularShare != b.lobe.specularShare) return false;
+  return !a.hasActiveEdit() || (a.edit->model == b.edit->model && a.edit->fitted == b.edit->fitted &&
+                                a.edit->edited == b.edit->edited && a.edit->strength == b.edit->strength);
+}
+
+std::shared_ptr<const Brdf> subjectBrdf(const PreviewSubject& subject) {
+  if (subject.model) return subject.model->instantiate(subject.parameters);
+  if (!subject.table || !subject.edit) return subject.table;
+  return editing::applyEdits(subject.table, std::span(&*subject.edit, 1));
+}
+
+}  // namespace gonio::widgets

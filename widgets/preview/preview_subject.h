@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <optional>
+
+#include "core/brdf/sampling_lobe.h"
+#include "core/brdf/tabulated_brdf.h"
+#include "core/editing/differential_edit.h"
+
+namespace gonio::widgets {
+
+/// What a picture shows: a measured table, with or without an edit, or a model alone.
+struct PreviewSubject {
+  std::shared_ptr<const TabulatedBrdf> table;          ///< null: nothing, or the model alone
+  SamplingLobe lobe;                                   ///< density of the reflected samples
+  std::optional<editing::DifferentialEdit> edit = {};  ///< on the table
+  const models::Model* model = nullptr;                ///< alone: the table and the edit do not count
+  models::ParameterValues parameters = {};             ///< of `model`
+
+  bool isEmpty() const { return !table && !model; }
+  bool hasActiveEdit() const { return !model && edit && !edit->isIdentity(); }
+};
+
+/// Whether two subjects look the same for certain: equal values on the same table.
+bool sameSubject(const PreviewSubject& a, const PreviewSubject& b);
+
+/// The same as a function: what core/rendering draws for comparison, what metrics judge. Null when it is empty.
+std::shared_ptr<const Brdf> subjectBrdf(const PreviewSubject& subject);
+
+}  // namespace gonio::widgets

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+// What the hand does to the preview: mouse, wheel and keys.
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "widgets/preview/preview_navigation.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace gonio::widgets {
+
+void PreviewWidget::frameObject() {
+  SphereScene scene = scene_;
+  scene.camera.distance = OrbitCamera{}.distance;
+  setScene(scene);
+}
+
+void PreviewWidget::resetView() {
+  SphereScene scene = scene_;
+  scene.camera = OrbitCamera{};
+  scene.light = DirectionalLight{};
+  scene.environmentRotation = 0;
+  setScene(scene);
+}
+
+PreviewWidget::PicturePosition PreviewWidget::picturePosition(const QPointF& position) const {
+  const bool halved = isComparing() && comparison_.mode == CompareMode::twoUp;
+  const double wide = halved ? width() / 2.0 : width();
+  const double x = position.x() < wide ? position.x() : position.x() - (halved ? wide : 0);
+  return {2 * x / wide - 1, 1 - 2 * position.y() / height(), wide / height()};
+}
+
+bool PreviewWidget::pick(const QMouseEvent& event) {
+  if (!(event.buttons() & Qt::LeftButton) || !(picking_ || event.modifiers() & Qt::ControlModifier)) return false;
+  const PicturePosition at = picturePosition(event.position());
+  if (const auto theta = viewerPolarAngle(scene_.camera, at.x, at.y, at.aspect)) Q_EMIT polarAnglePicked(*theta);
+  return true;
+}
+
+void PreviewWidget::mousePressEvent(QMouseEvent* event) {
+  lastPosition_ = event->position();
+  if (pick(*event)) return;
+  if (event->button() == Qt::LeftButton && !scene_.environment) dragLight(event->position());
+}
+
+void PreviewWidget::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF delta = event->position() - lastPosition_;
+  lastPosition_ = event->position();
+  if (pick(*event)) return;
+  SphereScene scene = scene_;
+  if (event->buttons() & Qt::LeftButton && !scene.environment) return dragLight(event->position());
+  if (event->buttons() & Qt::RightButton && event->modifiers() & Qt::ShiftModifier)
+    scene.environmentRotation += environmentTurn(delta.x());
+  else if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton | Qt::RightButton))
+    scene.camera = orbited(scene.camera, delta.x(), delta.y());
+  else
+    return;
+  setScene(scene);
+}
+
+void PreviewWidget::dragLight(const QPointF& position) {
+  SphereScene scene = scene_;
+  const PicturePosition at = picturePosition(position);
+  scene.light.toLight = lightTowards(scene.camera, at.x, at.y, at.aspect);
+  setScene(scene);
+}
+
+void PreviewWidget::wheelEvent(QWheelEvent* event) {
+  SphereScene scene = scene_;
+  scene.camera = zoomed(scene.camera, event->angleDelta().y() / 120.0);
+  setScene(scene);
+  event->accept();
+}
+
+void PreviewWidget::keyPressEvent(QKeyEvent* event) {
+  const double step = event->modifiers() & Qt::ShiftModifier ? 2 : 20;  // pixels of a drag
+  SphereScene scene = scene_;
+  switch (event->key()) {
+    case Qt::Key_F:
+      return frameObject();
+    case Qt::Key_R:
+      return resetView();
+    case Qt::Key_Left:
+      scene.camera = orbited(scene.camera, -step, 0);
+      break;
+    case Qt::Key_Right:
+      scene.camera = orbited(scene.camera, step, 0);
+      break;
+    case Qt::Key_Up:
+      scene.camera = orbited(scene.camera, 0, -step);
+      break;
+    case Qt::Key_Down:
+      scene.camera = orbited(scene.camera, 0, step);
+      break;
+    case Qt::Key_Plus:
+      scene.camera = zoomed(scene.camera, 1);
+      break;
+    case Qt::Key_Minus:
+      scene.camera = zoomed(scene.camera, -1);
+      break;
+    default:
+      return QOpenGLWidget::keyPressEvent(event);
+  }
+  setScene(scene);
+}
+
+}  // namespace gonio::widgets
