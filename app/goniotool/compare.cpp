@@ -9,6 +9,7 @@
 #include "app/goniotool/tool.h"
 #include "core/io/image_io.h"
 #include "core/metrics/image_metrics.h"
+#include "core/rendering/rendered_comparison.h"
 
 namespace gonio::tool {
 
@@ -19,25 +20,9 @@ struct Options {
   PictureOptions picture;  ///< size and samples; the scene is that of every comparison
 };
 
-/// Decibels as JSON: null where they are not a finite number (equal materials, a black reference).
-Json decibelsJson(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-struct Pictures {
-  Image reference, test;
-};
-
-/// Both with the same lobe and seed: they share their noise, and only the materials differ.
-Pictures renderBoth(const Brdf& reference, const Brdf& test, const Options& options, const Tool& tool) {
-  SphereRenderOptions render = options.picture.renderOptions();
-  render.lobe = estimateSamplingLobe(reference);
-  const SphereScene scene = comparisonScene();
-  return {renderSphere(reference, scene, render, tool.control("rendering the first")),
-          renderSphere(test, scene, render, tool.control("rendering the second"))};
-}
-
-void writeComparison(const Pictures& pictures, const io::Material& a, const io::Material& b, const std::string& out) {
-  const DisplayPicture picture =
-      comparisonPicture(pictures.reference, pictures.test, a.name, b.name, 0, ToneMap::clamp);
+void writeComparison(const Image& reference, const Image& test, const io::Material& a, const io::Material& b,
+                     const std::string& out) {
+  const DisplayPicture picture = comparisonPicture(reference, test, a.name, b.name, 0, ToneMap::clamp);
   io::writePng(picture.bytes, picture.width, picture.height, out);
 }
 
@@ -49,10 +34,11 @@ int compare(const Options& options, const Tool& tool) {
   const auto table = a.tabulated(tool.control("tabulating"));
   const std::vector<double> errors = metrics::brdfErrors(*table, *b.brdf);
   const double brdfSnr = metrics::brdfSignalToNoiseRatio(*table, *b.brdf);
-  const Pictures pictures = renderBoth(*a.brdf, *b.brdf, options, tool);
-  const double snr = metrics::signalToNoiseRatio(pictures.reference, pictures.test);
-  const double psnr = metrics::peakSignalToNoiseRatio(pictures.reference, pictures.test);
-  if (!options.image.empty()) writeComparison(pictures, a, b, options.image);
+  const RenderedComparison comparison(*a.brdf, options.picture.renderOptions(), tool.control("rendering the first"));
+  const Image picture = comparison.render(*b.brdf, tool.control("rendering the second"));
+  const double snr = comparison.signalToNoiseRatio(picture);
+  const double psnr = metrics::peakSignalToNoiseRatio(comparison.reference(), picture);
+  if (!options.image.empty()) writeComparison(comparison.reference(), picture, a, b, options.image);
   Json json{{"errors", errorsJson(errors)},
             {"renderedSnr", decibelsJson(snr)},
             {"renderedPsnr", decibelsJson(psnr)},

@@ -1,63 +1,113 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/fitting/fit.h"
+#include <cstdio>
 
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/fitting/fit_ranking.h"
 
 namespace gonio::tool {
 
 namespace {
 
+constexpr const char* bySnr = "snr";
+
 struct Options {
-  std::string material, model, metric = "log", out;
+  std::string material, model, metric = "log", sort, out;
+  double gamma = metrics::defaultGamma;
   double maxAngle = degrees(metrics::defaultMaxPolarAngle);
   bool all = false;
+
+  fitting::FitOptions fitOptions() const {
+    return {.metric = metrics::metricByName(metric), .gamma = gamma, .maxPolarAngle = radians(maxAngle)};
+  }
 };
+
+std::string warningsText(const fitting::FitResult& result) {
+  std::string text;
+  for (const std::string& warning : result.warnings) text += "  note: " + warning + "\n";
+  return text;
+}
 
 std::string text(const fitting::FitResult& result) {
   const models::ModelSpec& spec = result.model->spec();
   return std::string(spec.name) + ", " + number(result.seconds) + " s\n" + parametersText(spec, result.parameters) +
-         errorsText(result.errors);
+         errorsText(result.errors) + warningsText(result);
+}
+
+int fitOne(const Options& options, const io::Material& material, const Tool& tool) {
+  const auto table = material.tabulated(tool.control("tabulating"));
+  const models::Model& model = models::findModel(options.model);
+  const fitting::FitResult result =
+      fitting::fit(*table, model, options.fitOptions(), tool.control("fitting " + options.model));
+  if (!options.out.empty())
+    writeMaterial(*bakeTable(*model.instantiate(result.parameters), table->grid(), tool.control("baking")),
+                  options.out);
+  Json json = fitJson(result);
+  json["metric"] = options.metric;
+  print(tool, json, text(result));
+  return 0;
+}
+
+std::string rankingText(const std::vector<fitting::RankedFit>& ranking, metrics::BrdfMetric metric) {
+  char line[160];
+  std::snprintf(line, sizeof line, "%4s  %-34s %14s %12s %11s %9s\n", "", "model",
+                std::string(metrics::metricName(metric)).c_str(), "SNR, dB", "parameters", "seconds");
+  std::string text = line;
+  for (std::size_t i = 0; i < ranking.size(); ++i) {
+    const fitting::RankedFit& row = ranking[i];
+    std::snprintf(line, sizeof line, "%4zu  %-34s %14.6g %12.2f %11zu %9.2f\n", i + 1,
+                  std::string(row.fit.model->spec().id).c_str(), row.fit.errors[static_cast<std::size_t>(metric)],
+                  row.renderedSnr, row.parameterCount, row.fit.seconds);
+    text += line;
+  }
+  return text + (ranking.empty() ? "" : warningsText(ranking.front().fit));
+}
+
+int fitAll(const Options& options, const io::Material& material, const Tool& tool) {
+  const auto table = material.tabulated(tool.control("tabulating"));
+  const metrics::BrdfMetric metric = metrics::metricByName(options.metric);
+  fitting::RankingOptions rankingOptions;
+  rankingOptions.fit = options.fitOptions();
+  std::vector<fitting::RankedFit> ranking =
+      fitting::rankFits(*table, *material.brdf, rankingOptions, tool.control("fitting all models"));
+  const bool isBySnr = options.sort == bySnr;
+  const metrics::BrdfMetric sortMetric = options.sort.empty() || isBySnr ? metric : metrics::metricByName(options.sort);
+  sortRanking(ranking, isBySnr ? std::nullopt : std::optional(sortMetric));
+  Json fits = Json::array();
+  for (const fitting::RankedFit& row : ranking) fits.push_back(rankedFitJson(row));
+  const Json json{{"fits", fits}, {"metric", options.metric}, {"scene", comparisonSceneName}};
+  print(tool, json, rankingText(ranking, sortMetric));
+  return 0;
 }
 
 int fit(const Options& options, const Tool& tool) {
   if (options.model.empty() == !options.all) throw UsageError("fit: give one model by --model, or --all");
   if (options.all && !options.out.empty()) throw UsageError("fit: --out bakes one model; give --model");
+  if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort orders the rows of --all");
   if (!options.out.empty()) checkOutput(options.out);
-  const auto table = openMaterial(options.material, tool.control("reading")).tabulated(tool.control("tabulating"));
-  const fitting::FitOptions fitOptions{.metric = metrics::metricByName(options.metric),
-                                       .maxPolarAngle = radians(options.maxAngle)};
-  Json fits = Json::array();
-  std::string texts;
-  for (const models::Model* model : models::allModels()) {
-    const std::string id(model->spec().id);
-    if (!options.all && id != options.model) continue;
-    const fitting::FitResult result = fitting::fit(*table, *model, fitOptions, tool.control("fitting " + id));
-    fits.push_back(fitJson(result));
-    texts += text(result);
-    if (!options.out.empty())
-      writeMaterial(*bakeTable(*model->instantiate(result.parameters), table->grid(), tool.control("baking")),
-                    options.out);
-  }
-  Json json = options.all ? Json{{"fits", fits}} : fits[0];
-  json["metric"] = options.metric;
-  print(tool, json, texts);
-  return 0;
+  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  return options.all ? fitAll(options, material, tool) : fitOne(options, material, tool);
 }
 
 }  // namespace
 
 void addFit(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("fit", "Fits a model: parameters, errors, time");
+  CLI::App* command = app.add_subcommand("fit", "Fits a model: parameters, errors, time; or ranks all models");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--model", options->model, "The model")->check(CLI::IsMember(modelIds()));
-  command->add_flag("--all", options->all, "All models, one after the other");
-  std::vector<std::string> metricNames;
+  command->add_flag("--all", options->all, "All models, ranked");
+  std::vector<std::string> metricNames, orders;
   for (const metrics::BrdfMetric metric : metrics::minimisableMetrics()) metricNames.emplace_back(metricName(metric));
+  for (const metrics::BrdfMetric metric : metrics::allBrdfMetrics()) orders.emplace_back(metricName(metric));
+  orders.emplace_back(bySnr);
   command->add_option("--metric", options->metric, "What is made small (log)")->check(CLI::IsMember(metricNames));
+  command->add_option("--gamma", options->gamma, "Of the metric gamma (2)")
+      ->check(CLI::Range(metrics::smallestGamma, metrics::largestGamma));
+  command->add_option("--sort", options->sort, "Order of the ranking: a metric, or snr (what is made small)")
+      ->check(CLI::IsMember(orders));
   command->add_option("--max-angle", options->maxAngle, "Cells beyond this polar angle are left out, degrees (85)")
       ->check(CLI::Range(1.0, 90.0));
   command->add_option("--out", options->out, "Bakes the fitted model to this file");

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/goniotool/report.h"
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -86,8 +87,18 @@ Json fitJson(const fitting::FitResult& result) {
           {"seconds", result.seconds},
           {"usedCells", result.usedCells},
           {"invalidCells", result.invalidCells},
-          {"grazingCells", result.grazingCells}};
+          {"grazingCells", result.grazingCells},
+          {"warnings", result.warnings}};
 }
+
+Json rankedFitJson(const fitting::RankedFit& row) {
+  Json json = fitJson(row.fit);
+  json["renderedSnr"] = decibelsJson(row.renderedSnr);
+  json["parameterCount"] = row.parameterCount;
+  return json;
+}
+
+Json decibelsJson(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::vector<std::string> modelIds() {
   std::vector<std::string> ids;

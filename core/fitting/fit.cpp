@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/fitting/fit_data.h"
+#include "core/fitting/fit_parameters.h"
 #include "core/fitting/group_fit.h"
 #include "core/math/parallel.h"
 
@@ -12,31 +14,15 @@ namespace gonio::fitting {
 
 namespace {
 
-/// Patches of a theta_h row: about 3,000 cells of a MERL table find the minimum, the others settle it.
-struct Strata {
-  int thetaD, phiD;
-};
-constexpr Strata searchStrata{8, 5};
-constexpr Strata fineStrata{18, 18};    ///< about 20,000 cells: models with few parameters
-constexpr Strata coarseStrata{14, 10};  ///< about 10,000: evaluations of the others are many and dear
-constexpr std::size_t fewParameters = 3;
-
 constexpr double preparationShare = 0.05, errorsShare = 0.05;
 
 /// Channels that are fitted together: all, or each alone where the model has no shared parameter to tie them.
 std::vector<std::vector<int>> channelGroups(const models::ModelSpec& spec) {
-  bool anyNonlinear = false, allPerChannel = true;
-  for (const models::ParameterSpec& parameter : spec.parameters) {
-    if (!isNonlinear(parameter)) continue;
-    anyNonlinear = true;
-    allPerChannel = allPerChannel && parameter.perChannel;
-  }
-  if (anyNonlinear && allPerChannel) return {{0}, {1}, {2}};
+  const std::vector<std::size_t> nonlinear = parametersOf(spec, FitRole::nonlinear);
+  const bool allPerChannel =
+      std::ranges::all_of(nonlinear, [&](std::size_t i) { return spec.parameters[i].perChannel; });
+  if (!nonlinear.empty() && allPerChannel) return {{0}, {1}, {2}};
   return {{0, 1, 2}};
-}
-
-std::size_t nonlinearCount(const models::ModelSpec& spec) {
-  return std::size_t(std::count_if(spec.parameters.begin(), spec.parameters.end(), isNonlinear));
 }
 
 /// The defaults, and black: what is left as it is where there is nothing to fit.
@@ -54,14 +40,12 @@ bool isBlack(const FitCells& cells, const std::vector<int>& channels) {
   });
 }
 
-models::ParameterValues fitParameters(const TabulatedBrdf& table, const models::Model& model, const FitOptions& options,
-                                      const CellCensus& census, const std::stop_token& stop, ProgressMeter& progress) {
+models::ParameterValues fitParameters(const FitData& data, const models::Model& model, const std::stop_token& stop,
+                                      ProgressMeter& progress) {
   models::ParameterValues parameters = blackParameters(model.spec());
-  if (census.used == 0) return parameters;
-  const Strata strata = nonlinearCount(model.spec()) <= fewParameters ? fineStrata : coarseStrata;
-  const MetricTransform metric(options.metric, options.gamma);
-  const FitTarget search(stratifiedCells(table, census, searchStrata.thetaD, searchStrata.phiD), metric);
-  const FitTarget polish(stratifiedCells(table, census, strata.thetaD, strata.phiD), metric);
+  if (data.census().used == 0) return parameters;
+  const FitTarget& search = data.search();
+  const FitTarget& polish = data.polish(parametersOf(model.spec(), FitRole::nonlinear).size());
   progress.add(preparationShare);
   const std::vector<std::vector<int>> groups = channelGroups(model.spec());
   const models::ParameterValues base = parameters;
@@ -77,24 +61,34 @@ models::ParameterValues fitParameters(const TabulatedBrdf& table, const models::
   return parameters;
 }
 
+using Clock = std::chrono::steady_clock;
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
 }  // namespace
+
+FitResult fit(const FitData& data, const models::Model& model, const TaskControl& control) {
+  const auto start = Clock::now();
+  ProgressMeter progress(control);
+  FitResult result;
+  result.model = &model;
+  result.usedCells = data.census().used;
+  result.invalidCells = data.census().invalid;
+  result.grazingCells = data.census().grazing;
+  result.warnings = data.warnings();
+  result.parameters = fitParameters(data, model, control.stop, progress);
+  result.cancelled = control.stop.stop_requested();
+  result.errors = metrics::brdfErrors(data.table(), *model.instantiate(result.parameters), data.options().maxPolarAngle,
+                                      data.options().gamma);
+  progress.add(1);
+  result.seconds = secondsSince(start);
+  return result;
+}
 
 FitResult fit(const TabulatedBrdf& table, const models::Model& model, const FitOptions& options,
               const TaskControl& control) {
-  const auto start = std::chrono::steady_clock::now();
-  ProgressMeter progress(control);
-  const CellCensus census = takeCensus(table, options.maxPolarAngle);
-  FitResult result;
-  result.model = &model;
-  result.usedCells = census.used;
-  result.invalidCells = census.invalid;
-  result.grazingCells = census.grazing;
-  result.parameters = fitParameters(table, model, options, census, control.stop, progress);
-  result.cancelled = control.stop.stop_requested();
-  result.errors =
-      metrics::brdfErrors(table, *model.instantiate(result.parameters), options.maxPolarAngle, options.gamma);
-  progress.add(1);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto start = Clock::now();
+  FitResult result = fit(FitData(table, options), model, control);
+  result.seconds = secondsSince(start);
   return result;
 }
 

@@ -26,10 +26,11 @@ struct FitResult {
   models::ParameterValues parameters;  ///< always inside the hard ranges
   std::vector<double> errors;          ///< over the full table, in the order of metrics::allBrdfMetrics()
   double seconds = 0;
-  std::size_t usedCells = 0;     ///< cells of the table that count
-  std::size_t invalidCells = 0;  ///< left out: below the horizon or not measured
-  std::size_t grazingCells = 0;  ///< left out: beyond maxPolarAngle
-  bool cancelled = false;        ///< stopped early: the parameters are the best so far
+  std::size_t usedCells = 0;               ///< cells of the table that count
+  std::size_t invalidCells = 0;            ///< left out: below the horizon or not measured
+  std::size_t grazingCells = 0;            ///< left out: beyond maxPolarAngle
+  bool cancelled = false;                  ///< stopped early: the parameters are the best so far
+  std::vector<std::string> warnings = {};  ///< sentences for people about a degenerate measurement; usually none
 };
 
 /// Fits a model to a table. Variable projection: the linear parameters are solved inside, non-negative, in the

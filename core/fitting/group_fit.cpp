@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/fitting/fit_parameters.h"
 #include "core/fitting/nonlinear_solve.h"
 #include "core/math/parallel.h"
 
@@ -152,13 +153,10 @@ void ProgressMeter::add(double share) {
 models::ParameterValues fitGroup(const models::Model& model, const FitTarget& search, const FitTarget& polish,
                                  const models::ParameterValues& base, const std::vector<int>& channels,
                                  const std::stop_token& stop, ProgressMeter& progress, double share) {
-  std::vector<std::size_t> early, all;
-  for (std::size_t i = 0; i < model.spec().parameters.size(); ++i) {
-    const models::ParameterSpec& spec = model.spec().parameters[i];
-    if (!isNonlinear(spec)) continue;
-    all.push_back(i);
-    if (spec.group != models::ParameterGroup::shadowing) early.push_back(i);
-  }
+  const std::vector<std::size_t> all = parametersOf(model.spec(), FitRole::nonlinear);
+  std::vector<std::size_t> early;
+  for (const std::size_t i : all)
+    if (model.spec().parameters[i].group != models::ParameterGroup::shadowing) early.push_back(i);
   const bool isStaged = early.size() < all.size();
   GroupFit group(model, channels, stop, progress, share);
   std::vector<Candidate> candidates =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/fitting/fit_parameters.h"
 #include "core/fitting/projected_problem.h"
 #include "core/math/parallel.h"
 
@@ -25,13 +26,13 @@ class Linearisation {
  public:
   Linearisation(const ChannelProblem& problem, const ChannelSolution& solution) : slopes_(problem.size()) {
     for (std::size_t i = 0; i < problem.size(); ++i) {
-      const double x = problem.model(solution.parameters, i) * problem.factor[i];
+      const double x = solution.model[i] * problem.factor[i];
       const double d = problem.metric.transform(x) - problem.transformed[i];
       slopes_[i] = problem.rootWeight[i] * problem.metric.shapeSlope(d) * problem.metric.slope(x) * problem.factor[i];
     }
     for (std::size_t j = 0; j < problem.bases.size(); ++j) {
       const double p = solution.parameters[Eigen::Index(j)];
-      if (p > 0 && p < problem.upper[Eigen::Index(j)]) addColumn(problem.bases[j]);
+      if (p > problem.lower[Eigen::Index(j)] && p < problem.upper[Eigen::Index(j)]) addColumn(problem.bases[j]);
     }
     const Eigen::Index count = Eigen::Index(columns_.size());
     LinearMatrix gram(count, count);
@@ -94,6 +95,7 @@ std::vector<Rgb> ProjectedProblem::perturbedModel(std::size_t first, std::size_t
       else
         values.values[linear_[j]][channels_[slot]] = p;
     }
+  copyToTwins(model_.spec(), values);
   std::vector<Rgb> result;
   evaluateModel(values, result);
   return result;
@@ -118,8 +120,7 @@ void ProjectedProblem::jacobian(double* out) const {
       const double slope = preference * (units_[k] - unknowns_[k].defaultUnit) / factor;
       for (std::size_t slot = 0; slot < channels_.size(); ++slot) {
         const int channel = channels_.size() == 1 ? int(k - first) : channels_[slot];
-        for (std::size_t i = 0; i < cells; ++i)
-          column[i] = (perturbed[i][channel] - problems[slot].model(solutions_[slot].parameters, i)) / step;
+        for (std::size_t i = 0; i < cells; ++i) column[i] = (perturbed[i][channel] - solutions_[slot].model[i]) / step;
         linearisations[slot]->apply(column);
         double* row = out + slot * cells * unknowns + k;
         for (std::size_t i = 0; i < cells; ++i)

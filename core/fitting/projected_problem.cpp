@@ -3,10 +3,10 @@
 #include "core/fitting/projected_problem.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "core/fitting/fit_parameters.h"
 #include "core/math/parallel.h"
 
 namespace gonio::fitting {
@@ -14,14 +14,11 @@ namespace gonio::fitting {
 namespace {
 
 constexpr std::size_t evaluationBlock = 2048;
-bool isLinear(const models::ParameterSpec& spec) { return spec.linear && spec.perChannel && spec.hardMin <= 0; }
 
 /// The linear parameter's value whose basis is evaluated.
 double unitStrength(const models::ParameterSpec& spec) { return std::min(1.0, spec.hardMax); }
 
 }  // namespace
-
-bool isNonlinear(const models::ParameterSpec& spec) { return !isLinear(spec) && spec.choices.empty(); }
 
 FitTarget::FitTarget(FitCells fitCells, MetricTransform fitMetric) : cells(std::move(fitCells)), metric(fitMetric) {
   double total = 0;
@@ -54,12 +51,10 @@ ProjectedProblem::ProjectedProblem(const models::Model& model, const FitTarget& 
       sharesBases_(true),
       bestCost_(std::numeric_limits<double>::infinity()) {
   const std::span<const models::ParameterSpec> specs = model.spec().parameters;
-  for (std::size_t i = 0; i < specs.size(); ++i) {
-    if (isLinear(specs[i])) linear_.push_back(i);
-    // With channels fitted together, per-channel values outside the unknowns still make their bases differ.
-    if (isNonlinear(specs[i]) && specs[i].perChannel && channels_.size() > 1) sharesBases_ = false;
-  }
-  assert(linear_.size() <= maxLinearParameters);
+  linear_ = parametersOf(model.spec(), FitRole::linear);
+  // With channels fitted together, per-channel values outside the unknowns still make their bases differ.
+  for (const std::size_t i : parametersOf(model.spec(), FitRole::nonlinear))
+    if (specs[i].perChannel && channels_.size() > 1) sharesBases_ = false;
   for (const std::size_t parameter : freeParameters) {
     const UnitScale scale(specs[parameter]);
     const double unit = scale.toUnit(specs[parameter].defaultValue);
@@ -97,6 +92,7 @@ models::ParameterValues ProjectedProblem::valuesAt(std::span<const double> units
           std::any_of(unknowns_.begin(), unknowns_.end(), [&](const Unknown& u) { return u.parameter == parameter; });
       if (!isUnknown) value = Rgb(value[channels_[0]]);
     }
+  copyToTwins(model_.spec(), values);
   return values;
 }
 
@@ -146,9 +142,11 @@ ChannelProblem ProjectedProblem::channelProblem(std::size_t slot) const {
                          .startWeight = target_.startWeight[channel],
                          .values = target_.cells.values[channel],
                          .bases = {},
+                         .lower = LinearVector(Eigen::Index(linear_.size())),
                          .upper = LinearVector(Eigen::Index(linear_.size()))};
   for (std::size_t j = 0; j < linear_.size(); ++j) {
     problem.bases.emplace_back(basis(slot, j));
+    problem.lower[Eigen::Index(j)] = model_.spec().parameters[linear_[j]].hardMin;
     problem.upper[Eigen::Index(j)] = model_.spec().parameters[linear_[j]].hardMax;
   }
   return problem;
@@ -201,6 +199,7 @@ models::ParameterValues ProjectedProblem::bestParameters() const {
   for (std::size_t slot = 0; slot < bestLinear_.size(); ++slot)
     for (std::size_t j = 0; j < linear_.size(); ++j)
       values.values[linear_[j]][channels_[slot]] = bestLinear_[slot][Eigen::Index(j)];
+  copyToTwins(model_.spec(), values);
   return values;
 }
 

@@ -25,9 +25,6 @@ struct FitTarget {
   FitTarget(FitCells fitCells, MetricTransform fitMetric);
 };
 
-/// Whether a parameter is found by the non-linear solver: it is neither linear in every channel nor a choice.
-bool isNonlinear(const models::ParameterSpec& spec);
-
 /// A least-squares problem in the non-linear parameters only (variable projection: Golub and Pereyra 1973): for each
 /// trial the linear parameters are solved inside. The Jacobian is that of Kaufman (1975): the change of the residual at
 /// fixed linear parameters, without the part that a change of these could undo; its gradient is exact.

@@ -37,6 +37,7 @@ struct Channel {
             .startWeight = startWeight,
             .values = values,
             .bases = {broad, narrow},
+            .lower = vectorOf({0, 0}),
             .upper = vectorOf({upper, upper})};
   }
 };
@@ -56,9 +57,10 @@ Channel makeChannel(double a, double b, double noise) {
 }
 
 double costAt(const ChannelProblem& p, double a, double b) {
+  const std::vector<double> model = p.model(vectorOf({a, b}));
   double cost = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double d = p.metric.transform(p.model(vectorOf({a, b}), i) * p.factor[i]) - p.transformed[i];
+    const double d = p.metric.transform(model[i] * p.factor[i]) - p.transformed[i];
     const double r = p.rootWeight[i] * p.metric.shape(d);
     cost += r * r;
   }
@@ -72,51 +74,6 @@ Q_DECLARE_METATYPE(gonio::metrics::BrdfMetric)
 class LinearSolveTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// Karush, Kuhn and Tucker: inside the gradient is 0, at the lower bound it is >= 0, at the upper one <= 0.
-  void boundedSolutionsAreOptimal() {
-    std::mt19937 random(5);
-    std::normal_distribution<double> normal;
-    int atBounds = 0;
-    for (int trial = 0; trial < 300; ++trial) {
-      const int count = 1 + trial % 3;
-      Eigen::MatrixXd a(6, count);
-      Eigen::VectorXd y(6);
-      for (double& x : a.reshaped()) x = normal(random);
-      for (double& x : y) x = normal(random);
-      for (int j = 0; j < count; ++j) a.col(j) *= std::pow(10.0, 3 * j);
-      const LinearMatrix n = a.transpose() * a;
-      const LinearVector b = a.transpose() * y;
-      LinearVector upper(count);
-      for (int j = 0; j < count; ++j) upper[j] = 0.3 * std::pow(10.0, -3 * j);
-      const LinearVector x = solveBounded(n, b, upper);
-      const LinearVector gradient = n * x - b;
-      for (int j = 0; j < count; ++j) {
-        const double tolerance = 1e-9 * n(j, j) * upper[j];
-        QVERIFY(x[j] >= 0 && x[j] <= upper[j]);
-        if (x[j] < upper[j]) QVERIFY(gradient[j] >= -tolerance);
-        if (x[j] > 0) QVERIFY(gradient[j] <= tolerance);
-        atBounds += x[j] == 0 || x[j] == upper[j];
-      }
-    }
-    QVERIFY(atBounds > 100);
-  }
-
-  void unseenParameterBecomesZero() {
-    LinearMatrix n(2, 2);
-    n << 4, 0, 0, 0;
-    const LinearVector x = solveBounded(n, vectorOf({2, 0}), vectorOf({10, 10}));
-    QCOMPARE(x[0], 0.5);
-    QCOMPARE(x[1], 0.0);
-  }
-
-  /// Two equal columns: any split is a solution, and one must come out.
-  void collinearColumns() {
-    LinearMatrix n(2, 2);
-    n << 1, 1, 1, 1;
-    const LinearVector x = solveBounded(n, vectorOf({3, 3}), vectorOf({10, 10}));
-    QVERIFY(std::abs(x.sum() - 3) < 1e-12);
-  }
-
   void exactDataAreRecovered_data() {
     QTest::addColumn<metrics::BrdfMetric>("metric");
     for (const metrics::BrdfMetric metric : metrics::minimisableMetrics())

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <cstring>
 
+#include "core/fitting/fit_parameters.h"
 #include "core/fitting/unit_scale.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
@@ -31,10 +32,7 @@ FitTarget targetOf(const TabulatedBrdf& table, metrics::BrdfMetric metric = metr
 }
 
 std::vector<std::size_t> nonlinearOf(const models::Model& model) {
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < model.spec().parameters.size(); ++i)
-    if (isNonlinear(model.spec().parameters[i])) result.push_back(i);
-  return result;
+  return parametersOf(model.spec(), FitRole::nonlinear);
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <vector>
+
+#include "core/models/model.h"
+
+/// What a fit does with each parameter of a model.
+namespace gonio::fitting {
+
+enum class FitRole {
+  linear,     ///< solved in closed form inside every trial, for each channel
+  nonlinear,  ///< searched for
+  twin,       ///< takes the value of another: the data are isotropic
+  fixed       ///< stays at its default: a choice, or what matters only with another choice
+};
+
+FitRole fitRole(const models::ModelSpec& spec, std::size_t parameter);
+std::vector<std::size_t> parametersOf(const models::ModelSpec& spec, FitRole role);
+
+/// Gives every twin the value of the parameter that it follows.
+void copyToTwins(const models::ModelSpec& spec, models::ParameterValues& values);
+
+/// How many numbers a fit finds: linear and non-linear parameters, those with a value a channel three times.
+std::size_t fittedParameterCount(const models::ModelSpec& spec);
+
+}  // namespace gonio::fitting

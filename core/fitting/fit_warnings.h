@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/fitting/fit_cells.h"
+
+namespace gonio::fitting {
+
+/// Sentences for people about what makes a fit to these cells doubtful: no cells, black channels, many values below
+/// 0, the same value everywhere, one cell that outweighs all others. Usually none. One pass over the cells that count.
+std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellCensus& census);
+
+}  // namespace gonio::fitting

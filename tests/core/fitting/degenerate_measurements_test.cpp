@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <cmath>
+#include <random>
+
+#include "core/fitting/fit.h"
+
+using namespace gonio;
+using namespace gonio::fitting;
+
+namespace {
+
+// Every cell is among those that a fit looks at: what holds for them holds for the table.
+constexpr HalfDifferenceGrid grid{.thetaHCount = 20, .thetaDCount = 8, .phiDCount = 5};
+using Values = std::vector<TabulatedBrdf::Value>;
+
+template <typename ValueAt>
+TabulatedBrdf tableOf(ValueAt valueAt, bool isMeasured = true) {
+  Values values(grid.size());
+  std::vector<std::uint8_t> valid(grid.size());
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    values[i] = valueAt(i);
+    valid[i] = isMeasured && grid.nodeAboveHorizon(i);
+  }
+  return {grid, std::move(values), std::move(valid)};
+}
+
+/// Of any length and shape, over nine decades, with black cells.
+TabulatedBrdf randomTable(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  const float decades = 9 * uniform(random);
+  return tableOf([&](std::size_t) {
+    const auto value = [&] { return uniform(random) < 0.1f ? 0 : std::pow(10.f, decades * (uniform(random) - 0.5f)); };
+    return TabulatedBrdf::Value(value(), value(), value());
+  });
+}
+
+bool warns(const FitResult& result, const char* text) {
+  for (const std::string& warning : result.warnings)
+    if (warning.find(text) != std::string::npos) return true;
+  return false;
+}
+
+/// Defined: finite, inside the hard ranges, and not worse than leaving everything black.
+void verifyDefined(const FitResult& result, const TabulatedBrdf& table) {
+  models::ParameterValues clamped = result.parameters;
+  QVERIFY2(models::clampToHardRange(result.model->spec(), clamped).empty(), result.model->spec().id.data());
+  for (const double error : result.errors) QVERIFY2(std::isfinite(error), result.model->spec().id.data());
+  const TabulatedBrdf black = tableOf([](std::size_t) { return TabulatedBrdf::Value(0); });
+  QVERIFY2(result.errors[0] <= metrics::brdfErrors(table, black)[0] * (1 + 1e-9), result.model->spec().id.data());
+}
+
+}  // namespace
+
+class DegenerateMeasurementsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void sound() {
+    const TabulatedBrdf table = tableOf([](std::size_t i) { return TabulatedBrdf::Value(0.1f + float(i % 7)); });
+    QVERIFY(fit(table, models::findModel("ggx")).warnings.empty());
+  }
+
+  void hardCase12EmptyChannel() {
+    const TabulatedBrdf table = tableOf([](std::size_t i) { return TabulatedBrdf::Value(0.1f + float(i % 7), 0, 1); });
+    for (const models::Model* model : models::allModels()) {
+      const FitResult result = fit(table, *model);
+      verifyDefined(result, table);
+      QVERIFY(warns(result, "green"));
+      QVERIFY(!warns(result, "red"));
+      for (std::size_t i = 0; i < result.parameters.values.size(); ++i)
+        if (model->spec().parameters[i].linear) QCOMPARE(result.parameters.values[i].y, 0.0);
+    }
+  }
+
+  void hardCase14Constant() {
+    const TabulatedBrdf table = tableOf([](std::size_t) { return TabulatedBrdf::Value(0.1f, 0.2f, 0.05f); });
+    for (const models::Model* model : models::allModels()) {
+      const FitResult result = fit(table, *model);
+      verifyDefined(result, table);
+      QVERIFY(warns(result, "same value"));
+    }
+  }
+
+  void hardCase15OneSpike() {
+    for (const std::size_t spike : {std::size_t(0), grid.index(3, 2, 1)}) {
+      const TabulatedBrdf table =
+          tableOf([&](std::size_t i) { return TabulatedBrdf::Value(i == spike ? 1e6f : 1e-4f); });
+      for (const models::Model* model : models::allModels()) {
+        const FitResult result = fit(table, *model);
+        verifyDefined(result, table);
+        QVERIFY(warns(result, "One cell"));
+      }
+    }
+  }
+
+  void allNegative() {
+    const TabulatedBrdf table = tableOf([](std::size_t) { return TabulatedBrdf::Value(-0.5f); });
+    for (const models::Model* model : models::allModels()) {
+      const FitResult result = fit(table, *model);
+      verifyDefined(result, table);
+      QVERIFY(warns(result, "red, green, blue") && warns(result, "below 0"));
+      QCOMPARE(result.errors[0], 0.0);
+    }
+  }
+
+  void noValidCell() {
+    const TabulatedBrdf table = tableOf([](std::size_t) { return TabulatedBrdf::Value(1); }, false);
+    for (const models::Model* model : models::allModels()) {
+      const FitResult result = fit(table, *model);
+      verifyDefined(result, table);
+      QVERIFY(warns(result, "no valid cell"));
+    }
+  }
+
+  void randomTables_data() {
+    QTest::addColumn<unsigned>("seed");
+    for (unsigned seed = 1; seed <= 3; ++seed) QTest::addRow("%u", seed) << seed;
+  }
+  void randomTables() {
+    QFETCH(unsigned, seed);
+    const TabulatedBrdf table = randomTable(seed);
+    const auto metrics = metrics::minimisableMetrics();
+    for (std::size_t m = 0; m < models::allModels().size(); ++m) {
+      const models::Model& model = *models::allModels()[m];
+      verifyDefined(fit(table, model), table);
+      const FitResult result = fit(table, model, {.metric = metrics[(m + seed) % metrics.size()], .gamma = 1.5});
+      models::ParameterValues clamped = result.parameters;
+      QVERIFY2(models::clampToHardRange(model.spec(), clamped).empty(), model.spec().id.data());
+      for (const double error : result.errors) QVERIFY2(std::isfinite(error), model.spec().id.data());
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(DegenerateMeasurementsTest)
+#include "degenerate_measurements_test.moc"

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/fitting/fit_ranking.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "core/fitting/fit_parameters.h"
+#include "core/math/parallel.h"
+#include "core/rendering/rendered_comparison.h"
+#include "tests/support/function_brdf.h"
+
+using namespace gonio;
+using namespace gonio::fitting;
+
+namespace {
+
+constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 45, .thetaDCount = 30, .phiDCount = 36};
+
+std::shared_ptr<const TabulatedBrdf> plastic() {
+  static const auto table = bakeTable(*testing::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04), smallGrid);
+  return table;
+}
+
+RankingOptions fewModels() {
+  RankingOptions options;
+  for (const char* id : {"lambert", "ggx", "blinn-phong"}) options.models.push_back(&models::findModel(id));
+  options.picture = {.width = 24, .height = 24, .samples = 4};
+  return options;
+}
+
+}  // namespace
+
+class FitRankingTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void rowsHoldWhatTheirPartsGiveAlone() {
+    const RankingOptions options = fewModels();
+    const std::vector<RankedFit> ranking = rankFits(*plastic(), *plastic(), options);
+    QCOMPARE(ranking.size(), options.models.size());
+    for (std::size_t m = 0; m < ranking.size(); ++m) {
+      const RankedFit& row = ranking[m];
+      const FitResult alone = fit(*plastic(), *options.models[m]);
+      QVERIFY(row.fit.model == options.models[m]);
+      QVERIFY(row.fit.parameters == alone.parameters);
+      QVERIFY(row.fit.errors == alone.errors);
+      const RenderedComparison comparison(*plastic(), options.picture);
+      const Image picture = comparison.render(*alone.model->instantiate(alone.parameters));
+      QVERIFY(picture.pixels == row.picture.pixels);
+      QCOMPARE(row.renderedSnr, comparison.signalToNoiseRatio(picture));
+    }
+    QCOMPARE(ranking[0].parameterCount, std::size_t(3));
+    QCOMPARE(ranking[1].parameterCount, std::size_t(8));  // two colours, roughness, f0
+  }
+
+  void everyRegisteredModelHasItsRow() {
+    RankingOptions options = fewModels();
+    options.models.clear();
+    const auto tiny = bakeTable(*plastic(), {.thetaHCount = 12, .thetaDCount = 8, .phiDCount = 9});
+    const std::vector<RankedFit> ranking = rankFits(*tiny, *tiny, options);
+    QCOMPARE(ranking.size(), models::allModels().size());
+    for (const RankedFit& row : ranking) {
+      QVERIFY(std::isfinite(row.renderedSnr));
+      QCOMPARE(row.parameterCount, fittedParameterCount(row.fit.model->spec()));
+    }
+  }
+
+  void sortedByMetricOrByPicture() {
+    std::vector<RankedFit> ranking = rankFits(*plastic(), *plastic(), fewModels());
+    ranking.push_back(ranking[0]);
+    ranking.back().renderedSnr = std::numeric_limits<double>::quiet_NaN();
+    sortRanking(ranking, metrics::BrdfMetric::cubeRoot);
+    for (std::size_t i = 1; i < ranking.size(); ++i)
+      QVERIFY(ranking[i - 1].fit.errors[std::size_t(metrics::BrdfMetric::cubeRoot)] <=
+              ranking[i].fit.errors[std::size_t(metrics::BrdfMetric::cubeRoot)]);
+    QCOMPARE(ranking[0].fit.model->spec().id, "ggx");
+    sortRanking(ranking, std::nullopt);
+    QVERIFY(std::isnan(ranking.back().renderedSnr));
+    ranking.pop_back();
+    for (std::size_t i = 1; i < ranking.size(); ++i) QVERIFY(ranking[i - 1].renderedSnr >= ranking[i].renderedSnr);
+  }
+
+  void progressNeverFallsAndEveryRowIsTold() {
+    RankingOptions options = fewModels();
+    std::vector<std::string_view> told;
+    options.modelDone = [&](const RankedFit& row) { told.push_back(row.fit.model->spec().id); };
+    double last = 0;
+    bool falls = false;
+    rankFits(*plastic(), *plastic(), options, {{}, [&](double share) {
+                                                 falls = falls || share < last || share > 1;
+                                                 last = share;
+                                               }});
+    QVERIFY(!falls);
+    QCOMPARE(last, 1.0);
+    QCOMPARE(told, (std::vector<std::string_view>{"lambert", "ggx", "blinn-phong"}));
+  }
+
+  void cancelReturnsWhatIsDone() {
+    for (const std::size_t wanted : {0, 1, 2}) {
+      RankingOptions options = fewModels();
+      std::stop_source source;
+      std::size_t done = 0;
+      if (wanted == 0) source.request_stop();
+      options.modelDone = [&](const RankedFit&) {
+        if (++done == wanted) source.request_stop();
+      };
+      const std::vector<RankedFit> ranking = rankFits(*plastic(), *plastic(), options, {source.get_token(), {}});
+      QCOMPARE(ranking.size(), wanted);
+      for (const RankedFit& row : ranking) QVERIFY(!row.fit.cancelled);
+    }
+  }
+
+  void hardCase50SameBitsForAnyThreadCount() {
+    const std::vector<RankedFit> two = rankFits(*plastic(), *plastic(), fewModels());
+    const ThreadLimit limit(1);
+    const std::vector<RankedFit> one = rankFits(*plastic(), *plastic(), fewModels());
+    for (std::size_t m = 0; m < one.size(); ++m) {
+      QVERIFY(one[m].fit.parameters == two[m].fit.parameters);
+      QCOMPARE(one[m].renderedSnr, two[m].renderedSnr);
+    }
+  }
+
+  /// 0/0 by contract: not a number, told at the end of every ranking.
+  void hardCase44BlackReference() {
+    const auto black = bakeTable(*testing::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
+    for (const RankedFit& row : rankFits(*black, *black, fewModels())) {
+      QVERIFY(std::isnan(row.renderedSnr));
+      QVERIFY(!row.fit.warnings.empty());
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(FitRankingTest)
+#include "fit_ranking_test.moc"
