@@ -17,19 +17,21 @@ namespace {
 constexpr double preparationShare = 0.05, errorsShare = 0.05;
 
 /// Channels that are fitted together: all, or each alone where the model has no shared parameter to tie them.
-std::vector<std::vector<int>> channelGroups(const models::ModelSpec& spec) {
-  const std::vector<std::size_t> nonlinear = parametersOf(spec, FitRole::nonlinear);
+std::vector<std::vector<int>> channelGroups(const models::ModelSpec& spec, const models::ParameterValues& base) {
+  const std::vector<std::size_t> nonlinear = parametersOf(spec, base, FitRole::nonlinear);
   const bool allPerChannel =
       std::ranges::all_of(nonlinear, [&](std::size_t i) { return spec.parameters[i].perChannel; });
   if (!nonlinear.empty() && allPerChannel) return {{0}, {1}, {2}};
   return {{0, 1, 2}};
 }
 
-/// The defaults, and black: what is left as it is where there is nothing to fit.
-models::ParameterValues blackParameters(const models::ModelSpec& spec) {
+/// The choices asked for, the defaults, and black: what is left as it is where there is nothing to fit.
+models::ParameterValues baseParameters(const models::ModelSpec& spec, const models::ParameterValues& choices) {
   models::ParameterValues values = models::defaultParameters(spec);
-  for (std::size_t i = 0; i < spec.parameters.size(); ++i)
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
     if (spec.parameters[i].linear) values.values[i] = Rgb(std::max(0.0, spec.parameters[i].hardMin));
+    if (!spec.parameters[i].choices.empty() && !choices.values.empty()) values.values[i] = choices.values[i];
+  }
   return values;
 }
 
@@ -40,15 +42,15 @@ bool isBlack(const FitCells& cells, const std::vector<int>& channels) {
   });
 }
 
-models::ParameterValues fitParameters(const FitData& data, const models::Model& model, const std::stop_token& stop,
+models::ParameterValues fitParameters(const FitData& data, const models::Model& model,
+                                      const models::ParameterValues& base, const std::stop_token& stop,
                                       ProgressMeter& progress) {
-  models::ParameterValues parameters = blackParameters(model.spec());
+  models::ParameterValues parameters = base;
   if (data.census().used == 0) return parameters;
   const FitTarget& search = data.search();
-  const FitTarget& polish = data.polish(parametersOf(model.spec(), FitRole::nonlinear).size());
+  const FitTarget& polish = data.polish(parametersOf(model.spec(), base, FitRole::nonlinear).size());
   progress.add(preparationShare);
-  const std::vector<std::vector<int>> groups = channelGroups(model.spec());
-  const models::ParameterValues base = parameters;
+  const std::vector<std::vector<int>> groups = channelGroups(model.spec(), base);
   std::vector<models::ParameterValues> fitted(groups.size(), base);
   const double share = (1 - preparationShare - errorsShare) / double(groups.size());
   parallelForBlocks(groups.size(), 1, [&](std::size_t g, std::size_t) {
@@ -66,7 +68,8 @@ double secondsSince(Clock::time_point start) { return std::chrono::duration<doub
 
 }  // namespace
 
-FitResult fit(const FitData& data, const models::Model& model, const TaskControl& control) {
+FitResult fit(const FitData& data, const models::Model& model, const TaskControl& control,
+              const models::ParameterValues& choices) {
   const auto start = Clock::now();
   ProgressMeter progress(control);
   FitResult result;
@@ -75,7 +78,7 @@ FitResult fit(const FitData& data, const models::Model& model, const TaskControl
   result.invalidCells = data.census().invalid;
   result.grazingCells = data.census().grazing;
   result.warnings = data.warnings();
-  result.parameters = fitParameters(data, model, control.stop, progress);
+  result.parameters = fitParameters(data, model, baseParameters(model.spec(), choices), control.stop, progress);
   result.cancelled = control.stop.stop_requested();
   result.errors = metrics::brdfErrors(data.table(), *model.instantiate(result.parameters), data.options().maxPolarAngle,
                                       data.options().gamma);
@@ -85,9 +88,9 @@ FitResult fit(const FitData& data, const models::Model& model, const TaskControl
 }
 
 FitResult fit(const TabulatedBrdf& table, const models::Model& model, const FitOptions& options,
-              const TaskControl& control) {
+              const TaskControl& control, const models::ParameterValues& choices) {
   const auto start = Clock::now();
-  FitResult result = fit(FitData(table, options), model, control);
+  FitResult result = fit(FitData(table, options), model, control, choices);
   result.seconds = secondsSince(start);
   return result;
 }

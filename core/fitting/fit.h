@@ -37,7 +37,8 @@ struct FitResult {
 /// metric's own domain; the others by a bounded least-squares solver from several starts, on a stratified part of the
 /// cells first, then refined. Deterministic. Shared or per-channel parameters as the model's specs say.
 /// A stop request returns the best so far (`cancelled`); it never throws Cancelled. Under 3 s for one model.
+/// @param choices values of all parameters, of which those of choices (conventions) are kept; empty: the defaults.
 FitResult fit(const TabulatedBrdf& table, const models::Model& model, const FitOptions& options = {},
-              const TaskControl& control = {});
+              const TaskControl& control = {}, const models::ParameterValues& choices = {});
 
 }  // namespace gonio::fitting

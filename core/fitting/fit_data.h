@@ -38,6 +38,8 @@ class FitData {
 };
 
 /// As fit(table, model, options, control), whose preparation is the data's constructor.
-FitResult fit(const FitData& data, const models::Model& model, const TaskControl& control = {});
+/// @param choices values of all parameters, of which those of choices (conventions) are kept; empty: the defaults.
+FitResult fit(const FitData& data, const models::Model& model, const TaskControl& control = {},
+              const models::ParameterValues& choices = {});
 
 }  // namespace gonio::fitting

@@ -13,16 +13,18 @@ enum class FitRole {
   linear,     ///< solved in closed form inside every trial, for each channel
   nonlinear,  ///< searched for
   twin,       ///< takes the value of another: the data are isotropic
-  fixed       ///< stays at its default: a choice, or what matters only with another choice
+  fixed       ///< stays as it is: a choice, or what matters only with another choice
 };
 
-FitRole fitRole(const models::ModelSpec& spec, std::size_t parameter);
-std::vector<std::size_t> parametersOf(const models::ModelSpec& spec, FitRole role);
+/// @param base values of all parameters; only the choices are looked at: a fit leaves them.
+FitRole fitRole(const models::ModelSpec& spec, const models::ParameterValues& base, std::size_t parameter);
+std::vector<std::size_t> parametersOf(const models::ModelSpec& spec, const models::ParameterValues& base, FitRole role);
 
 /// Gives every twin the value of the parameter that it follows.
 void copyToTwins(const models::ModelSpec& spec, models::ParameterValues& values);
 
-/// How many numbers a fit finds: linear and non-linear parameters, those with a value a channel three times.
+/// How many numbers a fit finds: linear and non-linear parameters, those with a value a channel three times; the
+/// choices at their defaults.
 std::size_t fittedParameterCount(const models::ModelSpec& spec);
 
 }  // namespace gonio::fitting

@@ -23,7 +23,9 @@ struct RankedFit {
 struct RankingOptions {
   FitOptions fit;
   std::vector<const models::Model*> models;  ///< none: all registered ones, in their order
-  SphereRenderOptions picture;               ///< of each row; the lobe is the reference's
+  /// Of each row; the lobe is the reference's. A quarter of the pixels of `goniotool compare`: the SNR differs by 0.1
+  /// dB.
+  SphereRenderOptions picture{.width = 128, .height = 128, .samples = 32, .lobe = {}};
   /// Called after each model, in their order, on the calling thread.
   std::function<void(const RankedFit&)> modelDone = {};
 };

@@ -153,7 +153,7 @@ void ProgressMeter::add(double share) {
 models::ParameterValues fitGroup(const models::Model& model, const FitTarget& search, const FitTarget& polish,
                                  const models::ParameterValues& base, const std::vector<int>& channels,
                                  const std::stop_token& stop, ProgressMeter& progress, double share) {
-  const std::vector<std::size_t> all = parametersOf(model.spec(), FitRole::nonlinear);
+  const std::vector<std::size_t> all = parametersOf(model.spec(), base, FitRole::nonlinear);
   std::vector<std::size_t> early;
   for (const std::size_t i : all)
     if (model.spec().parameters[i].group != models::ParameterGroup::shadowing) early.push_back(i);

@@ -51,9 +51,9 @@ ProjectedProblem::ProjectedProblem(const models::Model& model, const FitTarget& 
       sharesBases_(true),
       bestCost_(std::numeric_limits<double>::infinity()) {
   const std::span<const models::ParameterSpec> specs = model.spec().parameters;
-  linear_ = parametersOf(model.spec(), FitRole::linear);
+  linear_ = parametersOf(model.spec(), base, FitRole::linear);
   // With channels fitted together, per-channel values outside the unknowns still make their bases differ.
-  for (const std::size_t i : parametersOf(model.spec(), FitRole::nonlinear))
+  for (const std::size_t i : parametersOf(model.spec(), base, FitRole::nonlinear))
     if (specs[i].perChannel && channels_.size() > 1) sharesBases_ = false;
   for (const std::size_t parameter : freeParameters) {
     const UnitScale scale(specs[parameter]);

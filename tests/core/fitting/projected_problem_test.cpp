@@ -32,7 +32,7 @@ FitTarget targetOf(const TabulatedBrdf& table, metrics::BrdfMetric metric = metr
 }
 
 std::vector<std::size_t> nonlinearOf(const models::Model& model) {
-  return parametersOf(model.spec(), FitRole::nonlinear);
+  return parametersOf(model.spec(), models::defaultParameters(model.spec()), FitRole::nonlinear);
 }
 
 }  // namespace
