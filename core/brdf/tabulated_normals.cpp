@@ -48,6 +48,7 @@ TabulatedNormals::TabulatedNormals(const std::function<double(double)>& weight) 
     cumulative_[0] = 0;
     for (std::size_t i = 1; i < circles; ++i)
       cumulative_[i] = cumulative_[i - 1] + pi * (density_[i - 1] + density_[i]) * (x[i] - x[i - 1]);
+    if (!cosine) total_ = cumulative_.back();
     if (cumulative_.back() > 0 && std::isfinite(cumulative_.back())) break;
   }
   const double total = cumulative_.back();

@@ -18,12 +18,16 @@ class TabulatedNormals {
   /// where it is not finite it counts as 0; 0 everywhere gives cosine-weighted normals.
   explicit TabulatedNormals(const std::function<double(double thetaH)>& weight);
 
+  /// Integral of the weight over the upper hemisphere.
+  double total() const { return total_; }
+
   Direction sample(const glm::dvec2& u) const;
   double density(const Direction& h) const;
 
  private:
   static constexpr std::size_t circles = 97;
 
+  double total_ = 0;
   std::array<double, circles> density_;     ///< 1/sr
   std::array<double, circles> cumulative_;  ///< share inside the circle: 0 to 1
 };

@@ -97,7 +97,7 @@ models::ParameterValues ProjectedProblem::valuesAt(std::span<const double> units
 }
 
 void ProjectedProblem::evaluateModel(const models::ParameterValues& values, std::vector<Rgb>& result) const {
-  const std::unique_ptr<const Brdf> brdf = model_.instantiate(values);
+  const std::unique_ptr<const Brdf> brdf = model_.instantiateUnclamped(values);
   const std::span<const DirectionPair> pairs = target_.cells.pairs;
   result.resize(pairs.size());
   parallelForBlocks(pairs.size(), evaluationBlock, [&](std::size_t begin, std::size_t end) {

@@ -21,6 +21,16 @@ std::unique_ptr<const Brdf> Model::instantiate(const ParameterValues& parameters
   return create(checked);
 }
 
+std::unique_ptr<const Brdf> Model::instantiateUnclamped(const ParameterValues& parameters) const {
+  ParameterValues checked = parameters;
+  clampToHardRange(spec(), checked);
+  return createUnclamped(checked);
+}
+
+std::unique_ptr<const Brdf> Model::createUnclamped(const ParameterValues& parameters) const {
+  return create(parameters);
+}
+
 std::vector<glm::vec3> Model::shaderParameters(const ParameterValues& parameters) const {
   ParameterValues checked = parameters;
   clampToHardRange(spec(), checked);

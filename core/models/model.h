@@ -52,6 +52,10 @@ class Model {
   /// @throws Error when the count of values is wrong or one is not finite; the text names the parameter.
   std::unique_ptr<const Brdf> instantiate(const ParameterValues& parameters) const;
 
+  /// As instantiate(), without the cut at 0 of models whose linear parameters may be negative: linear in them, and its
+  /// values may be negative. For fits.
+  std::unique_ptr<const Brdf> instantiateUnclamped(const ParameterValues& parameters) const;
+
   /// What the model's shader twin (shaders/models/ID.glsl) takes as its array `p`: by default the parameters
   /// themselves, clamped. A model changes this (createShaderParameters()) where float cannot hold a parameter, or to
   /// compute beforehand what does not depend on directions. The count of entries is the same for all parameters.
@@ -61,6 +65,8 @@ class Model {
  protected:
   /// `parameters` are valid: right count, finite, inside the hard ranges.
   virtual std::unique_ptr<const Brdf> create(const ParameterValues& parameters) const = 0;
+  /// As create(), and by default the same.
+  virtual std::unique_ptr<const Brdf> createUnclamped(const ParameterValues& parameters) const;
   /// As create(); by default the values as they are.
   virtual std::vector<glm::vec3> createShaderParameters(const ParameterValues& parameters) const;
 };

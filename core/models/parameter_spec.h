@@ -23,7 +23,7 @@ struct ParameterSpec {
   ParameterScale scale = ParameterScale::linear;
   ParameterGroup group = ParameterGroup::specular;
   bool perChannel = false;       ///< one value a colour channel (else one value shared by all three)
-  bool linear = false;           ///< the BRDF is linear in it: fitted in closed form, never negative
+  bool linear = false;           ///< the BRDF is linear in it (where it is not cut at 0): fitted in closed form
   std::string_view description;  ///< one sentence
   std::string_view formula;      ///< one line
   std::string_view reference;    ///< author, year, equation

@@ -21,6 +21,10 @@ std::span<const Model* const> allModels() {
       &ggx(),
       &abc(),
       &sgd(),
+      // series
+      &sphericalHarmonics(),
+      &rational(),
+      &dsbrdf(),
   };
   // clang-format on
   return models;

@@ -17,5 +17,8 @@ const Model& cookTorrance();
 const Model& ggx();
 const Model& abc();
 const Model& sgd();
+const Model& sphericalHarmonics();
+const Model& rational();
+const Model& dsbrdf();
 
 }  // namespace gonio::models

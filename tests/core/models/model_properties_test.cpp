@@ -133,11 +133,23 @@ class ModelPropertiesTest : public QObject {
           ParameterValues alone = values;
           for (std::size_t j = 0; j < spec.parameters.size(); ++j)
             if (spec.parameters[j].linear) alone.values[j] = Rgb(i == j ? 1 : 0);
-          sum += values.values[i] * model->instantiate(alone)->evaluate(wi, wo);
+          sum += values.values[i] * model->instantiateUnclamped(alone)->evaluate(wi, wo);
         }
-        QVERIFY(near(model->instantiate(values)->evaluate(wi, wo), sum, 1e-12));
+        QVERIFY(near(model->instantiateUnclamped(values)->evaluate(wi, wo), sum, 1e-12));
       }
     }
+  }
+
+  /// Only the cut at 0 tells the two apart.
+  void clampedIsTheUnclampedCutAtZero() {
+    std::mt19937_64 random(6);
+    for (const Model* model : allModels())
+      for (int n = 0; n < draws; ++n) {
+        const ParameterValues values = randomParameters(model->spec(), random);
+        const Direction wi = randomDirection(random), wo = randomDirection(random);
+        QCOMPARE(model->instantiate(values)->evaluate(wi, wo),
+                 glm::max(model->instantiateUnclamped(values)->evaluate(wi, wo), 0.0));
+      }
   }
 
   void hardCase01GrazingIsFinite() {

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "core/models/excess_sampler.h"
+#include "core/models/registry.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view pacanowski = "Pacanowski et al. 2012, Rational BRDF, eq. 1-3";
+constexpr std::string_view formulaText =
+    "(p_0 + p_x x + p_y y + p_xx x^2 + p_xy x y + p_yy y^2) / (1 + q_x x + q_y y + q_xx x^2 + q_xy x y + q_yy y^2), "
+    "x = 1 - cos theta_h, y = 1 - cos theta_d";
+
+/// The monomials in the order of the parameters: 1, x, y, x^2, x y, y^2.
+constexpr std::size_t monomials = 6;
+constexpr std::size_t denominatorStart = monomials;
+
+// clang-format off
+constexpr ParameterSpec numerator(std::string_view id, std::string_view label, std::string_view symbol, double highest,
+                                  double defaultValue, std::string_view description) {
+  return {.id = id, .label = label, .symbol = symbol, .unit = "1/sr",
+          .softMin = 0, .softMax = highest, .hardMin = 0, .hardMax = 1e12, .defaultValue = defaultValue,
+          .group = ParameterGroup::coefficients, .perChannel = true, .linear = true,
+          .description = description, .formula = formulaText, .reference = pacanowski};
+}
+
+constexpr ParameterSpec denominator(std::string_view id, std::string_view label, std::string_view symbol,
+                                    double highest, double defaultValue, std::string_view description) {
+  return {.id = id, .label = label, .symbol = symbol, .unit = "",
+          .softMin = 1e-2, .softMax = highest, .hardMin = 1e-4, .hardMax = 1e16, .defaultValue = defaultValue,
+          .scale = ParameterScale::logarithmic, .group = ParameterGroup::coefficients,
+          .description = description, .formula = formulaText, .reference = pacanowski};
+}
+
+constexpr ParameterSpec parameters[] = {
+    numerator("p-0", "Peak", "p_0", 10, 1, "Value of the highlight seen and lit from the same side."),
+    numerator("p-x", "Body", "p_x", 1000, 6, "Value away from the highlight, times q_x."),
+    numerator("p-y", "Peak rise", "p_y", 10, 0, "How much the highlight gains toward grazing light."),
+    numerator("p-xx", "Body, far", "p_xx", 1e5, 0, "Value far from the highlight, times q_xx."),
+    numerator("p-xy", "Body rise", "p_xy", 1000, 0, "How much the body gains toward grazing light."),
+    numerator("p-yy", "Peak rise, grazing", "p_yy", 100, 0, "How much the highlight gains at the most grazing light."),
+    denominator("q-x", "Narrowness", "q_x", 1e6, 100, "Where the falloff of the highlight begins: large is glossy."),
+    denominator("q-y", "Fall with incidence", "q_y", 10, 0.01, "How much everything loses toward grazing light."),
+    denominator("q-xx", "Falloff", "q_xx", 1e10, 0.01, "Where the highlight begins to fall off twice as steeply."),
+    denominator("q-xy", "Narrowing", "q_xy", 1e6, 0.01, "How much the highlight narrows toward grazing light."),
+    denominator("q-yy", "Fall with incidence, grazing", "q_yy", 10, 0.01,
+                "How much everything loses at the most grazing light."),
+};
+
+constexpr ModelSpec rationalSpec = {
+    .id = "rational", .name = "Rational function",
+    .description = "A quotient of two polynomials of the half-difference angles. All coefficients are kept positive, a "
+                   "part of the published family that has neither poles nor negative values. Reciprocal; nothing "
+                   "bounds the energy.",
+    .formula = formulaText, .reference = pacanowski, .parameters = parameters, .family = ModelFamily::series};
+// clang-format on
+
+std::array<double, monomials> monomialsOf(double x, double y) { return {1, x, y, x * x, x * y, y * y}; }
+
+struct Coefficients {
+  std::array<Rgb, monomials> above;
+  std::array<double, monomials> below;
+
+  explicit Coefficients(const ParameterValues& p) {
+    for (std::size_t i = 0; i < monomials; ++i) {
+      above[i] = p.values[i];
+      below[i] = i == 0 ? 1 : p.values[denominatorStart + i - 1].x;
+    }
+  }
+  Rgb operator()(double x, double y) const {
+    const std::array<double, monomials> at = monomialsOf(x, y);
+    Rgb p(0);
+    double q = 0;
+    for (std::size_t i = 0; i < monomials; ++i) {
+      p += above[i] * at[i];
+      q += below[i] * at[i];
+    }
+    return p / q;
+  }
+};
+
+class Rational final : public Model {
+ public:
+  const ModelSpec& spec() const override { return rationalSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const Coefficients coefficients(p);
+    const double body = luminance(coefficients(0.5, 0));
+    return makeGeometryBrdf(
+        [coefficients](const SurfaceGeometry& g) {
+          const Direction apart = g.wi - g.wo;  // 2 sin theta_d long: 1 - cos theta_d without cancellation
+          return coefficients(g.oneMinusCosH, glm::dot(apart, apart) / 4 / (1 + g.cosD));
+        },
+        excessSampler(pi * body, [&](double thetaH) {
+          const double s = std::sin(thetaH / 2);
+          return luminance(coefficients(2 * s * s, 0)) - body;
+        }));
+  }
+};
+
+}  // namespace
+
+const Model& rational() {
+  static const Rational model;
+  return model;
+}
+
+}  // namespace gonio::models
