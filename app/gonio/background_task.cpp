@@ -23,6 +23,7 @@ struct BackgroundTasks::Task {
 BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
   m_pool.setMaxThreadCount(foregroundThreads);
   m_quietPool.setMaxThreadCount(1);
+  m_livePool.setMaxThreadCount(1);
   m_progressTimer.setInterval(progressMilliseconds);
   connect(&m_progressTimer, &QTimer::timeout, this, &BackgroundTasks::changed);
 }
@@ -30,7 +31,9 @@ BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
 BackgroundTasks::~BackgroundTasks() {
   for (const auto& task : m_tasks) task->stop.request_stop();
   m_quietPool.clear();
+  m_livePool.clear();
   m_pool.waitForDone();
+  m_livePool.waitForDone();
   m_quietPool.waitForDone();
 }
 
@@ -64,6 +67,8 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
   };
   if (request.quiet)
     m_quietPool.start([body] { runQuietly(body); });
+  else if (request.live)
+    m_livePool.start(body);
   else
     m_pool.start(body);
   Q_EMIT changed();
@@ -84,11 +89,17 @@ void BackgroundTasks::finish(const std::shared_ptr<Task>& task, Outcome outcome,
   Q_EMIT changed();
 }
 
+std::shared_ptr<BackgroundTasks::Task> BackgroundTasks::newestShown() const {
+  const auto found = std::find_if(m_tasks.rbegin(), m_tasks.rend(),
+                                  [](const auto& t) { return !t->request.quiet && !t->request.live; });
+  return found != m_tasks.rend() ? *found : nullptr;
+}
+
 std::optional<BackgroundTasks::Info> BackgroundTasks::topmost() const {
-  if (m_tasks.empty()) return std::nullopt;
-  const auto loud = std::find_if(m_tasks.rbegin(), m_tasks.rend(), [](const auto& t) { return !t->request.quiet; });
-  const auto& task = loud != m_tasks.rend() ? *loud : m_tasks.front();
-  return Info{task->request.title, task->share, task->request.quiet};
+  if (const auto task = newestShown()) return Info{task->request.title, task->share, false};
+  const auto quiet = std::find_if(m_tasks.begin(), m_tasks.end(), [](const auto& t) { return t->request.quiet; });
+  if (quiet == m_tasks.end()) return std::nullopt;
+  return Info{(*quiet)->request.title, (*quiet)->share, true};
 }
 
 bool BackgroundTasks::isRunning(const QString& key) const {
@@ -106,8 +117,7 @@ void BackgroundTasks::drop(const QString& key) {
 }
 
 void BackgroundTasks::cancelTopmost() {
-  const auto loud = std::find_if(m_tasks.rbegin(), m_tasks.rend(), [](const auto& t) { return !t->request.quiet; });
-  if (loud != m_tasks.rend()) (*loud)->stop.request_stop();
+  if (const auto task = newestShown()) task->stop.request_stop();
 }
 
 }  // namespace gonio::app

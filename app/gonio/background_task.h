@@ -20,6 +20,8 @@ struct TaskRequest {
   QString title;       ///< "Loading chrome.binary"
   QString key;         ///< a newer task of the same key stops and replaces an older one: its result is dropped
   bool quiet = false;  ///< at low priority, shown only while nothing else runs, not cancelled by Esc (thumbnails)
+  bool live = false;   ///< at normal priority in a thread of its own, never shown, not cancelled by Esc: what follows
+                       ///< each step of the user's hand (checks, comparisons)
 };
 
 /// The one place that runs core functions off the GUI thread. Work gets a TaskControl; its result comes back to the
@@ -49,7 +51,7 @@ class BackgroundTasks : public QObject {
     double share;  ///< [0, 1]
     bool quiet;
   };
-  /// What the status bar shows: the newest task that is not quiet, else a quiet one.
+  /// What the status bar shows: the newest task that is neither quiet nor live, else a quiet one.
   std::optional<Info> topmost() const;
   bool isRunning(const QString& key) const;
   bool isIdle() const { return m_tasks.empty(); }
@@ -60,7 +62,7 @@ class BackgroundTasks : public QObject {
   void drop(const QString& key);
 
  public Q_SLOTS:
-  /// Cancels the newest task that is not quiet. Quiet ones end with what they belong to.
+  /// Cancels the newest task that is neither quiet nor live. Those end with what they belong to.
   void cancelTopmost();
 
  Q_SIGNALS:
@@ -79,7 +81,9 @@ class BackgroundTasks : public QObject {
   void start(const TaskRequest& request, std::function<void(const TaskControl&)> work, Callbacks callbacks);
   void finish(const std::shared_ptr<Task>& task, Outcome outcome, const QString& error);
 
-  QThreadPool m_pool, m_quietPool;
+  std::shared_ptr<Task> newestShown() const;
+
+  QThreadPool m_pool, m_quietPool, m_livePool;
   QTimer m_progressTimer;
   std::vector<std::shared_ptr<Task>> m_tasks;  ///< those whose result is still wanted, oldest first
 };

@@ -19,9 +19,10 @@ bool isPicture(const QString& path) {
          path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive);
 }
 
-QString dropDescription(const QString& path) {
+QString dropDescription(const QString& path, bool asReference) {
   const QString text = isPicture(path) ? QCoreApplication::translate("DroppedFiles", "Light the preview with %1")
-                                       : QCoreApplication::translate("DroppedFiles", "Open %1");
+                       : asReference   ? QCoreApplication::translate("DroppedFiles", "Compare with %1")
+                                       : QCoreApplication::translate("DroppedFiles", "Open %1 (with Ctrl: compare)");
   return text.arg(path.section('/', -1));
 }
 

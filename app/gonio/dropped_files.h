@@ -12,7 +12,7 @@ namespace gonio::app {
 QString droppedFile(const QMimeData* data);
 /// Whether a file is meant as an environment, by its name.
 bool isPicture(const QString& path);
-/// What dropping a file will do.
-QString dropDescription(const QString& path);
+/// What dropping a file will do; a material is taken as the reference of comparisons where `asReference` says so.
+QString dropDescription(const QString& path, bool asReference = false);
 
 }  // namespace gonio::app

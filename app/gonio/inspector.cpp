@@ -5,17 +5,19 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/gonio/plausibility_monitor.h"
 #include "app/gonio/source_facts.h"
 #include "widgets/panels/collapsible_section.h"
 #include "widgets/panels/fact_list.h"
 #include "widgets/panels/model_panel.h"
+#include "widgets/panels/plausibility_badges.h"
 #include "widgets/parameters/parameter_panel.h"
 
 namespace gonio::app {
 
 namespace {
 const QString sectionKeys[] = {QStringLiteral("inspector/source"), QStringLiteral("inspector/model"),
-                               QStringLiteral("inspector/parameters")};
+                               QStringLiteral("inspector/plausibility"), QStringLiteral("inspector/parameters")};
 constexpr int preferredEms = 28;
 }  // namespace
 
@@ -26,6 +28,8 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
       m_tasks(tasks),
       m_source(new widgets::FactList),
       m_model(new widgets::ModelPanel),
+      m_plausibility(new widgets::PlausibilityBadges),
+      m_monitor(new PlausibilityMonitor(document, tasks, *m_plausibility, this)),
       m_parameters(new widgets::ParameterPanel) {
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
@@ -41,6 +45,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
   };
   addSection(tr("Source"), m_source);
   addSection(tr("Model"), m_model);
+  addSection(tr("Plausibility"), m_plausibility);
   addSection(tr("Parameters"), m_parameters);
   layout->addStretch();
   setWidget(content);
@@ -54,6 +59,8 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
 }
 
 QSize Inspector::sizeHint() const { return {fontMetrics().height() * preferredEms, fontMetrics().height() * 40}; }
+
+bool Inspector::isSettled() const { return m_monitor->isCurrent(); }
 
 void Inspector::connectDocument() {
   connect(&m_document, &Document::materialChanged, this, &Inspector::showSource);

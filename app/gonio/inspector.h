@@ -13,11 +13,14 @@ class CollapsibleSection;
 class FactList;
 class ModelPanel;
 class ParameterPanel;
+class PlausibilityBadges;
 }  // namespace gonio::widgets
 
 namespace gonio::app {
 
-/// The right side of the window: Source, Model, Parameters of a document, in sections that fold.
+class PlausibilityMonitor;
+
+/// The right side of the window: Source, Model, Plausibility, Parameters of a document, in sections that fold.
 class Inspector : public QScrollArea {
   Q_OBJECT
 
@@ -25,6 +28,9 @@ class Inspector : public QScrollArea {
   Inspector(Document& document, DocumentController& controller, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   widgets::ParameterPanel* parameters() const { return m_parameters; }
+  widgets::PlausibilityBadges* plausibility() const { return m_plausibility; }
+  /// Whether the badges tell of the present state.
+  bool isSettled() const;
   void saveState(QSettings& settings) const;
   void restoreState(const QSettings& settings);
 
@@ -42,6 +48,8 @@ class Inspector : public QScrollArea {
   BackgroundTasks& m_tasks;
   widgets::FactList* m_source;
   widgets::ModelPanel* m_model;
+  widgets::PlausibilityBadges* m_plausibility;
+  PlausibilityMonitor* m_monitor;
   widgets::ParameterPanel* m_parameters;
   QList<widgets::CollapsibleSection*> m_sections;
   const models::Model* m_shownModel = nullptr;

@@ -12,6 +12,8 @@
 #include <QUndoView>
 #include <QVBoxLayout>
 
+#include "app/gonio/analyse_menu.h"
+#include "app/gonio/comparison_panel.h"
 #include "app/gonio/dropped_files.h"
 #include "app/gonio/edit_menu.h"
 #include "app/gonio/file_menu.h"
@@ -25,6 +27,7 @@
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/progress_strip.h"
 #include "widgets/parameters/parameter_text.h"
+#include "widgets/preview/comparison_bar.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
@@ -58,6 +61,9 @@ MainWindow::MainWindow(QWidget* parent)
       m_preview(new widgets::PreviewWidget),
       m_libraryView(new widgets::LibraryView(&m_libraryController.model())),
       m_inspector(new Inspector(m_document, m_controller, m_tasks)),
+      m_comparisonBar(new widgets::ComparisonBar),
+      m_comparison(new ComparisonController(m_document, m_tasks, *m_preview, *m_comparisonBar, this)),
+      m_comparisonPanel(new ComparisonPanel(*m_comparison, m_tasks)),
       m_messages(new widgets::MessageBar),
       m_progress(new widgets::ProgressStrip),
       m_dropOverlay(nullptr),
@@ -72,6 +78,7 @@ MainWindow::MainWindow(QWidget* parent)
   new FileMenu(*this);
   new EditMenu(*this);
   new ViewMenu(*this);
+  new AnalyseMenu(*this);
   new HelpMenu(*this);
   connectDocument();
   connectController();
@@ -84,82 +91,11 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow() = default;
 
-void MainWindow::buildCentre() {
-  auto* centre = new QWidget;
-  auto* layout = new QVBoxLayout(centre);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(m_messages);
-  layout->addWidget(m_preview, 1);
-  setCentralWidget(centre);
-  SphereScene scene = m_preview->scene();
-  scene.environment = studioEnvironment();
-  m_preview->setScene(scene);
-  m_preview->setToneMap(ToneMap::filmic);
-}
-
-QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, this);
-  dock->setObjectName(name);
-  dock->setWidget(content);
-  addDockWidget(area, dock);
-  m_docks << dock;
-  return dock;
-}
-
-void MainWindow::buildDocks() {
-  setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks | GroupedDragging);
-  QDockWidget* library = addDock(tr("Library"), "library", m_libraryView, Qt::LeftDockWidgetArea);
-  QDockWidget* inspector = addDock(tr("Inspector"), "inspector", m_inspector, Qt::RightDockWidgetArea);
-  m_history->setEmptyLabel(tr("Opened"));
-  m_history->setAccessibleName(tr("History"));
-  addDock(tr("History"), "history", m_history, Qt::RightDockWidgetArea)->hide();
-  const int em = fontMetrics().height();
-  resizeDocks({library, inspector}, {em * 27, em * 28}, Qt::Horizontal);
-  m_libraryView->setEmptyText(
-      tr("There are no .binary or .bsdf files in this folder.\nFile > Bundled Library shows the "
-         "materials that come with Gonio."));
-  connect(&m_libraryController, &LibraryController::titleChanged, m_libraryView, &widgets::LibraryView::setTitle);
-  connect(m_libraryView, &widgets::LibraryView::visibleIdsChanged, &m_libraryController,
-          &LibraryController::setVisible);
-  connect(m_libraryView, &widgets::LibraryView::openRequested, this, &MainWindow::open);
-}
-
-void MainWindow::buildStatusBar() {
-  const auto permanent = [this](const QString& toolTip) {
-    auto* label = new QLabel;
-    label->setToolTip(toolTip);
-    label->setContentsMargins(8, 0, 8, 0);
-    statusBar()->addPermanentWidget(label);
-    return label;
-  };
-  m_progress->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  statusBar()->addWidget(m_progress, 1);
-  m_representation = permanent(tr("What the preview shows"));
-  m_samples = permanent(tr("Light samples of each pixel so far"));
-  m_frameTime = permanent(tr("Time of the last frame"));
-  connect(m_preview, &widgets::PreviewWidget::frameRendered, this, [this](double milliseconds, int samples) {
-    m_frameTime->setText(tr("%1 ms").arg(milliseconds, 0, 'f', 1));
-    m_samples->setText(tr("%1 samples").arg(samples));
-  });
-  connect(m_preview, &widgets::PreviewWidget::failed, m_messages, &widgets::MessageBar::showMessage);
-  connect(&m_tasks, &BackgroundTasks::changed, this, &MainWindow::showProgress);
-  connect(m_progress, &widgets::ProgressStrip::cancelRequested, &m_tasks, &BackgroundTasks::cancelTopmost);
-}
-
 void MainWindow::connectDocument() {
   connect(&m_document, &Document::titleChanged, this, &MainWindow::showTitle);
-  connect(&m_document, &Document::materialChanged, this, [this] {
-    const LoadedMaterialPtr& material = m_document.material();
-    m_preview->setMaterial(material ? material->table : nullptr, material ? material->lobe : SamplingLobe());
-    m_messages->hide();
-  });
-  const auto showEdit = [this] {
-    m_preview->setEdit(m_document.edit());
-    showRepresentation();
-  };
-  connect(&m_document, &Document::stateChanged, this, showEdit);
-  connect(&m_document, &Document::editChanged, this, showEdit);
+  connect(&m_document, &Document::materialChanged, this, [this] { m_messages->hide(); });
+  connect(&m_document, &Document::stateChanged, this, &MainWindow::showRepresentation);
+  connect(&m_document, &Document::editChanged, this, &MainWindow::showRepresentation);
 }
 
 void MainWindow::connectController() {
@@ -183,17 +119,20 @@ void MainWindow::connectController() {
     restoreView(*m_preview, view);
     if (const auto environment = environmentOf(view)) setEnvironment(*environment);
   });
-  connect(&m_controller, &DocumentController::failed, this, [this](const QString& title, const QString& text) {
-    auto* box = new QMessageBox(QMessageBox::Warning, title, title, QMessageBox::Ok, this);
-    box->setInformativeText(text);
-    box->setTextFormat(Qt::PlainText);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
-  });
+  connect(&m_controller, &DocumentController::failed, this, &MainWindow::showFailure);
+  connect(m_comparison, &ComparisonController::failed, this, &MainWindow::showFailure);
   connect(&m_controller, &DocumentController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_controller, &DocumentController::proposalOffered, m_messages, &widgets::MessageBar::showProposal);
   connect(m_messages, &widgets::MessageBar::applied, &m_controller, &DocumentController::applyProposal);
   connect(m_messages, &widgets::MessageBar::discarded, &m_controller, &DocumentController::discardProposal);
+}
+
+void MainWindow::showFailure(const QString& title, const QString& text) {
+  auto* box = new QMessageBox(QMessageBox::Warning, title, title, QMessageBox::Ok, this);
+  box->setInformativeText(text);
+  box->setTextFormat(Qt::PlainText);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
 }
 
 void MainWindow::showTitle() {
@@ -251,8 +190,8 @@ bool MainWindow::mayDiscard() {
 
 bool MainWindow::isSettled() const {
   const auto task = m_tasks.topmost();
-  return (!task || task->quiet) && m_libraryController.isVisibleComplete() &&
-         (!m_preview->hasMaterial() || m_preview->converged());
+  return (!task || task->quiet) && m_inspector->isSettled() && m_comparisonPanel->isSettled() &&
+         m_libraryController.isVisibleComplete() && (!m_preview->hasMaterial() || m_preview->converged());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -265,7 +204,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   const QString file = droppedFile(event->mimeData());
   if (file.isEmpty()) return;
-  m_dropOverlay->announce(dropDescription(file));
+  m_dropOverlay->announce(dropDescription(file, event->modifiers() & Qt::ControlModifier));
   event->acceptProposedAction();
 }
 
@@ -276,6 +215,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString file = droppedFile(event->mimeData());
   if (isPicture(file))
     setEnvironment(file);
+  else if (!file.isEmpty() && event->modifiers() & Qt::ControlModifier)
+    m_comparison->openReference(file);
   else if (!file.isEmpty())
     open(file);
   event->acceptProposedAction();

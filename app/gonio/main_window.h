@@ -6,12 +6,14 @@
 #include <QSettings>
 
 #include "app/gonio/autosave.h"
+#include "app/gonio/comparison_controller.h"
 #include "app/gonio/document_controller.h"
 #include "app/gonio/inspector.h"
 #include "app/gonio/library_controller.h"
 #include "app/gonio/recent_files.h"
 
 namespace gonio::widgets {
+class ComparisonBar;
 class DropOverlay;
 class LibraryView;
 class MessageBar;
@@ -24,8 +26,11 @@ class QUndoView;
 
 namespace gonio::app {
 
+class ComparisonPanel;
+
 /// The editor's window: library left, preview in the middle, inspector right. It connects the parts; what they do lies
-/// in them. The menus are built by the classes in file_menu.h, edit_menu.h, view_menu.h and help_menu.h.
+/// in them. The menus are built by the classes in file_menu.h, edit_menu.h, view_menu.h, analyse_menu.h and
+/// help_menu.h.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -42,6 +47,7 @@ class MainWindow : public QMainWindow {
   widgets::PreviewWidget& preview() { return *m_preview; }
   widgets::LibraryView& libraryView() { return *m_libraryView; }
   Inspector& inspector() { return *m_inspector; }
+  ComparisonController& comparison() { return *m_comparison; }
   QList<QDockWidget*> docks() const { return m_docks; }
 
   /// Opens a file after asking what to do with unsaved changes.
@@ -71,6 +77,7 @@ class MainWindow : public QMainWindow {
   void buildStatusBar();
   void connectDocument();
   void connectController();
+  void showFailure(const QString& title, const QString& text);
   void showTitle();
   void showProgress();
   void showRepresentation();
@@ -88,6 +95,9 @@ class MainWindow : public QMainWindow {
   widgets::PreviewWidget* m_preview;
   widgets::LibraryView* m_libraryView;
   Inspector* m_inspector;
+  widgets::ComparisonBar* m_comparisonBar;
+  ComparisonController* m_comparison;
+  ComparisonPanel* m_comparisonPanel;
   widgets::MessageBar* m_messages;
   widgets::ProgressStrip* m_progress;
   widgets::DropOverlay* m_dropOverlay;

@@ -51,6 +51,26 @@ class BackgroundTaskTest : public QObject {
     QTRY_COMPARE(error, QStringLiteral("a.binary: too short"));
   }
 
+  /// Live work is neither shown nor stopped by Esc, and does not wait for thumbnails or other work.
+  void liveWorkGoesOnUnseen() {
+    BackgroundTasks tasks;
+    int result = 0;
+    tasks.run<int>({"Picture", "picture", true}, untilStopped, [](int) {});
+    tasks.run<int>({"One", "one"}, untilStopped, [](int) {});
+    tasks.run<int>({"Two", "two"}, untilStopped, [](int) {});
+    tasks.run<int>({"Check", "check", false, true}, [](const TaskControl&) { return 7; }, [&](int r) { result = r; });
+    QCOMPARE(tasks.topmost()->title, QStringLiteral("Two"));
+    QTRY_COMPARE(result, 7);
+    tasks.drop("one");
+    tasks.drop("two");
+    tasks.drop("picture");
+    tasks.run<int>({"Check", "check", false, true}, untilStopped, [](int) {});
+    QVERIFY(!tasks.topmost());
+    tasks.cancelTopmost();
+    QTest::qWait(30);
+    QVERIFY(tasks.isRunning("check"));
+  }
+
   void cancelStopsTheTopmost() {
     BackgroundTasks tasks;
     bool firstCancelled = false, secondCancelled = false;

@@ -40,6 +40,17 @@ void drawGlyph(QPainter& painter, Glyph glyph) {
       painter.drawLine(QPointF(4, 4), QPointF(12, 12));
       painter.drawLine(QPointF(12, 4), QPointF(4, 12));
       return;
+    case Glyph::passed:
+      painter.drawPolyline(QPolygonF{{3, 8.5}, {6.5, 12}, {13, 4.5}});
+      return;
+    case Glyph::warning:
+      painter.drawPolygon(QPolygonF{{8, 2.5}, {14, 13.5}, {2, 13.5}});
+      painter.drawLine(QPointF(8, 6.5), QPointF(8, 9.5));
+      painter.drawPoint(QPointF(8, 11.6));
+      return;
+    case Glyph::pending:
+      for (const double x : {4.0, 8.0, 12.0}) painter.drawPoint(QPointF(x, 8));
+      return;
   }
 }
 
@@ -51,11 +62,8 @@ class GlyphEngine final : public QIconEngine {
     const QPalette palette = QGuiApplication::palette();
     const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
     painter->save();
-    painter->setRenderHint(QPainter::Antialiasing);
-    painter->translate(rect.topLeft());
-    painter->scale(rect.width() / 16.0, rect.height() / 16.0);
-    painter->setPen(QPen(palette.color(group, QPalette::ButtonText), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    drawGlyph(*painter, m_glyph);
+    painter->setPen(palette.color(group, QPalette::ButtonText));
+    paintGlyph(*painter, m_glyph, rect);
     painter->restore();
   }
 
@@ -74,6 +82,17 @@ class GlyphEngine final : public QIconEngine {
 };
 
 }  // namespace
+
+void paintGlyph(QPainter& painter, Glyph glyph, const QRectF& rect) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(rect.topLeft());
+  painter.scale(rect.width() / 16.0, rect.height() / 16.0);
+  painter.setPen(QPen(painter.pen().color(), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  drawGlyph(painter, glyph);
+  painter.restore();
+}
 
 QIcon glyphIcon(Glyph glyph) { return QIcon(new GlyphEngine(glyph)); }
 

@@ -6,9 +6,11 @@
 
 namespace gonio::widgets {
 
-enum class Glyph { reset, collapsed, expanded, search, close };
+enum class Glyph { reset, collapsed, expanded, search, close, passed, warning, pending };
 
 /// A small icon drawn in the text colour of the palette at paint time, sharp at any scale and in either theme.
 QIcon glyphIcon(Glyph glyph);
+/// The same in a pen of the caller's, over a rectangle.
+void paintGlyph(QPainter& painter, Glyph glyph, const QRectF& rect);
 
 }  // namespace gonio::widgets

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QScrollBar>
 #include <QSlider>
 #include <QSortFilterProxyModel>
@@ -100,6 +101,8 @@ void LibraryView::connectList() {
   m_list->installEventFilter(this);
   m_list->viewport()->installEventFilter(this);
   connect(m_list, &QListView::doubleClicked, this, &LibraryView::openIndex);
+  m_list->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(m_list, &QListView::customContextMenuRequested, this, &LibraryView::showMenu);
 
   m_visibleTimer.setSingleShot(true);
   m_visibleTimer.setInterval(visibleDelayMilliseconds);
@@ -116,6 +119,18 @@ void LibraryView::openIndex(const QModelIndex& index) {
   if (index.isValid()) Q_EMIT openRequested(index.data(LibraryModel::IdRole).toString());
 }
 
+void LibraryView::showMenu(const QPoint& position) {
+  const QModelIndex index = m_list->indexAt(position);
+  if (!index.isValid()) return;
+  const QString id = index.data(LibraryModel::IdRole).toString();
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(tr("&Open"), QKeySequence(Qt::Key_Return), this, [this, id] { Q_EMIT openRequested(id); });
+  menu->addAction(tr("&Compare with This"), QKeySequence(Qt::CTRL | Qt::Key_Return), this,
+                  [this, id] { Q_EMIT referenceRequested(id); });
+  menu->popup(m_list->viewport()->mapToGlobal(position));
+}
+
 bool LibraryView::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_list->viewport() && (event->type() == QEvent::Resize || event->type() == QEvent::Show))
     m_visibleTimer.start();
@@ -123,7 +138,11 @@ bool LibraryView::eventFilter(QObject* watched, QEvent* event) {
   const int key = static_cast<QKeyEvent*>(event)->key();
   const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
   if (watched == m_list && enter) {
-    openIndex(m_list->currentIndex());
+    const QModelIndex index = m_list->currentIndex();
+    if (!(static_cast<QKeyEvent*>(event)->modifiers() & Qt::ControlModifier))
+      openIndex(index);
+    else if (index.isValid())
+      Q_EMIT referenceRequested(index.data(LibraryModel::IdRole).toString());
     return true;
   }
   // From the search field: Down goes into the grid, Enter opens the first match.

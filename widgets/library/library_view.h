@@ -41,6 +41,8 @@ class LibraryView : public QWidget {
 
  Q_SIGNALS:
   void openRequested(const QString& id);
+  /// As the reference of comparisons: Ctrl + Enter, or the context menu.
+  void referenceRequested(const QString& id);
   void visibleIdsChanged(const QStringList& ids);
 
  protected:
@@ -51,6 +53,7 @@ class LibraryView : public QWidget {
   void connectList();
   void updateEmptyState();
   void openIndex(const QModelIndex& index);
+  void showMenu(const QPoint& position);
 
   LibraryModel* m_model;
   QSortFilterProxyModel* m_proxy;

@@ -9,6 +9,14 @@
 
 namespace gonio::widgets {
 
+/// What can stand on either side of a comparison.
+enum class ComparedSubject {
+  measured,  ///< the table
+  fit,       ///< the fitted model alone
+  edited,    ///< the table with its edit
+  reference  ///< another material
+};
+
 /// How two pictures are shown against each other.
 enum class CompareMode {
   off,

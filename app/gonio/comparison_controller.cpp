@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/comparison_controller.h"
+
+#include "widgets/parameters/parameter_text.h"
+#include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace gonio::app {
+
+using widgets::ComparedSubject;
+using widgets::CompareMode;
+
+namespace {
+const QString referenceKey = QStringLiteral("reference");
+constexpr std::array allSides{ComparedSubject::measured, ComparedSubject::fit, ComparedSubject::edited,
+                              ComparedSubject::reference};
+}  // namespace
+
+ComparisonController::ComparisonController(Document& document, BackgroundTasks& tasks, widgets::PreviewWidget& preview,
+                                           widgets::ComparisonBar& bar, QObject* parent)
+    : QObject(parent), m_document(document), m_tasks(tasks), m_preview(preview), m_bar(bar) {
+  for (const auto signal : {&Document::materialChanged, &Document::stateChanged, &Document::editChanged})
+    connect(&document, signal, this, &ComparisonController::refresh);
+  connect(&bar, &widgets::ComparisonBar::comparisonEdited, this, &ComparisonController::setComparison);
+  connect(&bar, &widgets::ComparisonBar::sidesEdited, this, &ComparisonController::setSides);
+  connect(&bar, &widgets::ComparisonBar::referenceWanted, this, &ComparisonController::referenceWanted);
+  connect(&bar, &widgets::ComparisonBar::referenceDropped, this, &ComparisonController::openReference);
+  connect(&bar, &widgets::ComparisonBar::flickerHeld, &preview, &widgets::PreviewWidget::setFlickering);
+  connect(&preview, &widgets::PreviewWidget::splitMoved, this, [this](double share) {
+    m_comparison.split = share;
+    m_bar.setComparison(m_comparison);
+  });
+  connect(&preview, &widgets::PreviewWidget::frameRendered, this, [this] {
+    if (m_preview.differenceRange() > 0) m_bar.setFoundRange(m_preview.differenceRange());
+  });
+  refresh();
+}
+
+void ComparisonController::openReference(const QString& path) {
+  m_tasks.run<LoadedMaterialPtr>(
+      {tr("Opening %1 as the reference").arg(path.section('/', -1)), referenceKey},
+      [path](const TaskControl& control) { return loadMaterial(path.toStdString(), control); },
+      [this](const LoadedMaterialPtr& material) {
+        m_reference = material;
+        const ComparedSubject first = m_sides[0] == ComparedSubject::reference ? ComparedSubject::edited : m_sides[0];
+        setSides(first, ComparedSubject::reference);
+        if (m_comparison.mode == CompareMode::off) toggle();
+      },
+      [this, path](const QString& error) { Q_EMIT failed(tr("Cannot open %1").arg(path.section('/', -1)), error); });
+}
+
+void ComparisonController::toggle() {
+  widgets::PreviewComparison comparison = m_comparison;
+  comparison.mode = m_comparison.mode == CompareMode::off ? m_lastMode : CompareMode::off;
+  setComparison(comparison);
+}
+
+void ComparisonController::setComparison(const widgets::PreviewComparison& comparison) {
+  if (m_comparison.mode == CompareMode::off && comparison.mode != CompareMode::off && !m_sidesChosen)
+    chooseUsualSides();
+  m_comparison = comparison;
+  if (comparison.mode != CompareMode::off) m_lastMode = comparison.mode;
+  m_bar.setComparison(comparison);
+  refresh();
+  m_preview.setComparison(comparison);
+  Q_EMIT comparisonChanged();
+}
+
+void ComparisonController::chooseUsualSides() {
+  const bool edited = m_document.edit() && !m_document.edit()->isIdentity();
+  m_sides = {edited ? ComparedSubject::edited : ComparedSubject::fit, ComparedSubject::measured};
+}
+
+void ComparisonController::setSides(ComparedSubject first, ComparedSubject second) {
+  m_sidesChosen = true;
+  m_sides = {first, second};
+  refresh();
+}
+
+widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) const {
+  const LoadedMaterialPtr& material = side == ComparedSubject::reference ? m_reference : m_document.material();
+  if (!material) return {.table = nullptr, .lobe = {}};
+  widgets::PreviewSubject subject{.table = material->table, .lobe = material->lobe};
+  if (side == ComparedSubject::edited) subject.edit = m_document.edit();
+  if (side == ComparedSubject::fit) {
+    const auto& edit = m_document.edit();
+    if (!edit) return {.table = nullptr, .lobe = {}};
+    subject.model = edit->model;
+    subject.parameters = edit->fitted;
+  }
+  return subject;
+}
+
+QString ComparisonController::name(ComparedSubject side) const {
+  const LoadedMaterialPtr& material = m_document.material();
+  if (side == ComparedSubject::reference)
+    return m_reference ? QString::fromStdString(m_reference->material.name) : QString();
+  if (!material) return {};
+  if (side == ComparedSubject::measured) return tr("Measured");
+  if (!m_document.edit()) return side == ComparedSubject::edited ? tr("Edited") : QString();
+  return side == ComparedSubject::edited ? tr("Edited")
+                                         : tr("Fit: %1").arg(widgets::fromView(m_document.edit()->model->spec().name));
+}
+
+void ComparisonController::refresh() {
+  const bool comparing = m_comparison.mode != CompareMode::off;
+  const ComparedSubject first = comparing ? m_sides[0] : ComparedSubject::edited;
+  m_preview.setSubject(subject(first), name(first));
+  m_preview.setOther(subject(m_sides[1]), name(m_sides[1]));
+  std::array<QString, 4> names;
+  for (const ComparedSubject side : allSides) names[std::size_t(side)] = name(side);
+  m_bar.setSubjects(names);
+  m_bar.setSides(m_sides[0], m_sides[1]);
+  Q_EMIT subjectsChanged();
+}
+
+}  // namespace gonio::app
+
+#include "moc_comparison_controller.cpp"

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+#include <functional>
+
+class QWidget;
+
+namespace gonio::app {
+
+/// Tells while the key \ is held in a window, wherever the focus is but in a field for text. A shortcut cannot: it
+/// knows no release.
+class FlickerKey : public QObject {
+  Q_OBJECT
+
+ public:
+  FlickerKey(QWidget* window, std::function<void(bool held)> tell);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void set(bool held);
+
+  QWidget* m_window;
+  std::function<void(bool)> m_tell;
+  bool m_held = false;
+};
+
+}  // namespace gonio::app

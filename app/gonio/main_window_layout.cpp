@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+// Where the parts of the window stand.
+#include <QDockWidget>
+#include <QLabel>
+#include <QStatusBar>
+#include <QUndoView>
+#include <QVBoxLayout>
+
+#include "app/gonio/comparison_panel.h"
+#include "app/gonio/main_window.h"
+#include "widgets/library/library_view.h"
+#include "widgets/panels/message_bar.h"
+#include "widgets/panels/progress_strip.h"
+#include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace gonio::app {
+
+void MainWindow::buildCentre() {
+  auto* centre = new QWidget;
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(m_messages);
+  layout->addWidget(m_comparisonBar);
+  layout->addWidget(m_preview, 1);
+  setCentralWidget(centre);
+  SphereScene scene = m_preview->scene();
+  scene.environment = studioEnvironment();
+  m_preview->setScene(scene);
+  m_preview->setToneMap(ToneMap::filmic);
+}
+
+QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  m_docks << dock;
+  return dock;
+}
+
+void MainWindow::buildDocks() {
+  setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks | GroupedDragging);
+  QDockWidget* library = addDock(tr("Library"), "library", m_libraryView, Qt::LeftDockWidgetArea);
+  QDockWidget* inspector = addDock(tr("Inspector"), "inspector", m_inspector, Qt::RightDockWidgetArea);
+  m_history->setEmptyLabel(tr("Opened"));
+  m_history->setAccessibleName(tr("History"));
+  addDock(tr("History"), "history", m_history, Qt::RightDockWidgetArea)->hide();
+  addDock(tr("Comparison"), "comparison", m_comparisonPanel, Qt::BottomDockWidgetArea)->hide();
+  const int em = fontMetrics().height();
+  resizeDocks({library, inspector}, {em * 27, em * 28}, Qt::Horizontal);
+  m_libraryView->setEmptyText(
+      tr("There are no .binary or .bsdf files in this folder.\nFile > Bundled Library shows the "
+         "materials that come with Gonio."));
+  connect(&m_libraryController, &LibraryController::titleChanged, m_libraryView, &widgets::LibraryView::setTitle);
+  connect(m_libraryView, &widgets::LibraryView::visibleIdsChanged, &m_libraryController,
+          &LibraryController::setVisible);
+  connect(m_libraryView, &widgets::LibraryView::openRequested, this, &MainWindow::open);
+  connect(m_libraryView, &widgets::LibraryView::referenceRequested, m_comparison, &ComparisonController::openReference);
+}
+
+void MainWindow::buildStatusBar() {
+  const auto permanent = [this](const QString& toolTip) {
+    auto* label = new QLabel;
+    label->setToolTip(toolTip);
+    label->setContentsMargins(8, 0, 8, 0);
+    statusBar()->addPermanentWidget(label);
+    return label;
+  };
+  m_progress->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  statusBar()->addWidget(m_progress, 1);
+  m_representation = permanent(tr("What the preview shows"));
+  m_samples = permanent(tr("Light samples of each pixel so far"));
+  m_frameTime = permanent(tr("Time of the last frame"));
+  connect(m_preview, &widgets::PreviewWidget::frameRendered, this, [this](double milliseconds, int samples) {
+    m_frameTime->setText(tr("%1 ms").arg(milliseconds, 0, 'f', 1));
+    m_samples->setText(tr("%1 samples").arg(samples));
+  });
+  connect(m_preview, &widgets::PreviewWidget::failed, m_messages, &widgets::MessageBar::showMessage);
+  connect(&m_tasks, &BackgroundTasks::changed, this, &MainWindow::showProgress);
+  connect(m_progress, &widgets::ProgressStrip::cancelRequested, &m_tasks, &BackgroundTasks::cancelTopmost);
+}
+
+}  // namespace gonio::app

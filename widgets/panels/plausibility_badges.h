@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QAbstractButton>
+#include <vector>
+
+#include "core/metrics/plausibility.h"
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace gonio::widgets {
+
+/// A word with a sign: passed, failed, or not known yet. The sign and the word tell it, the colour helps.
+class PlausibilityBadge : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  enum class State { unknown, passed, failed };
+  explicit PlausibilityBadge(QWidget* parent = nullptr);
+
+  void setState(State state);
+  State state() const { return m_state; }
+
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  State m_state = State::unknown;
+};
+
+/// A badge for each check of plausibility. Pressing one opens below what it means, the worst value and where it is,
+/// what to do, and a way to see it.
+class PlausibilityBadges : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlausibilityBadges(QWidget* parent = nullptr);
+
+  void setChecks(const std::vector<metrics::PlausibilityCheck>& checks);
+  /// The checks are those of an earlier step: shown as not known yet, their text stays.
+  void setPending();
+  /// Nothing to check.
+  void clear();
+
+  PlausibilityBadge* badge(std::size_t check) const { return m_badges[check]; }
+  std::size_t badgeCount() const { return m_badges.size(); }
+  QLabel* explanation() const { return m_explanation; }
+  QPushButton* showButton() const { return m_show; }
+
+ Q_SIGNALS:
+  /// The user wants to see a check ("energy", "reciprocity", ...) where light falls in at this polar angle, rad.
+  void showRequested(const QString& check, double theta);
+
+ private:
+  void explain();
+  int current() const;
+
+  std::vector<metrics::PlausibilityCheck> m_checks;
+  std::vector<PlausibilityBadge*> m_badges;
+  QGridLayout* m_grid;
+  QLabel *m_empty, *m_explanation;
+  QPushButton* m_show;
+};
+
+/// The word of a check, and rich text about it for people.
+QString plausibilityWord(const metrics::PlausibilityCheck& check);
+QString plausibilityText(const metrics::PlausibilityCheck& check);
+
+}  // namespace gonio::widgets
