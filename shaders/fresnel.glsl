@@ -25,16 +25,19 @@ float fresnelOfNormalReflectance(float cosD, float f0) {
   return fresnelOfContrast(cosD, 4.0 * root / (complement * complement));
 }
 
-float fresnelConductor(float cosD, float eta, float k) {
+// Of the index eta + i k: `contrast` is eta^2 - k^2 - 1, `product` 2 eta k.
+float fresnelConductorOfContrast(float cosD, float contrast, float product) {
   float c = clamp(cosD, 0.0, 1.0), cos2 = c * c, sin2 = (1.0 - c) * (1.0 + c);
-  float difference = (eta - k) * (eta + k) - sin2;
-  float modulus = length(vec2(difference, 2.0 * eta * k));
-  float root = 2.0 * c * sqrt(max(0.0, 0.5 * (modulus + difference)));
-  float sum = modulus + cos2;
-  if (!(sum + root > 0.0)) return 1.0;
-  float perpendicular = max(0.0, sum - root) / (sum + root);
-  float across = cos2 * modulus + sin2 * sin2, along = root * sin2;
-  float ratio = across + along > 0.0 ? max(0.0, across - along) / (across + along) : 1.0;
+  float difference = contrast + cos2, modulus = length(vec2(difference, product));
+  float larger = 0.5 * (modulus + abs(difference));
+  float smaller = larger > 0.0 ? 0.5 * product * (0.5 * product / larger) : 0.0;
+  float a = sqrt(difference > 0.0 ? larger : smaller), b2 = difference > 0.0 ? smaller : larger;
+  float sum = a + c;
+  if (!(sum > 0.0)) return 1.0;
+  float apart = (contrast + (contrast * (contrast + 2.0 * cos2) + product * product) / (modulus + cos2)) / (2.0 * sum);
+  float perpendicular = (apart * apart + b2) / (sum * sum + b2);
+  float across = a * c - sin2, along = a * c + sin2;
+  float ratio = (across * across + b2 * cos2) / (along * along + b2 * cos2);
   return min(1.0, 0.5 * perpendicular * (1.0 + ratio));
 }
 
@@ -45,9 +48,11 @@ float fresnel(float cosD, float f0, float edgeTint, float choice) {
     float m = clamp(1.0 - cosD, 0.0, 1.0), m2 = m * m;
     return f0 + (1.0 - f0) * (m2 * m2 * m);
   }
-  if (choice < 0.5 || edgeTint <= 0.0) return fresnelOfNormalReflectance(cosD, f0);
-  float root = sqrt(f0);
-  float eta = edgeTint * (1.0 - f0) / (1.0 + f0) + (1.0 - edgeTint) * (1.0 + root) / (1.0 - root);
-  float k2 = ((eta + 1.0) * (eta + 1.0) * f0 - (eta - 1.0) * (eta - 1.0)) / (1.0 - f0);
-  return fresnelConductor(cosD, eta, sqrt(max(0.0, k2)));
+  if (choice < 0.5 || edgeTint <= 0.0 || f0 <= 0.0) return fresnelOfNormalReflectance(cosD, f0);
+  float root = sqrt(f0), g = edgeTint, complement = (1.0 - f0) / (1.0 + root);  // 1 - root
+  float below = g * 2.0 * root * (1.0 + root) / (complement * (1.0 + f0));
+  float above = (1.0 - g) * 4.0 * root / (1.0 - f0) + g * 2.0 * root * complement / ((1.0 + f0) * (1.0 + root));
+  float etaMinusOne = 2.0 * root * ((1.0 - g) / complement - g * root / (1.0 + f0));
+  float k2 = below * above;
+  return fresnelConductorOfContrast(cosD, etaMinusOne * (etaMinusOne + 2.0) - k2, 2.0 * (etaMinusOne + 1.0) * sqrt(k2));
 }

@@ -15,3 +15,12 @@ float expMinusOne(float x) {
   if (abs(x) > 0.3) return exp(x) - 1.0;
   return x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0 * (1.0 + x / 5.0 * (1.0 + x / 6.0 * (1.0 + x / 7.0))))));
 }
+
+// The angle of a sine and a cosine that are not negative, to a few units in the last place: drivers' atan() is coarser.
+float acuteAngle(float sine, float cosine) {
+  float t = sine / (length(vec2(sine, cosine)) + cosine);  // of the half angle
+  t = t / (1.0 + sqrt(1.0 + t * t));                       // of a quarter
+  float t2 = t * t;
+  return 4.0 * t *
+         (1.0 - t2 * (1.0 / 3.0 - t2 * (1.0 / 5.0 - t2 * (1.0 / 7.0 - t2 * (1.0 / 9.0 - t2 * (1.0 / 11.0 - t2 / 13.0))))));
+}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/models/fresnel.h"
+#include "core/models/model.h"
 #include "core/models/parameter_spec.h"
 
 /// Parameters that mean the same in several models.
@@ -27,9 +28,10 @@ constexpr ParameterSpec specularParameter(double defaultValue, std::string_view 
 
 /// Roughness of microfacet models: small is glossy. Below 1e-4 a lobe is narrower than any light or measurement.
 constexpr ParameterSpec roughnessParameter(std::string_view symbol, std::string_view description,
-                                           std::string_view formula, std::string_view reference) {
+                                           std::string_view formula, std::string_view reference,
+                                           double hardMax = 1) {
   return {.id = "roughness", .label = "Roughness", .symbol = symbol, .unit = "",
-          .softMin = 0.005, .softMax = 1, .hardMin = 1e-4, .hardMax = 1, .defaultValue = 0.3,
+          .softMin = 0.005, .softMax = 1, .hardMin = 1e-4, .hardMax = hardMax, .defaultValue = 0.3,
           .scale = ParameterScale::logarithmic,
           .description = description, .formula = formula, .reference = reference};
 }
@@ -43,11 +45,20 @@ constexpr ParameterSpec normalReflectanceParameter() {
           .reference = "Cook and Torrance 1982, A Reflectance Model for Computer Graphics"};
 }
 
+/// In place of normalReflectanceParameter() where the source fits an index (to 100).
+constexpr ParameterSpec refractiveIndexParameter(std::string_view reference) {
+  return {.id = "index-of-refraction", .label = "Index of refraction", .symbol = "eta", .unit = "",
+          .softMin = 1, .softMax = 5, .hardMin = 1, .hardMax = 1000, .defaultValue = 1.5,
+          .scale = ParameterScale::logarithmic, .group = ParameterGroup::fresnel,
+          .description = "How mirror-like the surface is when seen head-on; glass and plastics are near 1.5.",
+          .formula = "F = F(cos theta_d, F_0), F_0 = ((eta - 1) / (eta + 1))^2", .reference = reference};
+}
+
 constexpr ParameterSpec edgeTintParameter() {
   return {.id = "edge-tint", .label = "Edge tint", .symbol = "g", .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.5,
           .group = ParameterGroup::fresnel,
-          .description = "How slowly the reflectance of a metal rises toward its edge; 0 is a dielectric.",
+          .description = "How early the reflectance of a metal rises toward its edge; 0 is a dielectric.",
           .formula = "eta = g (1 - F_0) / (1 + F_0) + (1 - g) (1 + sqrt F_0) / (1 - sqrt F_0), "
                      "k^2 = (F_0 (eta + 1)^2 - (eta - 1)^2) / (1 - F_0)",
           .reference = "Gulbrandsen 2014, Artist Friendly Metallic Fresnel",
@@ -78,5 +89,13 @@ constexpr ParameterSpec fresnelParameter(FresnelChoice ofSource) {
 
 /// Index of the choice that a value stands for: the nearest.
 constexpr int chosen(double value) { return int(value + 0.5); }
+
+/// The Fresnel term of these parameters. @param term, edgeTint indices of fresnelParameter() and edgeTintParameter().
+inline Fresnel chosenFresnel(const ParameterValues& p, std::size_t term, std::size_t edgeTint, double f0) {
+  return {FresnelChoice(chosen(p.values[term].x)), f0, p.values[edgeTint].x};
+}
+
+/// cos theta_d at which samplers take the reflectance: highlights are about that bright.
+inline constexpr double typicalCosine = 0.7;
 
 }  // namespace gonio::models

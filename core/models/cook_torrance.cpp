@@ -15,25 +15,28 @@ namespace {
 constexpr std::string_view cookTorrance1982 = "Cook and Torrance 1982, A Reflectance Model for Computer Graphics";
 constexpr std::string_view normalisations[] = {"walter", "ngan", "original-1982"};
 
-enum Index { diffuse, specular, roughness, normalReflectance, normalisation };
+enum Index { diffuse, specular, roughness, normalReflectance, normalisation, fresnelTerm, edgeTint };
 
 // clang-format off
+// Published fits of the roughness reach 2.1 (Loew et al. 2012).
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
     specularParameter(1, "k_s D F G / (N cos theta_i cos theta_o)", cookTorrance1982),
     roughnessParameter("m", "Width of the highlight: the root mean square slope of the microfacets.",
-                       "D = exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h)", cookTorrance1982),
+                       "D = exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h)", cookTorrance1982, 5),
     normalReflectanceParameter(),
     choiceParameter("normalisation", "Normalisation", "N",
                     "The constant under the highlight, which differs between publications: choose that of the fit.",
                     "walter: 4 (conserves energy); ngan: pi; original-1982: 1 (their D lacks 1/pi, N = pi)",
                     "Walter et al. 2007, eq. 20; Ngan et al. 2005, Experimental Analysis of BRDF Models; Cook and "
                     "Torrance 1982", normalisations),
+    fresnelParameter(FresnelChoice::dielectric),
+    edgeTintParameter(),
 };
 
 constexpr ModelSpec cookTorranceSpec = {
     .id = "cook-torrance", .name = "Cook-Torrance",
-    .description = "Beckmann microfacets with V-cavity masking and exact dielectric Fresnel. Reciprocal; conserves "
+    .description = "Beckmann microfacets with V-cavity masking. Reciprocal; conserves "
                    "energy with normalisation 'walter', gains up to 4/pi with 'ngan' and 4 with 'original-1982'.",
     .formula = "k_d / pi + k_s D F G / (N cos theta_i cos theta_o)", .reference = cookTorrance1982,
     .parameters = parameters, .conservesEnergy = true};
@@ -51,14 +54,14 @@ class CookTorrance final : public Model {
     const double m2 = p.values[roughness].x * p.values[roughness].x, inverseM2 = 1 / m2;
     const double denominator = denominators[chosen(p.values[normalisation].x)];
     const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / (pi * m2 * denominator);
-    const double eta = indexFromNormalReflectance(p.values[normalReflectance].x);
+    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
     return makeGeometryBrdf(
         [=](const SurfaceGeometry& g) {
           const double cos2H = g.half.z * g.half.z;
           const double distribution = std::exp(-g.sin2H / cos2H * inverseM2) / (cos2H * cos2H);
-          return kd + ks * (distribution * fresnelDielectric(g.cosD, eta) * foldedVCavity(g));
+          return kd + ks * (distribution * fresnel(g.cosD) * foldedVCavity(g));
         },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
                    HalfVectorLobe{BeckmannNormals{p.values[roughness].x, p.values[roughness].x}}));
   }
 };

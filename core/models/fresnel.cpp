@@ -31,22 +31,45 @@ double fresnelSchlick(double cosD, double f0) {
 
 double fresnelConductor(double cosD, double eta, double k) {
   const double c = std::clamp(cosD, 0.0, 1.0), cos2 = c * c, sin2 = 1 - cos2;
-  const double difference = eta * eta - k * k - sin2;
-  const double modulus = std::hypot(difference, 2 * eta * k);  // |index^2 - sin^2|
-  const double root = 2 * c * std::sqrt(std::max(0.0, (modulus + difference) / 2));
-  const double sum = modulus + cos2;
-  if (!(sum + root > 0)) return 1;  // index 1 at grazing angle: the limit of all others
-  const double perpendicular = std::max(0.0, sum - root) / (sum + root);
-  const double across = cos2 * modulus + sin2 * sin2, along = root * sin2;
-  const double ratio = across + along > 0 ? std::max(0.0, across - along) / (across + along) : 1;
+  const double contrast = (eta - 1) * (eta + 1) - k * k, product = 2 * eta * k;
+  // (a + i b)^2 = index^2 - sin^2; the smaller of a^2 and b^2 by their product, where the difference would cancel.
+  const double difference = contrast + cos2, modulus = std::hypot(difference, product);
+  const double larger = (modulus + std::abs(difference)) / 2;
+  const double smaller = larger > 0 ? product * product / (4 * larger) : 0;
+  const double a = std::sqrt(difference > 0 ? larger : smaller), b2 = difference > 0 ? smaller : larger;
+  const double sum = a + c;
+  if (!(sum > 0)) return 1;  // total reflection, and index 1 at grazing angle: the limit of all others
+  // a - c without cancellation for an index near 1.
+  const double excess = contrast + (contrast * (contrast + 2 * cos2) + product * product) / (modulus + cos2);
+  const double apart = excess / (2 * sum);
+  const double perpendicular = (apart * apart + b2) / (sum * sum + b2);
+  const double across = a * c - sin2, along = a * c + sin2;
+  const double ratio = (across * across + b2 * cos2) / (along * along + b2 * cos2);
   return std::min(1.0, 0.5 * perpendicular * (1 + ratio));
 }
 
 ComplexIndex indexFromEdgeTint(double f0, double edgeTint) {
-  const double root = std::sqrt(std::max(0.0, f0));
-  const double eta = edgeTint * (1 - f0) / (1 + f0) + (1 - edgeTint) * (1 + root) / (1 - root);
-  const double k2 = ((eta + 1) * (eta + 1) * f0 - (eta - 1) * (eta - 1)) / (1 - f0);
-  return {eta, std::sqrt(std::max(0.0, k2))};
+  const double root = std::sqrt(std::max(0.0, f0)), g = edgeTint;
+  const double highest = (1 + root) / (1 - root), lowest = (1 - f0) / (1 + f0);
+  // The paper's k^2 in factors that do not cancel: (highest - eta)(eta - 1 / highest).
+  const double below = g * 2 * root * (1 + root) / ((1 - root) * (1 + f0));
+  const double above = (1 - g) * 4 * root / (1 - f0) + g * 2 * root * (1 - root) / ((1 + f0) * (1 + root));
+  return {g * lowest + (1 - g) * highest, std::sqrt(below * above)};
+}
+
+double fresnelTransmittance(double cosD, double eta) {
+  if (std::isinf(eta)) return 0;
+  const double c = std::clamp(cosD, 0.0, 1.0);
+  const double squaredG = (eta - 1) * (eta + 1) + c * c;
+  if (squaredG < 0 || c == 0) return eta == 1 ? 1 : 0;
+  const double g = std::sqrt(squaredG);  // eta times the cosine inside
+  const double s = g + c, p = g / eta + c * eta;
+  return std::min(1.0, 2 * c * g * (1 / (s * s) + 1 / (p * p)));
+}
+
+double normalReflectanceFromIndex(double eta) {
+  const double ratio = (eta - 1) / (eta + 1);
+  return ratio * ratio;
 }
 
 double indexFromNormalReflectance(double f0) {

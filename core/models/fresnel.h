@@ -22,9 +22,15 @@ struct ComplexIndex {
   double eta, k;
 };
 /// The index of a metal by its reflectance at normal incidence f0 in [0, 1) and its edge tint in [0, 1]: Gulbrandsen
-/// 2014, Artist Friendly Metallic Fresnel. Edge tint 0 gives k = 0, the dielectric of that reflectance; 1 the slowest
+/// 2014, Artist Friendly Metallic Fresnel. Edge tint 0 gives k = 0, the dielectric of that reflectance; 1 the earliest
 /// rise toward grazing angles.
 ComplexIndex indexFromEdgeTint(double f0, double edgeTint);
+
+/// Share that enters the dielectric, 1 - fresnelDielectric(cosD, eta), without cancellation toward grazing angles.
+double fresnelTransmittance(double cosD, double eta);
+
+/// Reflectance at normal incidence of the index eta > 0: ((eta - 1) / (eta + 1))^2.
+double normalReflectanceFromIndex(double eta);
 
 /// Index of refraction whose reflectance at normal incidence is f0 in [0, 1); f0 >= 1 gives infinity.
 double indexFromNormalReflectance(double f0);

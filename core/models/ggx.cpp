@@ -16,7 +16,7 @@ constexpr std::string_view walter =
     "Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces, eq. 33-34";
 constexpr std::string_view maskingChoices[] = {"separable", "height-correlated"};
 
-enum Index { diffuse, specular, roughness, normalReflectance, masking };
+enum Index { diffuse, specular, roughness, normalReflectance, masking, fresnelTerm, edgeTint };
 
 // clang-format off
 constexpr ParameterSpec parameters[] = {
@@ -29,11 +29,13 @@ constexpr ParameterSpec parameters[] = {
                     "How the shadowing of the light and the masking of the viewer are combined.",
                     "G1(i) G1(o), or 1 / (1 + Lambda(i) + Lambda(o))",
                     "Heitz 2014, Understanding the Masking-Shadowing Function, eq. 98-99", maskingChoices),
+    fresnelParameter(FresnelChoice::dielectric),
+    edgeTintParameter(),
 };
 
 constexpr ModelSpec ggxSpec = {
     .id = "ggx", .name = "GGX",
-    .description = "Microfacets with long tails, Smith masking and exact dielectric Fresnel. Reciprocal; loses a "
+    .description = "Microfacets with long tails and Smith masking. Reciprocal; loses a "
                    "little energy at high roughness (single scattering).",
     .formula = "k_d / pi + k_s D F G / (4 cos theta_i cos theta_o)", .reference = walter,
     .parameters = parameters,
@@ -56,15 +58,16 @@ class Ggx final : public Model {
   std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
     const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
     const double alpha2 = p.values[roughness].x * p.values[roughness].x;
-    const double eta = indexFromNormalReflectance(p.values[normalReflectance].x);
+    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
     const bool heightCorrelated = chosen(p.values[masking].x) == 1;
     return makeGeometryBrdf(
         [=](const SurfaceGeometry& g) {
           const double slope = g.sin2H + alpha2 * g.half.z * g.half.z;
           const double distribution = alpha2 / (pi * slope * slope);
-          return kd + ks * (distribution * fresnelDielectric(g.cosD, eta) * foldedMasking(g, alpha2, heightCorrelated));
+          return kd + ks * (distribution * fresnel(g.cosD) * foldedMasking(g, alpha2, heightCorrelated));
         },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks), VisibleNormalLobe{p.values[roughness].x}));
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) * fresnel(typicalCosine),
+                   VisibleNormalLobe{p.values[roughness].x}));
   }
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// p: diffuse, specular, roughness, f0, masking (0 separable, 1 height-correlated)
+// p: diffuse, specular, roughness, f0, masking (0 separable, 1 height-correlated), fresnel, edge tint
 #include "math.glsl"
 #include "fresnel.glsl"
 #include "surface_geometry.glsl"
 
-const int PARAMETER_COUNT_GGX = 5;
+const int PARAMETER_COUNT_GGX = 7;
 
 vec3 evaluate_ggx(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX]) {
   SurfaceGeometry g;
@@ -17,5 +17,5 @@ vec3 evaluate_ggx(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX]) {
   float rootO = sqrt(alpha2 + (1.0 - alpha2) * g.cosO * g.cosO);
   float masking = p[4].x < 0.5 ? 1.0 / ((g.cosI + rootI) * (g.cosO + rootO))
                                : 0.5 / (g.cosO * rootI + g.cosI * rootO);
-  return p[0] / pi + p[1] * (distribution * fresnelOfNormalReflectance(g.cosD, p[3].x) * masking);
+  return p[0] / pi + p[1] * (distribution * fresnel(g.cosD, p[3].x, p[6].x, p[5].x) * masking);
 }

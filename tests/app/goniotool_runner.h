@@ -12,6 +12,7 @@
 
 #include "core/io/material.h"
 #include "core/models/model.h"
+#include "tests/support/leading_parameters.h"
 
 /// What the tests of goniotool share: running it and reading its results.
 namespace gonio::test {
@@ -77,9 +78,10 @@ class TestFolder {
     QFile file(path(name));
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) throw Error("cannot write a test file");
   }
-  /// A model's table as a MERL file; returns its path.
+  /// A model's table as a MERL file, of its first parameters; returns its path.
   QString writeTable(const QString& name, const char* model, const models::ParameterValues& parameters) const {
-    const auto brdf = models::findModel(model).instantiate(parameters);
+    const models::Model& source = models::findModel(model);
+    const auto brdf = source.instantiate(testing::leadingParameters(source, parameters.values));
     io::writeMerl(*bakeTable(*brdf, smallGrid), path(name).toStdString());
     return path(name);
   }

@@ -95,6 +95,19 @@ class ModelGoldenValuesTest : public QObject {
     }
   }
 
+  void orenNayar() {
+    QVERIFY(matches(models::orenNayar(), parametersOf(models::orenNayar(), {{"diffuse", 1}, {"roughness", 0.5}}),
+                    {0.24970861761, 0.24970861761, 0.24970861761, 0.32418331288, 0.24970861761}));
+  }
+
+  void abcSmoothWithTheExactAngle() {
+    QVERIFY(
+        matches(abcSmooth(),
+                parametersOf(abcSmooth(),
+                             {{"diffuse", 0}, {"a", 27.37}, {"b", 2600}, {"c", 0.985}, {"index-of-refraction", 1.6}}),
+                {0.0304756254487, 0.000752406811623, 17.0121290268, 0.000318628817108, 1.4575739645}));
+  }
+
   void sgdOfAlumBronze() {
     QVERIFY(matches(sgd(),
                     parametersOf(sgd(), {{"diffuse", 0.0478786},

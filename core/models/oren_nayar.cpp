@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+
+#include "core/models/common_parameters.h"
+#include "core/models/registry.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view orenNayar1994 = "Oren and Nayar 1994, Generalization of Lambert's Reflectance Model, eq. 30";
+
+enum Index { diffuse, slope };
+
+// clang-format off
+constexpr ParameterSpec parameters[] = {
+    diffuseParameter(0.5),
+    {.id = "roughness", .label = "Roughness", .symbol = "sigma", .unit = "rad",
+     .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = halfPi, .defaultValue = 0.5,
+     .scale = ParameterScale::angle, .group = ParameterGroup::diffuse,
+     .description = "How far the matte facets tilt: rough surfaces look flat, like the full moon; 0 is Lambert.",
+     .formula = "A = 1 - sigma^2 / (2 (sigma^2 + 0.33)), B = 0.45 sigma^2 / (sigma^2 + 0.09)",
+     .reference = orenNayar1994},
+};
+
+constexpr ModelSpec orenNayarSpec = {
+    .id = "oren-nayar", .name = "Oren-Nayar",
+    .description = "A matte surface of V-cavities with matte walls, in the qualitative form; brighter toward the light "
+                   "than Lambert. Reciprocal; gains up to 1.5 % of energy at grazing angles where sigma is about 0.2.",
+    .formula = "k_d / pi (A + B max(0, cos(phi_i - phi_o)) sin(max(theta_i, theta_o)) tan(min(theta_i, theta_o)))",
+    .reference = orenNayar1994, .parameters = parameters};
+// clang-format on
+
+class OrenNayar final : public Model {
+ public:
+  const ModelSpec& spec() const override { return orenNayarSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const double sigma2 = p.values[slope].x * p.values[slope].x;
+    const double a = 1 - 0.5 * sigma2 / (sigma2 + 0.33), b = 0.45 * sigma2 / (sigma2 + 0.09);
+    const Rgb kd = p.values[diffuse] / pi;
+    return makeGeometryBrdf([=](const SurfaceGeometry& g) {
+      // cos(phi) sin(max) tan(min) without angles: sin theta_i sin theta_o cos(phi) is the product of the projections.
+      const double across = std::max(0.0, g.wi.x * g.wo.x + g.wi.y * g.wo.y) / std::max(g.cosI, g.cosO);
+      return kd * (a + b * across);
+    });
+  }
+};
+
+}  // namespace
+
+const Model& orenNayar() {
+  static const OrenNayar model;
+  return model;
+}
+
+}  // namespace gonio::models
