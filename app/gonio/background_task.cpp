@@ -10,7 +10,7 @@ namespace gonio::app {
 
 namespace {
 constexpr int progressMilliseconds = 80;
-constexpr int foregroundThreads = 2;
+constexpr int foregroundThreads = 2, liveThreads = 2;
 }  // namespace
 
 struct BackgroundTasks::Task {
@@ -23,7 +23,7 @@ struct BackgroundTasks::Task {
 BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
   m_pool.setMaxThreadCount(foregroundThreads);
   m_quietPool.setMaxThreadCount(1);
-  m_livePool.setMaxThreadCount(1);
+  m_livePool.setMaxThreadCount(liveThreads);
   m_progressTimer.setInterval(progressMilliseconds);
   connect(&m_progressTimer, &QTimer::timeout, this, &BackgroundTasks::changed);
 }

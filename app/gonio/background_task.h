@@ -20,8 +20,8 @@ struct TaskRequest {
   QString title;       ///< "Loading chrome.binary"
   QString key;         ///< a newer task of the same key stops and replaces an older one: its result is dropped
   bool quiet = false;  ///< at low priority, shown only while nothing else runs, not cancelled by Esc (thumbnails)
-  bool live = false;   ///< at normal priority in a thread of its own, never shown, not cancelled by Esc: what follows
-                       ///< each step of the user's hand (checks, comparisons)
+  bool live = false;   ///< at normal priority in threads of their own, never shown, not cancelled by Esc: what follows
+                       ///< each step of the user's hand (checks, comparisons, plots)
 };
 
 /// The one place that runs core functions off the GUI thread. Work gets a TaskControl; its result comes back to the

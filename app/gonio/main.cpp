@@ -20,6 +20,7 @@ struct Options {
   QSize size;
   double waitSeconds;
   QString theme;
+  QString plot;
 };
 
 Options readOptions(const QApplication& application) {
@@ -39,11 +40,15 @@ Options readOptions(const QApplication& application) {
   hidden("size", "WxH");
   hidden("wait", "SECONDS");
   hidden("theme", "NAME");
+  hidden("plot", "KIND");
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
-  return {parser.positionalArguments(), parser.value("screenshot"),
+  return {parser.positionalArguments(),
+          parser.value("screenshot"),
           size.size() == 2 ? QSize(size[0].toInt(), size[1].toInt()) : QSize(),
-          parser.isSet("wait") ? parser.value("wait").toDouble() : 60, parser.value("theme")};
+          parser.isSet("wait") ? parser.value("wait").toDouble() : 60,
+          parser.value("theme"),
+          parser.value("plot")};
 }
 
 QString asGiven(const QString& file) {
@@ -68,6 +73,7 @@ int main(int argc, char** argv) {
   auto* window = new MainWindow;
   if (options.size.isValid()) window->resize(options.size);
   window->show();
+  if (!options.plot.isEmpty()) window->plots().showKind(options.plot);
   if (!options.screenshot.isEmpty())
     new Screenshot(*window, options.screenshot, options.waitSeconds);
   else

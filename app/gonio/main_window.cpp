@@ -64,6 +64,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_comparisonBar(new widgets::ComparisonBar),
       m_comparison(new ComparisonController(m_document, m_tasks, *m_preview, *m_comparisonBar, this)),
       m_comparisonPanel(new ComparisonPanel(*m_comparison, m_tasks)),
+      m_plots(new PlotsPanel(m_document, m_tasks)),
       m_messages(new widgets::MessageBar),
       m_progress(new widgets::ProgressStrip),
       m_dropOverlay(nullptr),
@@ -190,7 +191,7 @@ bool MainWindow::mayDiscard() {
 
 bool MainWindow::isSettled() const {
   const auto task = m_tasks.topmost();
-  return (!task || task->quiet) && m_inspector->isSettled() && m_comparisonPanel->isSettled() &&
+  return (!task || task->quiet) && m_inspector->isSettled() && m_comparisonPanel->isSettled() && m_plots->isSettled() &&
          m_libraryController.isVisibleComplete() && (!m_preview->hasMaterial() || m_preview->converged());
 }
 

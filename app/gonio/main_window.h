@@ -10,6 +10,7 @@
 #include "app/gonio/document_controller.h"
 #include "app/gonio/inspector.h"
 #include "app/gonio/library_controller.h"
+#include "app/gonio/plots_panel.h"
 #include "app/gonio/recent_files.h"
 
 namespace gonio::widgets {
@@ -48,6 +49,7 @@ class MainWindow : public QMainWindow {
   widgets::LibraryView& libraryView() { return *m_libraryView; }
   Inspector& inspector() { return *m_inspector; }
   ComparisonController& comparison() { return *m_comparison; }
+  PlotsPanel& plots() { return *m_plots; }
   QList<QDockWidget*> docks() const { return m_docks; }
 
   /// Opens a file after asking what to do with unsaved changes.
@@ -73,6 +75,7 @@ class MainWindow : public QMainWindow {
  private:
   void buildCentre();
   void buildDocks();
+  void buildPlots();
   QDockWidget* addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
   void buildStatusBar();
   void connectDocument();
@@ -98,6 +101,7 @@ class MainWindow : public QMainWindow {
   widgets::ComparisonBar* m_comparisonBar;
   ComparisonController* m_comparison;
   ComparisonPanel* m_comparisonPanel;
+  PlotsPanel* m_plots;
   widgets::MessageBar* m_messages;
   widgets::ProgressStrip* m_progress;
   widgets::DropOverlay* m_dropOverlay;

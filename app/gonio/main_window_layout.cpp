@@ -49,6 +49,7 @@ void MainWindow::buildDocks() {
   m_history->setAccessibleName(tr("History"));
   addDock(tr("History"), "history", m_history, Qt::RightDockWidgetArea)->hide();
   addDock(tr("Comparison"), "comparison", m_comparisonPanel, Qt::BottomDockWidgetArea)->hide();
+  buildPlots();
   const int em = fontMetrics().height();
   resizeDocks({library, inspector}, {em * 27, em * 28}, Qt::Horizontal);
   m_libraryView->setEmptyText(
@@ -59,6 +60,14 @@ void MainWindow::buildDocks() {
           &LibraryController::setVisible);
   connect(m_libraryView, &widgets::LibraryView::openRequested, this, &MainWindow::open);
   connect(m_libraryView, &widgets::LibraryView::referenceRequested, m_comparison, &ComparisonController::openReference);
+}
+
+void MainWindow::buildPlots() {
+  addDock(tr("Plots"), "plots", m_plots, Qt::BottomDockWidgetArea)->hide();
+  connect(m_plots, &PlotsPanel::pickingToggled, m_preview, &widgets::PreviewWidget::setPicking);
+  connect(m_preview, &widgets::PreviewWidget::polarAnglePicked, m_plots, &PlotsPanel::setThetaI);
+  connect(m_plots, &PlotsPanel::exported, &m_controller, &DocumentController::exported);
+  connect(m_plots, &PlotsPanel::failed, &m_controller, &DocumentController::failed);
 }
 
 void MainWindow::buildStatusBar() {

@@ -23,6 +23,7 @@ void MainWindow::restoreSettings() {
   restoreGeometry(m_settings.value(geometryKey).toByteArray());
   restoreState(m_settings.value(layoutKey).toByteArray(), layoutVersion);
   m_inspector->restoreState(m_settings);
+  m_plots->restoreState(m_settings);
   m_libraryView->setTileSize(m_settings.value(tileKey, m_libraryView->tileSize()).toInt());
   m_libraryView->setSortMode(m_settings.value(sortKey, 0).toInt());
   m_preview->setOverlayVisible(m_settings.value(overlayKey, true).toBool());
@@ -37,6 +38,7 @@ void MainWindow::saveSettings() {
   m_settings.setValue(geometryKey, saveGeometry());
   m_settings.setValue(layoutKey, saveState(layoutVersion));
   m_inspector->saveState(m_settings);
+  m_plots->saveState(m_settings);
   m_settings.setValue(tileKey, m_libraryView->tileSize());
   m_settings.setValue(sortKey, m_libraryView->sortMode());
   m_settings.setValue(overlayKey, m_preview->overlayVisible());

@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/plots/section.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "core/coordinates/half_difference.h"
 #include "core/plots/angle_nodes.h"
 
@@ -44,6 +47,15 @@ Curve sectionCurve(const Brdf& brdf, const Section& section, const TabulatedBrdf
   for (const double angle : curve.angles) pairs.push_back(pairAt(section, angle));
   curve.points = evaluatePlotted(brdf, pairs, section.cosine, coverage);
   return curve;
+}
+
+double valueAt(const Curve& curve, double angle, Channel channel) {
+  const auto next = std::lower_bound(curve.angles.begin(), curve.angles.end(), angle);
+  if (next == curve.angles.end() || angle < curve.angles.front()) return std::numeric_limits<double>::quiet_NaN();
+  const auto after = static_cast<std::size_t>(next - curve.angles.begin());
+  if (*next == angle) return curve.points.at(after, channel);
+  const double share = (angle - curve.angles[after - 1]) / (*next - curve.angles[after - 1]);
+  return (1 - share) * curve.points.at(after - 1, channel) + share * curve.points.at(after, channel);
 }
 
 Curve polarLobe(const Brdf& brdf, double thetaI, CosineFactor cosine, const TabulatedBrdf* coverage) {

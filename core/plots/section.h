@@ -32,6 +32,9 @@ struct Section {
 /// nodes are dense where a highlight may be. Under a ms for models.
 Curve sectionCurve(const Brdf& brdf, const Section& section, const TabulatedBrdf* coverage = nullptr);
 
+/// The value of a channel between the nodes of a curve, linear; NaN outside them and beside a point that is not known.
+double valueAt(const Curve& curve, double angle, Channel channel);
+
 /// The lobe in the plane of incidence: the section over theta_o at planeAzimuth = 0.
 Curve polarLobe(const Brdf& brdf, double thetaI, CosineFactor cosine, const TabulatedBrdf* coverage = nullptr);
 

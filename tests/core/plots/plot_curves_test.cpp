@@ -97,6 +97,17 @@ class PlotCurvesTest : public QObject {
     }
   }
 
+  void valuesBetweenTheNodes() {
+    Curve curve{{0, 1, 3, 4}, {{Rgb(1), Rgb(2, 4, 6), Rgb(0), Rgb(1)}, std::vector(4, PointState::known)}};
+    QCOMPARE(valueAt(curve, 0.25, Channel::red), 1.25);
+    QCOMPARE(valueAt(curve, 1, Channel::green), 4.0);
+    QCOMPARE(valueAt(curve, 2, Channel::blue), 3.0);
+    QVERIFY(std::isnan(valueAt(curve, -0.1, Channel::red)) && std::isnan(valueAt(curve, 4.1, Channel::red)));
+    curve.points.states[2] = PointState::notMeasured;
+    QVERIFY(std::isnan(valueAt(curve, 2, Channel::red)) && std::isnan(valueAt(curve, 3.5, Channel::red)));
+    QCOMPARE(valueAt(curve, 1, Channel::red), 2.0);
+  }
+
   void pointsThatWereNotMeasuredAreMarked() {
     const TabulatedBrdf table = partlyMeasured();
     // Nodes at theta_h = (i / 8)^2 90 degrees: the last valid one is i = 4 (22.5), interpolation reaches to i = 5

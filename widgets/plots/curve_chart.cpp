@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/plots/curve_chart.h"
+
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "core/plots/value_scale.h"
+#include "widgets/inputs/number_field.h"
+#include "widgets/plots/curve_series.h"
+#include "widgets/plots/custom_plot.h"
+#include "widgets/plots/custom_plot_style.h"
+#include "widgets/plots/plot_text.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+void setVertical(QCPItemStraightLine* line, double x) {
+  line->point1->setCoords(x, 1);
+  line->point2->setCoords(x, 2);
+}
+
+}  // namespace
+
+CurveChart::CurveChart(const QString& title, QWidget* parent) : Plot(title, parent), m_chart(new QCustomPlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_chart);
+  m_chart->setFocusProxy(this);
+  m_chart->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+  m_chart->setMouseTracking(true);
+  m_chart->installEventFilter(this);
+  m_chart->legend->setVisible(true);
+  m_chart->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignLeft | Qt::AlignTop);
+  m_chart->axisRect()->setupFullAxesBox(true);
+  m_chart->addLayer(QStringLiteral("marks"), m_chart->layer(QStringLiteral("main")), QCustomPlot::limAbove);
+  m_chart->setCurrentLayer(QStringLiteral("marks"));
+  m_line = new QCPItemStraightLine(m_chart);
+  m_crosshair = new QCPItemStraightLine(m_chart);
+  m_limit = new QCPItemStraightLine(m_chart);
+  m_lineLabel = new QCPItemText(m_chart);
+  m_lineLabel->position->setTypeX(QCPItemPosition::ptPlotCoords);
+  m_lineLabel->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  m_lineLabel->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+  m_lineLabel->setClipToAxisRect(false);
+  m_crosshair->setVisible(false);
+  m_chart->setCurrentLayer(QStringLiteral("main"));
+}
+
+void CurveChart::setSeries(PlotSeriesList<plots::Curve> series) {
+  m_series = std::move(series);
+  showEmptiness();
+  refresh();
+}
+
+void CurveChart::refresh() {
+  fillGraphs();
+  apply(style());
+  applyScale();
+  m_chart->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurveChart::fillGraphs() {
+  m_chart->clearGraphs();
+  for (const auto& [role, name, curve] : m_series) {
+    QCPGraph* graph = m_chart->addGraph();
+    graph->setName(name);
+    graph->setAdaptiveSampling(false);  // it would leave out the gaps of what is not known
+    QVector<double> angles, values;
+    for (std::size_t i = 0; i < curve.angles.size(); ++i) {
+      const double value = curve.points.at(i, settings().channel);
+      angles << degrees(curve.angles[i]);
+      // A logarithmic axis has no place for 0.
+      values << (settings().logarithmic && !(value > 0) ? std::nan("") : value);
+    }
+    graph->setData(angles, values, true);
+  }
+}
+
+void CurveChart::apply(const PlotStyle& style) {
+  const ChartAxes titles = axes();
+  styleChart(*m_chart, style, font());
+  m_chart->axisRect()->setMinimumMargins(QMargins(0, fontMetrics().height() * 3 / 2, fontMetrics().height(), 0));
+  m_chart->xAxis->setLabel(titles.angleTitle);
+  m_chart->yAxis->setLabel(settings().logarithmic ? tr("%1, logarithmic").arg(titles.valueTitle) : titles.valueTitle);
+  const auto degreesTicker = QSharedPointer<QCPAxisTickerFixed>::create();
+  degreesTicker->setTickStep(15);
+  degreesTicker->setTickCount(12);
+  degreesTicker->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+  if (!m_viewChanged) m_chart->xAxis->setTicker(degreesTicker);
+  setLogarithmic(*m_chart->yAxis, settings().logarithmic);
+  setLogarithmic(*m_chart->yAxis2, settings().logarithmic);
+  for (int i = 0; i < m_chart->graphCount(); ++i) m_chart->graph(i)->setPen(style.pen(m_series[std::size_t(i)].role));
+  m_line->setPen(style.accentPen());
+  m_crosshair->setPen(QPen(style.text, 1, Qt::DashLine));
+  m_limit->setPen(QPen(style.text, 1, Qt::DotLine));
+  m_limit->setVisible(limit().has_value());
+  if (limit()) {
+    m_limit->point1->setCoords(0, *limit());
+    m_limit->point2->setCoords(1, *limit());
+  }
+  const auto at = incidence();
+  m_line->setVisible(at.has_value());
+  m_lineLabel->setVisible(at.has_value());
+  if (!at) return;
+  setVertical(m_line, *at);
+  m_lineLabel->setText(tr("θi %1").arg(degreesText(settings().thetaI)));
+  m_lineLabel->position->setCoords(*at, 0);
+  m_lineLabel->setColor(style.text);
+  m_lineLabel->setFont(font());
+}
+
+void CurveChart::applyScale() {
+  if (m_viewChanged) return;
+  std::vector<double> values = shownValues(m_series, settings().channel);
+  if (limit()) values.push_back(*limit());
+  const plots::ValueScale scale = plots::scaleFor(values, settings().logarithmic);
+  m_chart->xAxis->setRange(axes().first, axes().last);
+  m_chart->yAxis->setRange(scale.min, scale.max);
+}
+
+void CurveChart::resetView() {
+  m_viewChanged = false;
+  refresh();
+}
+
+void CurveChart::drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& paper) {
+  m_crosshair->setVisible(false);
+  apply(paper);
+  paintChart(*m_chart, device, size);
+  apply(style());
+  m_chart->replot(QCustomPlot::rpQueuedReplot);
+}
+
+plots::CsvTable CurveChart::table() const {
+  const ChartAxes titles = axes();
+  plots::CsvTable table{commentsOfTable(), curveColumns(m_series, titles.angleColumn, settings().channel, titles.unit)};
+  table.comments.push_back("values: " + titles.values);
+  for (const std::string& comment : fixedForCsv()) table.comments.push_back(comment);
+  return table;
+}
+
+double CurveChart::angleAt(const QPointF& position) const { return m_chart->xAxis->pixelToCoord(position.x()); }
+
+QPointF CurveChart::handle() const {
+  const QRect rect = m_chart->axisRect()->rect();
+  return {m_chart->xAxis->coordToPixel(incidence().value_or(0)), double(rect.center().y())};
+}
+
+bool CurveChart::isOnLine(const QPointF& position) const {
+  return incidence() && m_chart->axisRect()->rect().contains(position.toPoint()) &&
+         std::abs(position.x() - handle().x()) < fontMetrics().height() * 0.5;
+}
+
+void CurveChart::pointerMoved(const QPointF& position) {
+  const bool inside = m_chart->axisRect()->rect().contains(position.toPoint()) && !isEmpty();
+  const double angle = angleAt(position);
+  m_crosshair->setVisible(inside);
+  setVertical(m_crosshair, angle);
+  const ChartAxes titles = axes();
+  showReadout(inside ? QStringLiteral("%1 = %2\n%3")
+                           .arg(titles.angleTitle.section(' ', 0, 0), degreesText(radians(angle)),
+                                curveReadout(m_series, radians(angle), settings().channel, titles.unitText))
+                     : QString());
+  m_chart->setCursor(isOnLine(position) ? Qt::SplitHCursor : Qt::ArrowCursor);
+  m_chart->replot(QCustomPlot::rpQueuedReplot);
+}
+
+bool CurveChart::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != m_chart) return Plot::eventFilter(watched, event);
+  auto* mouse = dynamic_cast<QMouseEvent*>(event);
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      setFocus(Qt::MouseFocusReason);
+      if (mouse->button() != Qt::LeftButton) return false;
+      m_draggingLine = isOnLine(mouse->position());
+      return m_draggingLine;
+    case QEvent::MouseMove:
+      pointerMoved(mouse->position());
+      if (m_draggingLine) editThetaI(std::abs(radians(angleAt(mouse->position()))));
+      if (!m_draggingLine && mouse->buttons() & Qt::LeftButton) m_viewChanged = true;
+      return m_draggingLine;
+    case QEvent::MouseButtonRelease:
+      m_draggingLine = false;
+      return false;
+    case QEvent::MouseButtonDblClick:
+      resetView();
+      return true;
+    case QEvent::Wheel: {
+      // Beside an axis only that axis zooms.
+      const QPoint at = static_cast<QWheelEvent*>(event)->position().toPoint();
+      const QRect inner = m_chart->axisRect()->rect();
+      const Qt::Orientations all = Qt::Horizontal | Qt::Vertical;
+      m_chart->axisRect()->setRangeZoom(at.x() < inner.left()     ? Qt::Orientations(Qt::Vertical)
+                                        : at.y() > inner.bottom() ? Qt::Orientations(Qt::Horizontal)
+                                                                  : all);
+      m_viewChanged = true;
+      return false;
+    }
+    default:
+      return false;
+  }
+}
+
+void CurveChart::leaveEvent(QEvent* event) {
+  Plot::leaveEvent(event);
+  m_crosshair->setVisible(false);
+  m_chart->replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_curve_chart.cpp"

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/plots/lobe_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/inputs/number_field.h"
+#include "widgets/plots/plot_text.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+struct Face {
+  double depth;
+  std::array<std::size_t, 4> corners;
+};
+
+/// Faces whose corners are all known, the farthest first.
+std::vector<Face> sortedFaces(const plots::LobeSurface& lobe, const std::vector<Direction>& points,
+                              const Direction& toEye) {
+  std::vector<Face> faces;
+  for (int ring = 0; ring + 1 < lobe.rings; ++ring)
+    for (int sector = 0; sector < lobe.sectors; ++sector) {
+      const std::array corners{lobe.index(ring, sector), lobe.index(ring + 1, sector), lobe.index(ring + 1, sector + 1),
+                               lobe.index(ring, sector + 1)};
+      double depth = 0;
+      bool known = true;
+      for (const std::size_t corner : corners) {
+        known = known && lobe.points.states[corner] == plots::PointState::known;
+        depth += glm::dot(points[corner], toEye);
+      }
+      if (known) faces.push_back({depth, corners});
+    }
+  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.depth < b.depth; });
+  return faces;
+}
+
+QColor surfaceColour(SeriesRole role, const PlotStyle& style) {
+  // The colour of text has no shades; the measured surface is grey.
+  return role == SeriesRole::measured ? QColor(0xb4, 0xb4, 0xb4) : style.colour(role).lighter(style.dark ? 100 : 135);
+}
+
+void drawSurface(QPainter& painter, const LobePlace& place, const LobePicture& picture, const PlotStyle& style) {
+  const plots::LobeSurface& lobe = picture.series.data;
+  std::vector<Direction> points(lobe.directions.size());
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = lobePoint(picture, i);
+  const Direction toEye = place.view.toEye();
+  const Direction toLamp = glm::normalize(toEye + 0.6 * place.view.up() - 0.5 * place.view.right());
+  const QColor colour = surfaceColour(picture.series.role, style);
+  for (const Face& face : sortedFaces(lobe, points, toEye)) {
+    const auto& [a, b, c, d] = face.corners;
+    const Direction normal = glm::cross(points[c] - points[a], points[d] - points[b]);
+    const double length = glm::length(normal);
+    if (!(length > 0)) continue;
+    const double light = 0.35 + 0.65 * std::abs(glm::dot(normal, toLamp)) / length;
+    const QColor shade(int(colour.red() * light), int(colour.green() * light), int(colour.blue() * light));
+    const QPointF corners[] = {place.at(points[a]), place.at(points[b]), place.at(points[c]), place.at(points[d])};
+    painter.setPen(QPen(shade, 0.6));  // closes the seams that antialiasing leaves between neighbours
+    painter.setBrush(shade);
+    painter.drawConvexPolygon(corners, 4);
+  }
+  painter.setBrush(Qt::NoBrush);
+}
+
+void drawGround(QPainter& painter, const LobePlace& place, const PlotStyle& style) {
+  QPolygonF circle;
+  for (int i = 0; i < 96; ++i) circle << place.at(fromSpherical(halfPi, 2 * pi * i / 96));
+  QColor ground = style.grid;
+  ground.setAlpha(90);
+  painter.setPen(QPen(style.text, 1));
+  painter.setBrush(ground);
+  painter.drawPolygon(circle);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(style.gridPen());
+  painter.drawLine(place.at({-1, 0, 0}), place.at({1, 0, 0}));
+  painter.drawLine(place.at({0, -1, 0}), place.at({0, 1, 0}));
+}
+
+void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, double head) {
+  painter.drawLine(from, to);
+  const QPointF along = from - to;
+  const double length = std::hypot(along.x(), along.y());
+  if (length < head) return;
+  const QPointF step = along / length * head, aside(-step.y() * 0.4, step.x() * 0.4);
+  painter.drawPolygon(QPolygonF{to, to + step + aside, to + step - aside});
+}
+
+/// The axes whose far or near end is beyond the surface are drawn before or after it.
+void drawAxes(QPainter& painter, const LobePlace& place, double thetaI, const PlotStyle& style, bool behind) {
+  const double em = painter.fontMetrics().height();
+  const Direction toEye = place.view.toEye();
+  const Direction light = fromSpherical(thetaI, pi), mirror = fromSpherical(thetaI, 0), normal(0, 0, 1);
+  const auto isBehind = [&](const Direction& w) { return glm::dot(w, toEye) < 0; };
+  if (isBehind(light) == behind) {
+    painter.setPen(style.accentPen());
+    painter.setBrush(style.accent);
+    drawArrow(painter, place.at(1.12 * light), place.at(0.45 * light), 0.7 * em);
+    painter.drawLine(place.at(0.45 * light), place.at({0, 0, 0}));
+    painter.setBrush(Qt::NoBrush);
+  }
+  if (isBehind(mirror) == behind) {
+    painter.setPen(QPen(style.accent, 1, Qt::DotLine));
+    painter.drawLine(place.at(mirror), place.at({0, 0, 0}));
+  }
+  if (isBehind(normal) == behind) {
+    painter.setPen(QPen(style.text, 1));
+    painter.drawLine(place.at(1.08 * normal), place.at({0, 0, 0}));
+  }
+}
+
+void drawTexts(QPainter& painter, const QRectF& cell, const LobePlace& place, const LobePicture& picture,
+               const PlotStyle& style) {
+  const double em = painter.fontMetrics().height();
+  painter.setPen(style.text);
+  painter.drawText(cell.adjusted(0, 0.3 * em, 0, 0), Qt::AlignTop | Qt::AlignHCenter, picture.series.name);
+  painter.drawText(place.at({0, 0, 1.08}) + QPointF(0.3 * em, 0), QObject::tr("n"));
+  painter.drawText(place.at(1.14 * fromSpherical(picture.settings.thetaI, pi)) + QPointF(-2 * em, -0.3 * em),
+                   QObject::tr("θi %1").arg(degreesText(picture.settings.thetaI)));
+  QString scale = QObject::tr("circle: %1 1/sr").arg(formatNumber(picture.scale.max));
+  if (picture.scale.logarithmic)
+    scale = QObject::tr("logarithmic, centre: %1 1/sr, %2").arg(formatNumber(picture.scale.min), scale);
+  painter.drawText(cell.adjusted(0, 0, 0, -0.3 * em), Qt::AlignBottom | Qt::AlignHCenter, scale);
+}
+
+}  // namespace
+
+Direction LobeView::toEye() const {
+  return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
+}
+Direction LobeView::right() const { return {-std::sin(yaw), std::cos(yaw), 0}; }
+Direction LobeView::up() const { return glm::cross(toEye(), right()); }
+
+LobePlace LobePlace::filling(const QRectF& cell, double fontHeight, const LobeView& view) {
+  const double above = std::max(1.15 * std::cos(view.pitch), std::abs(std::sin(view.pitch)));
+  const double below = std::abs(std::sin(view.pitch));
+  const double height = cell.height() - 3.6 * fontHeight;
+  const double radius = std::max(fontHeight, std::min(cell.width() / 2.5, height / (above + below)));
+  const double top = cell.top() + 1.8 * fontHeight + (height - radius * (above + below)) / 2;
+  return {view, {cell.center().x(), top + radius * above}, radius * view.zoom};
+}
+
+QPointF LobePlace::at(const Direction& point) const {
+  return centre + radius * QPointF(glm::dot(point, view.right()), -glm::dot(point, view.up()));
+}
+
+Direction lobePoint(const LobePicture& picture, std::size_t index) {
+  const plots::LobeSurface& lobe = picture.series.data;
+  const double value = lobe.points.at(index, picture.settings.channel);
+  return (std::isnan(value) ? 0.0 : picture.scale.share(value)) * lobe.directions[index];
+}
+
+void drawLobe(QPainter& painter, const QRectF& cell, const LobePlace& place, const LobePicture& picture,
+              const PlotStyle& style) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawGround(painter, place, style);
+  drawAxes(painter, place, picture.settings.thetaI, style, true);
+  drawSurface(painter, place, picture, style);
+  drawAxes(painter, place, picture.settings.thetaI, style, false);
+  drawTexts(painter, cell, place, picture, style);
+}
+
+}  // namespace gonio::widgets

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/plots/plot.h"
+
+#include <QContextMenuEvent>
+#include <QFileDialog>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <algorithm>
+
+#include "core/support/error.h"
+#include "widgets/plots/plot_export.h"
+#include "widgets/plots/plot_text.h"
+
+namespace gonio::widgets {
+
+namespace {
+constexpr double keyStep = radians(1);
+}
+
+Plot::Plot(const QString& title, QWidget* parent)
+    : QWidget(parent), m_title(title), m_readout(new QLabel(this)), m_hint(new QLabel(this)) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAccessibleName(title);
+  for (QLabel* label : {m_readout, m_hint}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setAttribute(Qt::WA_TransparentForMouseEvents);
+  }
+  m_readout->setMargin(fontMetrics().height() / 4);
+  m_readout->setAutoFillBackground(true);
+  m_readout->setBackgroundRole(QPalette::ToolTipBase);
+  m_readout->setForegroundRole(QPalette::ToolTipText);
+  m_readout->hide();
+  m_hint->setAlignment(Qt::AlignCenter);
+  m_hint->setWordWrap(true);
+  m_hint->setForegroundRole(QPalette::PlaceholderText);
+}
+
+QSize Plot::sizeHint() const { return QSize(40, 20) * fontMetrics().height(); }
+QSize Plot::minimumSizeHint() const { return QSize(14, 8) * fontMetrics().height(); }
+
+void Plot::setSettings(const PlotSettings& settings) {
+  if (settings == m_settings) return;
+  m_settings = settings;
+  refresh();
+}
+
+void Plot::setHint(const QString& hint) {
+  m_hint->setText(hint);
+  showEmptiness();
+}
+
+void Plot::showEmptiness() {
+  m_hint->setVisible(isEmpty());
+  m_hint->raise();
+  if (isEmpty()) m_readout->hide();
+}
+
+std::vector<std::string> Plot::commentsOfTable() const {
+  return {"Gonio plot: " + m_title.toStdString(), "material: " + m_source.toStdString(), conventionForCsv()};
+}
+
+void Plot::showReadout(const QString& text) {
+  m_readout->setVisible(!text.isEmpty() && !isEmpty());
+  if (text.isEmpty()) return;
+  m_readout->setText(text);
+  m_readout->raise();
+  placeLabels();
+}
+
+void Plot::placeLabels() {
+  m_readout->adjustSize();
+  m_readout->move(width() - m_readout->width() - 4, 4);
+  m_hint->setGeometry(rect().adjusted(20, 20, -20, -20));
+}
+
+void Plot::editThetaI(double thetaI) { Q_EMIT thetaIEdited(std::clamp(thetaI, 0.0, maxThetaI)); }
+
+void Plot::exportAs(const QString& suffix) {
+  const QString name =
+      QStringLiteral("%1 %2.%3").arg(m_source, m_title.toLower(), suffix).simplified().replace('/', '-');
+  QString path =
+      QFileDialog::getSaveFileName(this, tr("Export Plot"), name, tr("%1 file (*.%2)").arg(suffix.toUpper(), suffix));
+  if (path.isEmpty()) return;
+  if (!path.endsWith('.' + suffix, Qt::CaseInsensitive)) path += '.' + suffix;
+  try {
+    exportPlot(*this, path);
+    Q_EMIT exported(path);
+  } catch (const Error& error) {
+    Q_EMIT failed(tr("Cannot export the plot"), QString::fromUtf8(error.what()));
+  }
+}
+
+void Plot::contextMenuEvent(QContextMenuEvent* event) {
+  QMenu menu(this);
+  menu.addAction(tr("&Reset View"), this, &Plot::resetView)->setShortcut(Qt::Key_Home);
+  menu.addSeparator();
+  const std::pair<QString, const char*> formats[] = {
+      {tr("Export as &SVG..."), "svg"}, {tr("Export as &PNG..."), "png"}, {tr("Export as &CSV..."), "csv"}};
+  for (const auto& [text, suffix] : formats)
+    menu.addAction(text, this, [this, suffix = suffix] { exportAs(QLatin1String(suffix)); })->setEnabled(!isEmpty());
+  menu.exec(event->globalPos());
+}
+
+void Plot::keyPressEvent(QKeyEvent* event) {
+  const double step = event->modifiers() & Qt::ShiftModifier ? keyStep / 10 : keyStep;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return editThetaI(m_settings.thetaI - step);
+    case Qt::Key_Right:
+      return editThetaI(m_settings.thetaI + step);
+    case Qt::Key_Home:
+      return resetView();
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void Plot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) refresh();
+}
+
+void Plot::resizeEvent(QResizeEvent*) { placeLabels(); }
+
+void Plot::leaveEvent(QEvent*) { showReadout({}); }
+
+}  // namespace gonio::widgets
+
+#include "moc_plot.cpp"

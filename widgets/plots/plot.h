@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+#include "core/plots/csv_table.h"
+#include "widgets/plots/plot_series.h"
+#include "widgets/plots/plot_style.h"
+
+class QLabel;
+
+namespace gonio::widgets {
+
+/// What every plot can: settings, a readout of the value under the pointer, an empty state, a menu that resets the view
+/// and exports. Left and right arrow keys turn the angle of incidence (Shift a tenth), Home and double-click reset the
+/// view.
+class Plot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Plot(const QString& title, QWidget* parent = nullptr);
+
+  const QString& title() const { return m_title; }
+  const PlotSettings& settings() const { return m_settings; }
+  void setSettings(const PlotSettings& settings);
+  /// Name of the material, for exported files.
+  void setSource(const QString& source) { m_source = source; }
+  const QString& source() const { return m_source; }
+  /// Shown in place of the plot while there are no series.
+  void setHint(const QString& hint);
+
+  /// Draws all of the plot on any device: a picture, an SVG file.
+  virtual void drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& style) = 0;
+  /// The shown numbers, with a header that says what they are.
+  virtual plots::CsvTable table() const = 0;
+  virtual bool isEmpty() const = 0;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ public Q_SLOTS:
+  virtual void resetView() = 0;
+  /// Asks for a name and writes the plot; `suffix` is "svg", "png" or "csv".
+  void exportAs(const QString& suffix);
+
+ Q_SIGNALS:
+  /// The user turned the angle of incidence (rad, [0, maxThetaI]). The plot itself does not change yet.
+  void thetaIEdited(double thetaI);
+  void exported(const QString& path);
+  void failed(const QString& title, const QString& text);
+
+ protected:
+  /// Settings or series changed: draw anew.
+  virtual void refresh() = 0;
+  /// The start of every table: what, of which material, values, convention.
+  std::vector<std::string> commentsOfTable() const;
+  PlotStyle style() const { return PlotStyle::of(palette()); }
+  /// An empty text hides it.
+  void showReadout(const QString& text);
+  /// Hides or shows the hint as isEmpty() says.
+  void showEmptiness();
+  void editThetaI(double thetaI);
+
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  void placeLabels();
+
+  QString m_title, m_source;
+  PlotSettings m_settings;
+  QLabel *m_readout, *m_hint;
+};
+
+}  // namespace gonio::widgets

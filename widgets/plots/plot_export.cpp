@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/plots/plot_export.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QSvgGenerator>
+
+#include "core/io/atomic_file.h"
+#include "core/plots/csv_table.h"
+#include "core/support/error.h"
+#include "widgets/plots/plot.h"
+
+namespace gonio::widgets {
+
+namespace {
+constexpr double pngScale = 2;
+constexpr QSize smallest(480, 320);
+QSize exportSize(const Plot& plot) { return plot.size().expandedTo(smallest); }
+}  // namespace
+
+QByteArray plotAsSvg(Plot& plot) {
+  QBuffer buffer;
+  QSvgGenerator generator;
+  generator.setOutputDevice(&buffer);
+  generator.setSize(exportSize(plot));
+  generator.setViewBox(QRect(QPoint(0, 0), exportSize(plot)));
+  generator.setResolution(plot.logicalDpiX());
+  generator.setTitle(plot.title());
+  generator.setDescription(plot.source());
+  plot.drawOn(generator, exportSize(plot), PlotStyle::paper());
+  return buffer.data();
+}
+
+QByteArray plotAsPng(Plot& plot) {
+  QImage image(exportSize(plot) * pngScale, QImage::Format_RGB32);
+  image.setDevicePixelRatio(pngScale);
+  image.fill(Qt::white);
+  plot.drawOn(image, exportSize(plot), PlotStyle::paper());
+  QBuffer buffer;
+  image.save(&buffer, "PNG");
+  return buffer.data();
+}
+
+QByteArray plotAsCsv(const Plot& plot) { return QByteArray::fromStdString(plots::toCsv(plot.table())); }
+
+void exportPlot(Plot& plot, const QString& path) {
+  QByteArray content;
+  if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive))
+    content = plotAsSvg(plot);
+  else if (path.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive))
+    content = plotAsPng(plot);
+  else if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive))
+    content = plotAsCsv(plot);
+  else
+    throw Error(path.toStdString() + ": the name ends in no format of plots, expected .svg, .png or .csv");
+  io::writeFileAtomically(path.toStdString(), content.toStdString());
+}
+
+}  // namespace gonio::widgets

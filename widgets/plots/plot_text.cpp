@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/plots/plot_text.h"
+
+#include <QCoreApplication>
+
+#include "widgets/inputs/number_field.h"
+
+namespace gonio::widgets {
+
+namespace {
+QString tr(const char* text) { return QCoreApplication::translate("Plots", text); }
+}  // namespace
+
+QString channelName(plots::Channel channel) {
+  switch (channel) {
+    case plots::Channel::red:
+      return tr("Red");
+    case plots::Channel::green:
+      return tr("Green");
+    case plots::Channel::blue:
+      return tr("Blue");
+    case plots::Channel::luminance:
+      break;
+  }
+  return tr("Luminance");
+}
+
+QString cosineName(plots::CosineFactor cosine) {
+  return cosine == plots::CosineFactor::none       ? tr("f")
+         : cosine == plots::CosineFactor::incident ? tr("f cos θi")
+                                                   : tr("f cos θo");
+}
+
+QString valueTitle(const PlotSettings& settings) {
+  return tr("%1 of %2 [1/sr]").arg(channelName(settings.channel), cosineName(settings.cosine));
+}
+
+QString axisName(plots::SectionAxis axis) {
+  return axis == plots::SectionAxis::thetaH ? tr("θh") : axis == plots::SectionAxis::thetaD ? tr("θd") : tr("θo");
+}
+
+QString degreesText(double radians) { return tr("%1°").arg(degrees(radians), 0, 'f', 1); }
+
+QString stateText(plots::PointState state) {
+  return state == plots::PointState::belowHorizon ? tr("below the horizon") : tr("not measured");
+}
+
+QString valueText(double value, plots::PointState state) {
+  if (state != plots::PointState::known) return stateText(state);
+  return value == value ? tr("%1 1/sr").arg(formatNumber(value)) : tr("no value");
+}
+
+std::string channelForCsv(plots::Channel channel) {
+  static constexpr const char* names[] = {"luminance", "red", "green", "blue"};
+  return names[int(channel)];
+}
+
+std::string valueForCsv(const PlotSettings& settings) {
+  static constexpr const char* values[] = {"f (without the cosine)", "f cos theta_i", "f cos theta_o"};
+  return channelForCsv(settings.channel) + " of " + values[int(settings.cosine)] + ", 1/sr";
+}
+
+std::string conventionForCsv() {
+  return "convention: unit directions, both away from the surface, z = normal; theta_i of the direction to the light, "
+         "theta_o to the viewer, theta_h of their half vector, theta_d between half vector and light; f is the BRDF, "
+         "linear RGB (sRGB primaries); luminance by ITU-R BT.709";
+}
+
+std::string angleForCsv(const std::string& name, double radians) {
+  return name + " = " + formatNumber(degrees(radians)).toStdString() + " degrees";
+}
+
+}  // namespace gonio::widgets

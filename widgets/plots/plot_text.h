@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QString>
+#include <string>
+
+#include "core/plots/section.h"
+#include "core/plots/slice.h"
+#include "widgets/plots/plot_series.h"
+
+/// The words of plots, each in one place.
+namespace gonio::widgets {
+
+QString channelName(plots::Channel channel);
+/// "f", "f cos θi", "f cos θo".
+QString cosineName(plots::CosineFactor cosine);
+/// Title of an axis of values: "Luminance of f cos θi [1/sr]".
+QString valueTitle(const PlotSettings& settings);
+/// "θh", "θd", "θo".
+QString axisName(plots::SectionAxis axis);
+/// "45.5°".
+QString degreesText(double radians);
+/// "0.2131 1/sr", or why there is no value.
+QString valueText(double value, plots::PointState state = plots::PointState::known);
+/// "not measured", "below the horizon".
+QString stateText(plots::PointState state);
+
+/// Plain ASCII for CSV files: "luminance".
+std::string channelForCsv(plots::Channel channel);
+/// "luminance of f cos theta_i".
+std::string valueForCsv(const PlotSettings& settings);
+/// The project's convention of directions and values, one line.
+std::string conventionForCsv();
+/// "theta_i = 45 degrees".
+std::string angleForCsv(const std::string& name, double radians);
+
+}  // namespace gonio::widgets

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QPainter>
+
+#include "core/plots/section.h"
+#include "core/plots/value_scale.h"
+#include "widgets/plots/plot_series.h"
+#include "widgets/plots/plot_style.h"
+
+namespace gonio::widgets {
+
+/// Where things of a polar plot lie: a half disc, the normal upwards, theta_o > 0 to the right.
+struct PolarGeometry {
+  QPointF centre;
+  double radius = 1;  ///< of the end of the axis, pixels
+
+  /// The half disc that fills a picture, with room for labels of a font of this height.
+  static PolarGeometry filling(const QSizeF& size, double fontHeight);
+  QPointF at(double angle, double share) const;
+  /// Signed polar angle of a point, rad, (-pi, pi].
+  double angleOf(const QPointF& point) const;
+  double shareOf(const QPointF& point) const;
+};
+
+struct PolarPicture {
+  const PlotSeriesList<plots::Curve>& series;
+  PlotSettings settings;
+  plots::ValueScale scale;
+};
+
+/// Disc, axes, curves, the direction of the light with its handle, the mirror direction, legend and title.
+void drawPolar(QPainter& painter, const QSizeF& size, const PolarGeometry& geometry, const PolarPicture& picture,
+               const PlotStyle& style);
+
+/// Line samples and names in the upper left corner.
+void drawLegend(QPainter& painter, const std::vector<std::pair<SeriesRole, QString>>& entries, const PlotStyle& style);
+
+}  // namespace gonio::widgets

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <optional>
+
+#include "core/plots/slice.h"
+#include "core/plots/value_scale.h"
+#include "widgets/plots/plot.h"
+
+class QCustomPlot;
+class QCPAxisRect;
+class QCPColorMap;
+class QCPColorScale;
+class QCPItemStraightLine;
+class QCPMarginGroup;
+class QCPTextElement;
+
+namespace gonio::widgets {
+
+/// Slices of half-difference space beside each other in false colour with one colour bar: theta_h to the right, theta_d
+/// upwards. Hatched: below the horizon; plain grey: not measured. The line marks theta_d = theta_i (where theta_h = 0
+/// is the mirror) and can be dragged; wheel and drag zoom and pan all slices together.
+class SlicePlot final : public Plot {
+  Q_OBJECT
+
+ public:
+  explicit SlicePlot(QWidget* parent = nullptr);
+  ~SlicePlot() override;
+
+  /// All of one size, spacing and phi_d.
+  void setSeries(PlotSeriesList<plots::Slice> series);
+  const PlotSeriesList<plots::Slice>& series() const { return m_series; }
+
+  void drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& style) override;
+  plots::CsvTable table() const override;
+  bool isEmpty() const override { return m_series.empty(); }
+  void resetView() override;
+  /// A point of a slice in the widget.
+  QPointF position(std::size_t slice, double thetaH, double thetaD) const;
+
+ protected:
+  void refresh() override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Panel {
+    QCPAxisRect* rect;
+    QCPTextElement* title;
+    QCPColorMap *values, *notMeasured;
+    QCPItemStraightLine* line;
+  };
+  void buildPanels();
+  void addPanel(int column);
+  void fillPanel(const Panel& panel, const plots::Slice& slice);
+  void apply(const PlotStyle& style);
+  void setRanges();
+  std::optional<std::size_t> panelAt(const QPointF& position) const;
+  double thetaDAt(const Panel& panel, const QPointF& position) const;
+  bool isOnLine(const QPointF& position) const;
+  void pointerMoved(const QPointF& position);
+
+  PlotSeriesList<plots::Slice> m_series;
+  plots::ValueScale m_scale;
+  QCustomPlot* m_chart;
+  QCPMarginGroup* m_margins;
+  QCPColorScale* m_bar;
+  std::vector<Panel> m_panels;
+  bool m_viewChanged = false, m_draggingLine = false;
+};
+
+}  // namespace gonio::widgets
