@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <cmath>
-
 #include "core/brdf/half_vector_lobe.h"
-#include "core/models/common_parameters.h"
+#include "core/models/cosine_power.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
 
@@ -21,11 +19,7 @@ enum Normalisation { halfVector, unitAlbedo, none };
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
     specularParameter(0.1, "k_s N cos^n theta_h", blinn),
-    {.id = "exponent", .label = "Shininess", .symbol = "n", .unit = "",
-     .softMin = 1, .softMax = 1e4, .hardMin = 1e-6, .hardMax = 1e6, .defaultValue = 50,
-     .scale = ParameterScale::logarithmic,
-     .description = "Sharpness of the highlight: large is glossy.",
-     .formula = "cos^n theta_h", .reference = blinn},
+    exponentParameter("cos^n theta_h", blinn),
     choiceParameter("normalisation", "Normalisation", "N",
                     "Whether the brightness of the highlight follows its sharpness, so that its energy stays.",
                     "half-vector: (n + 2) / (8 pi); unit-albedo: (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))); none: 1",
@@ -42,7 +36,7 @@ constexpr ModelSpec blinnPhongSpec = {
 
 double normaliser(double n, int choice) {
   if (choice == halfVector) return (n + 2) / (8 * pi);
-  if (choice == unitAlbedo) return (n + 2) * (n + 4) / (8 * pi * (n + std::exp2(-n / 2)));
+  if (choice == unitAlbedo) return halfVectorUnitAlbedo(n);
   return 1;
 }
 
@@ -55,10 +49,9 @@ class BlinnPhong final : public Model {
     const double n = p.values[exponent].x;
     const Rgb kd = p.values[diffuse] / pi;
     const Rgb ks = p.values[specular] * normaliser(n, chosen(p.values[normalisation].x));
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) { return kd + ks * std::exp(n * std::log1p(-g.oneMinusCosH)); },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
-                   HalfVectorLobe{CosinePowerNormals{n, n}}));
+    return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
+                            diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
+                                       HalfVectorLobe{CosinePowerNormals{n, n}}));
   }
 };
 

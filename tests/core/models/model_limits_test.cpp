@@ -90,6 +90,71 @@ class ModelLimitsTest : public QObject {
     QVERIFY(agrees(at(1e5, 1e-3), std::exp(1e5 * (-0.5e-6 - 1e-12 / 12)), 1e-10));
   }
 
+  void hardCase34PhongAtTheEndsOfTheExponent() {
+    const auto at = [](double exponent, double alpha) {
+      return red(phong(), {{"diffuse", 0}, {"specular", 1}, {"exponent", exponent}}, normal, fromSpherical(alpha, 0));
+    };
+    for (const double alpha : {0.0, 0.3, 1.5}) QVERIFY(agrees(at(0, alpha), 1, 1e-5));
+    QCOMPARE(at(1e5, 0), 1.0);
+    QCOMPARE(at(1e5, 0.5), 0.0);
+    QVERIFY(agrees(at(1e5, 1e-3), std::exp(1e5 * (-0.5e-6 - 1e-12 / 12)), 1e-10));
+  }
+
+  /// With equal parameters along both axes the form for one.
+  void hardCase49EqualAxesAreIsotropic() {
+    std::mt19937_64 random(2);
+    for (const double roughness : {0.02, 0.2, 1.0})
+      for (int n = 0; n < 1000; ++n) {
+        const Direction wi = randomDirection(random), wo = randomDirection(random);
+        const double one = red(ward(), {{"roughness", roughness}}, wi, wo);
+        const double two = red(wardAnisotropic(), {{"roughness-x", roughness}, {"roughness-y", roughness}}, wi, wo);
+        QVERIFY(agrees(two, one, 1e-14));
+        // Ashikhmin and Shirley's lobe, written out for one exponent.
+        const double exponent = 1 / (roughness * roughness);
+        const Direction h = glm::normalize(wi + wo);
+        const double cosD = glm::length(wi + wo) / 2, power = exponent * std::log(h.z);
+        const double lobe = (exponent + 1) / (8 * pi) * std::exp(power) / (cosD * std::max(wi.z, wo.z));
+        if (lobe < 1e-300) continue;  // no digits left
+        QVERIFY(agrees(red(ashikhminShirley(),
+                           {{"diffuse", 0}, {"f0", 1}, {"exponent-x", exponent}, {"exponent-y", exponent}}, wi, wo),
+                       lobe, 1e-15 * (10 + exponent)));
+      }
+  }
+
+  /// Lafortune's lobe where the closed form can be read off: C_xy = 0 is a power of both cosines.
+  void lafortuneAlongTheNormal() {
+    const Direction wi = fromSpherical(0.4, 0), wo = fromSpherical(1.1, 2);
+    QVERIFY(
+        agrees(red(lafortune(), {{"diffuse", 0}, {"specular", 1}, {"c-xy", 0}, {"c-z", 0.5}, {"exponent", 7}}, wi, wo),
+               9 / (2 * pi) * std::pow(wi.z * wo.z, 7)));
+    // Backward and flat, not normalised.
+    const Direction back = fromSpherical(1.2, 1.6);
+    const double base = 0.8 * (back.x * wo.x + back.y * wo.y) + 0.1 * back.z * wo.z;
+    const auto flat = {std::pair<std::string_view, double>{"diffuse", 0},
+                       {"specular", 1},
+                       {"c-xy", 0.8},
+                       {"c-z", 0.1},
+                       {"exponent", 3},
+                       {"normalisation", 1}};
+    QVERIFY(agrees(red(lafortune(), flat, back, wo), std::pow(std::max(0.0, base), 3)));
+    QCOMPARE(red(lafortune(), {{"diffuse", pi}, {"specular", 1}, {"c-xy", 0}, {"c-z", 0}}, wi, wo), 1.0);
+  }
+
+  void edwardsDiskOfExponentZeroIsLambert() {
+    for (const double theta : {0.0, 0.7, 1.5})
+      QVERIFY(agrees(red(edwardsDisk(), {{"diffuse", 0}, {"specular", 1}, {"exponent", 0}}, fromSpherical(0.6, 1),
+                         fromSpherical(theta, 2)),
+                     1 / pi, 1e-5));
+    // In the plane of incidence: the way from sin theta_o at the mirror side to the rim is 1 - sin, backward 1 + sin.
+    const double s = std::sin(0.5), toward = (std::sin(0.9) - s) / (1 - s), backward = (s - std::sin(-0.2)) / (1 + s);
+    const auto at = [](double theta) {
+      return red(edwardsDisk(), {{"diffuse", 0}, {"specular", 1}, {"exponent", 6}}, fromSpherical(theta, pi),
+                 fromSpherical(0.5, 0));
+    };
+    QVERIFY(agrees(at(0.9), 7 / pi * std::pow(1 - toward * toward, 6), 1e-12));
+    QVERIFY(agrees(at(-0.2), 7 / pi * std::pow(1 - backward * backward, 6), 1e-12));
+  }
+
   /// Both directions nearly horizontal and on one side: the half vector is horizontal.
   void hardCase37GgxWithAHorizontalHalfVector() {
     const double z = 1e-9, alpha = 0.3, a2 = alpha * alpha;

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/direction_sample.h"
+
+namespace gonio {
+
+/// How far a point of the unit disk lies on its way from the mirror point of the viewer, -wo_xy, to the rim: the square
+/// of that fraction, in [0, 1]. @param deviation Dp = wi_xy + wo_xy. 0 at the mirror point. O(1).
+inline double squaredRimFraction(const glm::dvec2& deviation, const Direction& wo) {
+  // The rim lies at the distance d . wo_xy + sqrt((d . wo_xy)^2 + cos^2 theta_o) in the direction d of Dp.
+  const double squared = glm::dot(deviation, deviation), along = glm::dot(deviation, glm::dvec2(wo));
+  if (!(squared > 0)) return 0;
+  const double root = std::sqrt(along * along + wo.z * wo.z * squared);
+  // Of the two forms the one that does not cancel.
+  const double fraction = along > 0 ? squared / (along + root) : (root - along) / (wo.z * wo.z);
+  return std::min(1.0, fraction * fraction);
+}
+
+/// A lobe (core/brdf/lobe_mixture.h) on the unit disk of projected directions: (n + 1) / pi (1 - u^2)^n with the
+/// fraction u of squaredRimFraction(). It integrates to 1 for every viewer: over a ray of length L from the mirror
+/// point to L^2 / (2 pi), and the squares of these lengths add up to twice the area of the disk.
+struct RimPowerLobe {
+  double exponent;
+
+  Direction sample(const Direction& wo, const glm::dvec2& u) const {
+    // An evenly drawn point has the right azimuth, and the square of its fraction is uniform: only that is changed.
+    const double r = std::sqrt(u.x), phi = 2 * pi * u.y;
+    glm::dvec2 deviation = glm::dvec2(r * std::cos(phi), r * std::sin(phi)) + glm::dvec2(wo);
+    const double drawn = squaredRimFraction(deviation, wo);
+    if (drawn > 0) deviation *= std::sqrt(-std::expm1(std::log1p(-drawn) / (exponent + 1)) / drawn);
+    const glm::dvec2 x = deviation - glm::dvec2(wo);
+    return {x.x, x.y, std::sqrt(std::max(0.0, 1 - glm::dot(x, x)))};
+  }
+  double density(const Direction& w, const Direction& wo) const {
+    if (!(w.z > 0)) return 0;
+    const double squared = squaredRimFraction(glm::dvec2(w) + glm::dvec2(wo), wo);
+    return squared < 1 ? w.z * (exponent + 1) / pi * std::exp(exponent * std::log1p(-squared)) : 0;
+  }
+};
+
+}  // namespace gonio

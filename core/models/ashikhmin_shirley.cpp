@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/half_vector_lobe.h"
+#include "core/models/anisotropic_parameters.h"
+#include "core/models/registry.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view ashikhmin2000 = "Ashikhmin and Shirley 2000, An Anisotropic Phong BRDF Model";
+constexpr std::string_view diffuseTerms[] = {"coupled", "lambert"};
+
+enum Index { diffuse, specular, exponentX, exponentY, normalReflectance, fresnelTerm, edgeTint, diffuseTerm };
+
+// clang-format off
+constexpr ParameterSpec parameters[] = {
+    diffuseParameter(0.2),
+    specularParameter(1,
+                      "k_s sqrt((n_x + 1)(n_y + 1)) / (8 pi) cos^e theta_h F / "
+                      "(cos theta_d max(cos theta_i, cos theta_o))",
+                      ashikhmin2000),
+    exponentXParameter("e = (n_x h_x^2 + n_y h_y^2) / (1 - h_z^2)", ashikhmin2000),
+    exponentYParameter("e = (n_x h_x^2 + n_y h_y^2) / (1 - h_z^2)", ashikhmin2000),
+    normalReflectanceParameter(),
+    fresnelParameter(FresnelChoice::schlick),
+    edgeTintParameter(),
+    choiceParameter("diffuse-term", "Diffuse term", "R_d",
+                    "Whether the body gets only the light that the highlight leaves, or all of it (fits of Ngan et al. "
+                    "2005 and Loew et al. 2012).",
+                    "coupled: 28 k_d / (23 pi) (1 - F_0)(1 - (1 - cos theta_i / 2)^5)(1 - (1 - cos theta_o / 2)^5); "
+                    "lambert: k_d / pi",
+                    ashikhmin2000, diffuseTerms),
+};
+
+constexpr ModelSpec ashikhminShirleySpec = {
+    .id = "ashikhmin-shirley", .name = "Ashikhmin-Shirley",
+    .description = "Anisotropic Phong lobe about the half vector with a Fresnel term and a body that the "
+                   "highlight takes light from. Reciprocal; the albedo of the highlight never exceeds k_s and "
+                   "falls toward grazing angles.",
+    .formula = "R_d + k_s sqrt((n_x + 1)(n_y + 1)) / (8 pi) cos^e theta_h F / "
+               "(cos theta_d max(cos theta_i, cos theta_o)), e = (n_x h_x^2 + n_y h_y^2) / (1 - h_z^2)",
+    .reference = ashikhmin2000, .parameters = parameters,
+    .family = ModelFamily::empirical, .conservesEnergy = true};
+// clang-format on
+
+double entering(double cosine) {
+  const double m = 1 - cosine / 2, m2 = m * m;
+  return 1 - m2 * m2 * m;
+}
+
+class AshikhminShirley final : public Model {
+ public:
+  const ModelSpec& spec() const override { return ashikhminShirleySpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const double nx = p.values[exponentX].x, ny = p.values[exponentY].x, f0 = p.values[normalReflectance].x;
+    const bool coupled = chosen(p.values[diffuseTerm].x) == 0;
+    const Rgb kd = p.values[diffuse] / pi * (coupled ? 28.0 / 23 * (1 - f0) : 1);
+    const Rgb ks = p.values[specular] * (std::sqrt((nx + 1) * (ny + 1)) / (8 * pi));
+    const Fresnel fresnel(FresnelChoice(chosen(p.values[fresnelTerm].x)), f0, p.values[edgeTint].x);
+    return makeGeometryBrdf(
+        [=](const SurfaceGeometry& g) {
+          const double slopes = nx * g.half.x * g.half.x + ny * g.half.y * g.half.y;
+          const double power = halfVectorPower(g, g.sin2H > 0 ? slopes / g.sin2H : 0);
+          const double lobe = power * fresnel(g.cosD) / (g.cosD * std::max(g.cosI, g.cosO));
+          return (coupled ? entering(g.cosI) * entering(g.cosO) : 1) * kd + ks * lobe;
+        },
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(0.5),
+                   HalfVectorLobe{CosinePowerNormals{nx, ny}}),
+        nx == ny);
+  }
+};
+
+}  // namespace
+
+const Model& ashikhminShirley() {
+  static const AshikhminShirley model;
+  return model;
+}
+
+}  // namespace gonio::models

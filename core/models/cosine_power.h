@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cmath>
+
+#include "core/models/common_parameters.h"
+#include "core/models/surface_geometry.h"
+
+/// Powers of a cosine about the mirror direction (Phong) and the half vector (Blinn). Where the cosine is near 1 it is
+/// taken from the distance of the directions, so exponents of a million keep their digits.
+namespace gonio::models {
+
+// clang-format off
+/// Exponent of a cosine lobe. Published fits of measured materials go up to 6.3e5.
+constexpr ParameterSpec exponentParameter(std::string_view formula, std::string_view reference) {
+  return {.id = "exponent", .label = "Shininess", .symbol = "n", .unit = "",
+          .softMin = 1, .softMax = 1e4, .hardMin = 1e-6, .hardMax = 1e6, .defaultValue = 50,
+          .scale = ParameterScale::logarithmic,
+          .description = "Sharpness of the highlight: large is glossy.",
+          .formula = formula, .reference = reference};
+}
+// clang-format on
+
+/// (1 - x)^n for x >= 0; 0 beyond 1.
+inline double powerOfComplement(double x, double n) { return x < 1 ? std::exp(n * std::log1p(-x)) : 0; }
+
+/// max(0, cos alpha)^n, alpha the angle between wi and the mirror direction of wo. O(1).
+inline double reflectionPower(const SurfaceGeometry& g, double n) {
+  const Direction apart(g.wi.x + g.wo.x, g.wi.y + g.wo.y, g.wi.z - g.wo.z);
+  return powerOfComplement(glm::dot(apart, apart) / 2, n);
+}
+
+/// cos^n theta_h; exact for a nearly horizontal half vector too. O(1).
+inline double halfVectorPower(const SurfaceGeometry& g, double n) {
+  return std::exp(n * (g.oneMinusCosH < 0.5 ? std::log1p(-g.oneMinusCosH) : std::log(g.half.z)));
+}
+
+/// What makes the directional albedo of cos^n theta_h exactly 1 at normal incidence, where it is largest.
+inline double halfVectorUnitAlbedo(double n) { return (n + 2) * (n + 4) / (8 * pi * (n + std::exp2(-n / 2))); }
+/// The same of cos^n alpha.
+inline double reflectionUnitAlbedo(double n) { return (n + 2) / (2 * pi); }
+
+}  // namespace gonio::models

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/rim_disk_lobe.h"
+#include "core/models/cosine_power.h"
+#include "core/models/registry.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view edwards2006 =
+    "Edwards et al. 2006, The Halfway Vector Disk for BRDF Modeling (this distribution derived here)";
+
+enum Index { diffuse, specular, exponent };
+
+// clang-format off
+constexpr ParameterSpec parameters[] = {
+    diffuseParameter(0.2),
+    specularParameter(0.1, "k_s (n + 1) / pi (1 - u^2)^n, u = |Dp| / L", edwards2006),
+    exponentParameter("(1 - u^2)^n, u = |Dp| / L", edwards2006),
+};
+
+constexpr ModelSpec edwardsDiskSpec = {
+    .id = "edwards-disk", .name = "Edwards halfway disk",
+    .description = "A highlight on the disk of projected halfway vectors, from the mirror point to the rim: its "
+                   "albedo is exactly k_s at every angle, an exponent of 0 is Lambert. Not reciprocal: the "
+                   "distance to the rim is that of the viewer.",
+    .formula = "k_d / pi + k_s (n + 1) / pi (1 - |Dp|^2 / L^2)^n, Dp = i_xy + o_xy, "
+               "L the distance from the mirror point -o_xy to the rim along Dp",
+    .reference = edwards2006, .parameters = parameters,
+    .family = ModelFamily::empirical,
+    .reciprocal = false, .conservesEnergy = true};
+// clang-format on
+
+class EdwardsDisk final : public Model {
+ public:
+  const ModelSpec& spec() const override { return edwardsDiskSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const double n = p.values[exponent].x;
+    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * ((n + 1) / pi);
+    return makeGeometryBrdf(
+        [=](const SurfaceGeometry& g) {
+          return kd + ks * powerOfComplement(squaredRimFraction(glm::dvec2(g.wi) + glm::dvec2(g.wo), g.wo), n);
+        },
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), RimPowerLobe{n}));
+  }
+};
+
+}  // namespace
+
+const Model& edwardsDisk() {
+  static const EdwardsDisk model;
+  return model;
+}
+
+}  // namespace gonio::models

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/cosine_power_lobe.h"
+#include "core/models/cosine_power.h"
+#include "core/models/registry.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view lafortune1997 =
+    "Lafortune et al. 1997, Non-Linear Approximation of Reflectance Functions, eq. 8";
+constexpr std::string_view normalisations[] = {"ngan", "none"};
+
+enum Index { diffuse, specular, cXY, cZ, exponent, normalisation };
+/// Below it C_xy and C_z count as 0: there is no lobe.
+constexpr double smallest = 1e-12;
+
+// clang-format off
+constexpr ParameterSpec parameters[] = {
+    diffuseParameter(0.2),
+    specularParameter(0.1, "k_s N (C_xy (i_x o_x + i_y o_y) + C_z i_z o_z)^n", lafortune1997),
+    {.id = "c-xy", .label = "C xy", .symbol = "C_xy", .unit = "",
+     .softMin = -1, .softMax = 1, .hardMin = -1, .hardMax = 1, .defaultValue = -0.577,
+     .description = "Where the highlight points: -C_z is the mirror direction, larger amounts lean toward the horizon, "
+                    "positive ones back to the light.",
+     .formula = "C_xy (i_x o_x + i_y o_y)", .reference = lafortune1997},
+    {.id = "c-z", .label = "C z", .symbol = "C_z", .unit = "",
+     .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.577,
+     .description = "Weight of the vertical: how far the highlight leans from the normal, together with C xy.",
+     .formula = "C_z i_z o_z", .reference = lafortune1997},
+    exponentParameter("(C_xy (i_x o_x + i_y o_y) + C_z i_z o_z)^n", lafortune1997),
+    choiceParameter("normalisation", "Normalisation", "N",
+                    "Whether the brightness follows the sharpness: then the size of C xy and C z together has no effect.",
+                    "ngan: (n + 2) / (2 pi max(|C_xy|, C_z)^n); none: 1",
+                    "Ngan et al. 2005, Experimental Analysis of BRDF Models", normalisations),
+};
+
+constexpr ModelSpec lafortuneSpec = {
+    .id = "lafortune", .name = "Lafortune",
+    .description = "One isotropic lobe of Lafortune's generalised cosine: Phong's lobe in a direction of its "
+                   "own, off-specular or backward. Reciprocal. With the normalisation 'none' its energy depends "
+                   "on the other parameters and exceeds 1 for broad lobes.",
+    .formula = "k_d / pi + k_s N max(0, C_xy (i_x o_x + i_y o_y) + C_z i_z o_z)^n",
+    .reference = lafortune1997, .parameters = parameters,
+    .family = ModelFamily::empirical, .conservesEnergy = true};
+// clang-format on
+
+/// The generalised cosine over its largest factor is 1 - x: formed from differences, since x decides at large
+/// exponents.
+/// @param a, b |C_xy| and C_z over the larger of them; @param backward whether C_xy is positive.
+double complementOfCosine(const SurfaceGeometry& g, double a, double b, bool backward) {
+  const auto length2 = [](double x, double y) { return x * x + y * y; };
+  const double sign = backward ? -1 : 1, dz = g.wi.z - g.wo.z;
+  const double apart = length2(g.wi.x + sign * g.wo.x, g.wi.y + sign * g.wo.y);
+  const double lean =
+      a > b ? (a - b) * length2(g.wi.z, g.wo.z) : (b - a) * (length2(g.wi.x, g.wi.y) + length2(g.wo.x, g.wo.y));
+  return (a * apart + b * dz * dz + lean) / 2;
+}
+
+class Lafortune final : public Model {
+ public:
+  const ModelSpec& spec() const override { return lafortuneSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const double n = p.values[exponent].x, xy = p.values[cXY].x, z = p.values[cZ].x;
+    const double largest = std::max(std::abs(xy), z);
+    const bool normalised = chosen(p.values[normalisation].x) == 0;
+    const double factor = normalised ? reflectionUnitAlbedo(n) : std::exp(n * std::log(largest));
+    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * (largest > smallest ? factor : 0);
+    const double scale = std::max(largest, smallest), a = std::abs(xy) / scale, b = z / scale;
+    return makeGeometryBrdf(
+        [=, backward = xy > 0](const SurfaceGeometry& g) {
+          return kd + ks * powerOfComplement(complementOfCosine(g, a, b, backward), n);
+        },
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionUnitAlbedo(n),
+                   CosinePowerLobe{n, {xy, xy, z}}));
+  }
+};
+
+}  // namespace
+
+const Model& lafortune() {
+  static const Lafortune model;
+  return model;
+}
+
+}  // namespace gonio::models

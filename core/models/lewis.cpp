@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/cosine_power_lobe.h"
+#include "core/brdf/half_vector_lobe.h"
+#include "core/models/cosine_power.h"
+#include "core/models/registry.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view lewis1994 =
+    "Lewis 1994, Making Shaders More Physically Plausible (normalisation derived here)";
+constexpr std::string_view lobeChoices[] = {"reflection", "half-vector"};
+
+enum Index { diffuse, specular, exponent, lobeKind };
+
+// clang-format off
+constexpr ParameterSpec parameters[] = {
+    diffuseParameter(0.2),
+    specularParameter(0.1, "k_s N cos^n, at most k_s of the light is sent back", lewis1994),
+    exponentParameter("cos^n alpha or cos^n theta_h", lewis1994),
+    choiceParameter("lobe", "Lobe", "N cos^n",
+                    "Whether the highlight stands about the mirror direction (Phong) or the half vector (Blinn).",
+                    "reflection: (n + 2) / (2 pi) cos^n alpha; "
+                    "half-vector: (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))) cos^n theta_h",
+                    lewis1994, lobeChoices),
+};
+
+constexpr ModelSpec lewisSpec = {
+    .id = "lewis", .name = "Lewis",
+    .description = "The shaders of Phong and Blinn made plausible: reciprocal, and normalised by their largest "
+                   "albedo, that at normal incidence, so that k_d + k_s <= 1 conserves energy. With the lobe "
+                   "'reflection' the same as modified Phong.",
+    .formula = "k_d / pi + k_s N cos^n, k_d + k_s <= 1",
+    .reference = lewis1994, .parameters = parameters,
+    .family = ModelFamily::empirical, .conservesEnergy = true};
+// clang-format on
+
+class Lewis final : public Model {
+ public:
+  const ModelSpec& spec() const override { return lewisSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const double n = p.values[exponent].x;
+    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
+    const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(ks);
+    if (chosen(p.values[lobeKind].x) == 0)
+      return makeGeometryBrdf(
+          [=, ks = ks * reflectionUnitAlbedo(n)](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
+          diffuseAnd(diffuseAlbedo, albedo, CosinePowerLobe{n}));
+    return makeGeometryBrdf(
+        [=, ks = ks * halfVectorUnitAlbedo(n)](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
+        diffuseAnd(diffuseAlbedo, albedo, HalfVectorLobe{CosinePowerNormals{n, n}}));
+  }
+};
+
+}  // namespace
+
+const Model& lewis() {
+  static const Lewis model;
+  return model;
+}
+
+}  // namespace gonio::models

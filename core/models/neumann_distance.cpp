@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <cmath>
+
+#include "core/brdf/disk_lobe.h"
+#include "core/models/common_parameters.h"
+#include "core/models/registry.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view neumann1996 =
+    "Neumann and Neumann 1996, New Simple Reflectance Models for Metals and Other Specular Materials "
+    "(falloffs and normalisation derived here)";
+constexpr std::string_view falloffs[] = {"gaussian", "rational"};
+
+enum Index { diffuse, specular, width, falloff, power };
+enum Falloff { gaussian, rational };
+
+// clang-format off
+constexpr ParameterSpec parameters[] = {
+    diffuseParameter(0.2),
+    specularParameter(0.1, "k_s f(|Dp|), |Dp| = |i_xy + o_xy| the distance from the mirror point", neumann1996),
+    {.id = "width", .label = "Width", .symbol = "s", .unit = "",
+     .softMin = 0.01, .softMax = 1, .hardMin = 1e-4, .hardMax = 10, .defaultValue = 0.2,
+     .scale = ParameterScale::logarithmic,
+     .description = "Width of the highlight on the disk of projected directions: small is glossy.",
+     .formula = "|Dp| / s", .reference = neumann1996},
+    choiceParameter("falloff", "Falloff", "f", "Whether the highlight ends like a Gaussian or has a long tail.",
+                    "gaussian: exp(-|Dp|^2 / s^2) / (pi s^2); rational: (C - 1) / (pi s^2) (1 + |Dp|^2 / s^2)^-C",
+                    neumann1996, falloffs),
+    {.id = "power", .label = "Tail power", .symbol = "C", .unit = "",
+     .softMin = 1.05, .softMax = 8, .hardMin = 1.001, .hardMax = 100, .defaultValue = 2,
+     .scale = ParameterScale::logarithmic,
+     .description = "How fast the tail of the highlight falls: near 1 it covers everything.",
+     .formula = "(1 + |Dp|^2 / s^2)^-C", .reference = neumann1996,
+     .activeWith = "falloff", .activeChoice = 1},
+};
+
+constexpr ModelSpec neumannDistanceSpec = {
+    .id = "neumann-distance", .name = "Neumann distance",
+    .description = "A highlight that depends only on how far the projected light lies from the mirror point of "
+                   "the viewer. Reciprocal; the albedo is an integral over the unit disk, so it is bounded by "
+                   "the integral over the plane, which is k_s.",
+    .formula = "k_d / pi + k_s f(|i_xy + o_xy|)",
+    .reference = neumann1996, .parameters = parameters,
+    .family = ModelFamily::empirical, .conservesEnergy = true};
+// clang-format on
+
+double squaredDistance(const SurfaceGeometry& g) {
+  const double x = g.wi.x + g.wo.x, y = g.wi.y + g.wo.y;
+  return x * x + y * y;
+}
+
+class NeumannDistance final : public Model {
+ public:
+  const ModelSpec& spec() const override { return neumannDistanceSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const double s2 = p.values[width].x * p.values[width].x, c = p.values[power].x;
+    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / (pi * s2);
+    const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(p.values[specular]);
+    if (chosen(p.values[falloff].x) == gaussian)
+      return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * std::exp(-squaredDistance(g) / s2); },
+                              diffuseAnd(diffuseAlbedo, albedo, DiskLobe{GaussianRadial{p.values[width].x}}));
+    return makeGeometryBrdf(
+        [=](const SurfaceGeometry& g) {
+          return kd + ks * ((c - 1) * std::exp(-c * std::log1p(squaredDistance(g) / s2)));
+        },
+        diffuseAnd(diffuseAlbedo, albedo, DiskLobe{RationalRadial{1 / s2, c}}));
+  }
+};
+
+}  // namespace
+
+const Model& neumannDistance() {
+  static const NeumannDistance model;
+  return model;
+}
+
+}  // namespace gonio::models

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/cosine_power_lobe.h"
+#include "core/models/cosine_power.h"
+#include "core/models/registry.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view phong1975 = "Phong 1975, Illumination for Computer Generated Pictures";
+
+enum Index { diffuse, specular, exponent };
+
+// clang-format off
+constexpr ParameterSpec parameters[] = {
+    diffuseParameter(0.2),
+    specularParameter(0.5, "k_s max(0, cos alpha)^n, alpha from the mirror direction", phong1975),
+    exponentParameter("cos^n alpha", phong1975),
+};
+
+constexpr ModelSpec phongSpec = {
+    .id = "phong", .name = "Phong",
+    .description = "A cosine lobe about the mirror direction as a reflectance function, as the literature quotes "
+                   "it: not normalised. Reciprocal. Its energy depends on the exponent and exceeds 1 for broad "
+                   "lobes.",
+    .formula = "k_d / pi + k_s max(0, cos alpha)^n",
+    .reference = phong1975, .parameters = parameters,
+    .family = ModelFamily::empirical};
+// clang-format on
+
+class Phong final : public Model {
+ public:
+  const ModelSpec& spec() const override { return phongSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const double n = p.values[exponent].x;
+    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
+    return makeGeometryBrdf(
+        [=](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionUnitAlbedo(n), CosinePowerLobe{n}));
+  }
+};
+
+}  // namespace
+
+const Model& phong() {
+  static const Phong model;
+  return model;
+}
+
+}  // namespace gonio::models

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+// p: diffuse, specular, exponent x, exponent y, f0, fresnel, edge tint,
+//    diffuse term (0 coupled, 1 lambert)
+#include "cosine_power.glsl"
+#include "fresnel.glsl"
+
+const int PARAMETER_COUNT_ASHIKHMIN_SHIRLEY = 8;
+
+float entering(float cosine) {
+  float m = 1.0 - 0.5 * cosine, m2 = m * m;
+  return 1.0 - m2 * m2 * m;
+}
+
+vec3 evaluate_ashikhmin_shirley(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_ASHIKHMIN_SHIRLEY]) {
+  SurfaceGeometry g;
+  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  float nx = p[2].x, ny = p[3].x, f0 = p[4].x;
+  float exponent = g.sin2H > 0.0 ? (nx * g.h.x * g.h.x + ny * g.h.y * g.h.y) / g.sin2H : 0.0;
+  float lobe = sqrt((nx + 1.0) * (ny + 1.0)) / (8.0 * pi) * halfVectorPower(g, exponent) *
+               fresnel(g.cosD, f0, p[6].x, p[5].x) / (g.cosD * max(g.cosI, g.cosO));
+  float body = p[7].x < 0.5 ? 28.0 / 23.0 * (1.0 - f0) * entering(g.cosI) * entering(g.cosO) : 1.0;
+  return p[0] * (body / pi) + p[1] * lobe;
+}
