@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace gonio {
+
+/// An n-mode array of doubles; the first index runs fastest, so that unfoldings are those of Kolda and Bader 2009,
+/// "Tensor Decompositions and Applications" (dissertation 3.1).
+class Tensor {
+ public:
+  Tensor() = default;
+  /// Zeros. @param sizes one a mode, each at least 1, at least one mode.
+  explicit Tensor(std::vector<int> sizes);
+
+  int modes() const { return int(sizes_.size()); }
+  int size(int mode) const { return sizes_[std::size_t(mode)]; }
+  const std::vector<int>& sizes() const { return sizes_; }
+  std::size_t count() const { return values_.size(); }
+
+  double* data() { return values_.data(); }
+  const double* data() const { return values_.data(); }
+  double& operator[](std::size_t i) { return values_[i]; }
+  double operator[](std::size_t i) const { return values_[i]; }
+  /// Of a tensor with three modes.
+  double& at(int i, int j, int k) { return values_[offset(i, j, k)]; }
+  double at(int i, int j, int k) const { return values_[offset(i, j, k)]; }
+
+  /// Frobenius norm (eq. 3.1).
+  double norm() const;
+
+ private:
+  std::size_t offset(int i, int j, int k) const {
+    return std::size_t(i) + std::size_t(sizes_[0]) * (std::size_t(j) + std::size_t(sizes_[1]) * std::size_t(k));
+  }
+
+  std::vector<int> sizes_;
+  std::vector<double> values_;
+};
+
+/// Sum of the products of all entries (eq. 3.2); the sizes must be equal.
+double innerProduct(const Tensor& a, const Tensor& b);
+
+/// The matrix of all fibres of a mode, size(mode) x the rest; the other indices run in their order, the first fastest
+/// (eq. 3.4 with q != k).
+Eigen::MatrixXd unfold(const Tensor& tensor, int mode);
+/// Its inverse.
+Tensor fold(const Eigen::MatrixXd& matrix, int mode, const std::vector<int>& sizes);
+
+/// X x_mode U (eq. 3.3): every fibre of the mode multiplied by U, whose columns are as many as the mode's size. Without
+/// an unfolding in memory; in parallel for large tensors.
+Tensor modeProduct(const Tensor& tensor, const Eigen::MatrixXd& matrix, int mode);
+/// The same with U transposed, whose rows are as many as the mode's size.
+Tensor transposedModeProduct(const Tensor& tensor, const Eigen::MatrixXd& matrix, int mode);
+
+/// A (x) B (eq. 3.5).
+Eigen::MatrixXd kroneckerProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+/// The Kronecker products of the columns; as many columns in both.
+Eigen::MatrixXd khatriRaoProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+}  // namespace gonio
