@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// published_fits_study TABLES MERL_FOLDER [SET ...]: the loss of published fits against that of our own, by the metric
-// that the authors minimised, over the materials of a folder of MERL .binary files (../shared/tools/make-merl). For
-// each set also the factors by which the published colours would fit best at the published shape: medians far from 1
-// mean that a convention is not the authors'.
+// published_fits_study [--max-angle DEGREES] [--factors] TABLES MERL_FOLDER [SET ...]: the loss of published fits
+// against that of our own, by the metric that the authors minimised, over the materials of a folder of MERL .binary
+// files (../shared/tools/make-merl). For each set also the factors by which the published colours would fit best at the
+// published shape: medians far from 1 mean that a convention is not the authors'. --factors prints these alone, without
+// fits.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -37,9 +38,11 @@ struct Summary {
   std::map<std::pair<std::string, int>, std::vector<double>> factors;  ///< by linear parameter and channel
 };
 
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + std::ptrdiff_t(values.size() / 2));
-  return values[values.size() / 2];
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  std::ranges::nth_element(values, at);
+  return *at;
 }
 
 /// Best linear parameters at the published non-linear ones, over the published.
@@ -58,7 +61,8 @@ void addFactors(const fitting::FitData& data, const models::Model& model, const 
 void compare(const fitting::FitData& data, const testing::PublishedSet& set, const testing::PublishedFit& published,
              Summary& summary) {
   const auto error = [&](const models::ParameterValues& parameters) {
-    return metrics::brdfError(set.metric, data.table(), *set.model->instantiate(parameters));
+    return metrics::brdfError(set.metric, data.table(), *set.model->instantiate(parameters),
+                              data.options().maxPolarAngle);
   };
   const fitting::FitResult ours = fit(data, *set.model, {}, published.parameters);
   const double ratio = ours.errors[std::size_t(set.metric)] / error(published.parameters);
@@ -69,43 +73,66 @@ void compare(const fitting::FitData& data, const testing::PublishedSet& set, con
     ++summary.notWorse;
   else
     summary.worse.push_back({published.material, ratio});
-  addFactors(data, *set.model, published.parameters, summary);
 }
 
 void print(const testing::PublishedSet& set, const Summary& summary) {
   std::printf("%-28s %3zu pairs, not worse %3zu (%5.1f %%), median ratio of the losses %.3f, %.2f s a fit\n",
               set.name.c_str(), summary.pairs, summary.notWorse,
               100.0 * double(summary.notWorse) / double(std::max<std::size_t>(1, summary.pairs)),
-              summary.ratios.empty() ? 0 : median(summary.ratios), summary.seconds / double(summary.pairs));
+              quantile(summary.ratios, 0.5), summary.seconds / double(std::max<std::size_t>(1, summary.pairs)));
   for (const auto& [key, values] : summary.factors)
-    std::printf("    best %s over published, channel %d: %.3f\n", key.first.c_str(), key.second, median(values));
+    std::printf("    best %s over published, channel %d: quartiles %.3f %.3f %.3f\n", key.first.c_str(), key.second,
+                quantile(values, 0.25), quantile(values, 0.5), quantile(values, 0.75));
   for (const Worse& worse : summary.worse) std::printf("    worse: %-28s %.4f\n", worse.material.c_str(), worse.ratio);
 }
 
-int run(int count, char** arguments) {
-  if (count < 3) {
-    std::fprintf(stderr, "usage: published_fits_study TABLES MERL_FOLDER [SET ...]\n");
+struct Options {
+  double maxAngle = 80;  ///< of Ngan et al.
+  bool onlyFactors = false;
+  std::vector<std::string> arguments;
+
+  Options(int count, char** values) {
+    for (int i = 1; i < count; ++i) {
+      const std::string value = values[i];
+      if (value == "--factors")
+        onlyFactors = true;
+      else if (value == "--max-angle" && i + 1 < count)
+        maxAngle = std::strtod(values[++i], nullptr);
+      else
+        arguments.push_back(value);
+    }
+  }
+};
+
+void addMaterial(const std::filesystem::path& file, const std::vector<testing::PublishedSet>& sets,
+                 const Options& options, std::vector<Summary>& summaries) {
+  const auto table = io::readMaterial(file).tabulated();
+  std::map<metrics::BrdfMetric, fitting::FitData> data;
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (const testing::PublishedFit& published : sets[s].fits) {
+      if (published.material != file.stem()) continue;
+      const fitting::FitOptions fitOptions{.metric = sets[s].metric, .maxPolarAngle = radians(options.maxAngle)};
+      const fitting::FitData& at = data.try_emplace(sets[s].metric, *table, fitOptions).first->second;
+      addFactors(at, *sets[s].model, published.parameters, summaries[s]);
+      if (!options.onlyFactors) compare(at, sets[s], published, summaries[s]);
+    }
+  std::fprintf(stderr, "%s\n", file.stem().c_str());
+}
+
+int run(const Options& options) {
+  if (options.arguments.size() < 2) {
+    std::fprintf(stderr,
+                 "usage: published_fits_study [--max-angle DEGREES] [--factors] TABLES MERL_FOLDER [SET ...]\n");
     return 2;
   }
-  const std::set<std::string> wanted(arguments + 3, arguments + count);
-  std::vector<testing::PublishedSet> sets = testing::readPublishedSets(arguments[1]);
+  const std::set<std::string> wanted(options.arguments.begin() + 2, options.arguments.end());
+  std::vector<testing::PublishedSet> sets = testing::readPublishedSets(options.arguments[0]);
   std::erase_if(sets, [&](const auto& set) { return !wanted.empty() && !wanted.contains(set.name); });
   std::vector<Summary> summaries(sets.size());
   std::set<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(arguments[2]))
+  for (const auto& entry : std::filesystem::directory_iterator(options.arguments[1]))
     if (entry.path().extension() == ".binary") files.insert(entry.path());
-  for (const std::filesystem::path& file : files) {
-    const auto table = io::readMaterial(file).tabulated();
-    std::map<metrics::BrdfMetric, fitting::FitData> data;
-    for (std::size_t s = 0; s < sets.size(); ++s)
-      for (const testing::PublishedFit& published : sets[s].fits) {
-        if (published.material != file.stem()) continue;
-        const auto [at, isNew] =
-            data.try_emplace(sets[s].metric, *table, fitting::FitOptions{.metric = sets[s].metric});
-        compare(at->second, sets[s], published, summaries[s]);
-      }
-    std::fprintf(stderr, "%s\n", file.stem().c_str());
-  }
+  for (const std::filesystem::path& file : files) addMaterial(file, sets, options, summaries);
   for (std::size_t s = 0; s < sets.size(); ++s) print(sets[s], summaries[s]);
   return 0;
 }
@@ -114,7 +141,7 @@ int run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   try {
-    return run(count, arguments);
+    return run(Options(count, arguments));
   } catch (const Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
