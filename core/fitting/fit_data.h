@@ -28,7 +28,7 @@ class FitData {
   const FitTarget& polish(std::size_t nonlinearParameters) const;
 
  private:
-  FitTarget makeTarget(int thetaDStrata, int phiDStrata) const;
+  FitTarget makeTarget(int thetaDStrata, int phiDStrata, double costTolerance) const;
 
   const TabulatedBrdf& table_;
   FitOptions options_;

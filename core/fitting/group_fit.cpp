@@ -21,7 +21,7 @@ constexpr double sameStart = 0.12;
 constexpr SolveOptions searchOptions{.maxIterations = 20, .functionTolerance = 1e-4};
 constexpr SolveOptions polishOptions{.maxIterations = 40, .functionTolerance = 1e-6};
 
-constexpr double startsShare = 0.25, searchShare = 0.35, polishShare = 0.4;
+constexpr double startsShare = 0.25, searchShare = 0.35, finalistsShare = 0.05, polishShare = 0.35;
 
 struct Candidate {
   models::ParameterValues parameters;
@@ -37,23 +37,6 @@ double halton(std::size_t index, int base) {
     result += digit * double(index % std::size_t(base));
   }
   return result;
-}
-
-/// The defaults, then points spread over the soft ranges of the free parameters.
-std::vector<models::ParameterValues> startingPoints(const models::Model& model, const models::ParameterValues& base,
-                                                    const std::vector<std::size_t>& free) {
-  constexpr int primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29};
-  std::vector<models::ParameterValues> starts{base};
-  const std::size_t count = std::min(maxStarts, startsPerDimension * free.size());
-  for (std::size_t s = 1; s <= count; ++s) {
-    models::ParameterValues values = base;
-    for (std::size_t d = 0; d < free.size(); ++d) {
-      const UnitScale scale(model.spec().parameters[free[d]]);
-      values.values[free[d]] = Rgb(scale.toValue(halton(s, primes[d % std::size(primes)])));
-    }
-    starts.push_back(std::move(values));
-  }
-  return starts;
 }
 
 bool isNear(const std::vector<double>& a, const std::vector<double>& b) {
@@ -84,7 +67,7 @@ class GroupFit {
 
   /// The cost of each start; when stopped, of the first at least.
   std::vector<Candidate> rate(const FitTarget& target, const std::vector<models::ParameterValues>& starts,
-                              const std::vector<std::size_t>& free) {
+                              const std::vector<std::size_t>& free, double share) {
     std::vector<Candidate> candidates(starts.size());
     parallelForBlocks(starts.size(), 1, [&](std::size_t s, std::size_t) {
       if (s > 0 && stop_.stop_requested()) return;
@@ -92,7 +75,7 @@ class GroupFit {
       candidates[s].units = problem.unitsOf(starts[s]);
       candidates[s].cost = problem.cost(candidates[s].units);
       candidates[s].parameters = problem.bestParameters();
-      progress_.add(share_ * startsShare / double(starts.size()));
+      progress_.add(share_ * share / double(starts.size()));
     });
     return candidates;
   }
@@ -144,6 +127,22 @@ models::ParameterValues merged(const models::ModelSpec& spec, models::ParameterV
 
 }  // namespace
 
+std::vector<models::ParameterValues> startingPoints(const models::Model& model, const models::ParameterValues& base,
+                                                    const std::vector<std::size_t>& free) {
+  constexpr int primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29};
+  std::vector<models::ParameterValues> starts{base};
+  const std::size_t count = std::min(maxStarts, startsPerDimension * free.size());
+  for (std::size_t s = 1; s <= count; ++s) {
+    models::ParameterValues values = base;
+    for (std::size_t d = 0; d < free.size(); ++d) {
+      const UnitScale scale(model.spec().parameters[free[d]]);
+      values.values[free[d]] = Rgb(scale.toValue(halton(s, primes[d % std::size(primes)])));
+    }
+    starts.push_back(std::move(values));
+  }
+  return starts;
+}
+
 void ProgressMeter::add(double share) {
   const std::lock_guard lock(mutex_);
   done_ = std::min(1.0, done_ + std::max(0.0, share));
@@ -160,13 +159,16 @@ models::ParameterValues fitGroup(const models::Model& model, const FitTarget& se
   const bool isStaged = early.size() < all.size();
   GroupFit group(model, channels, stop, progress, share);
   std::vector<Candidate> candidates =
-      selectDistinct(group.rate(search, startingPoints(model, base, early), early), refinedStarts);
+      selectDistinct(group.rate(search, startingPoints(model, base, early), early, startsShare), refinedStarts);
+  std::vector<models::ParameterValues> finalists{base, candidates[0].parameters};
   group.refine(search, candidates, early, searchOptions, isStaged ? searchShare / 2 : searchShare);
   if (isStaged) {
     candidates = selectDistinct(std::move(candidates), 2);
     group.refine(search, candidates, all, searchOptions, searchShare / 2);
   }
-  std::vector<Candidate> best{cheapest(candidates)};
+  // What is best on few cells need not be on many.
+  for (const Candidate& candidate : candidates) finalists.push_back(candidate.parameters);
+  std::vector<Candidate> best{cheapest(group.rate(polish, finalists, all, finalistsShare))};
   group.refine(polish, best, all, polishOptions, polishShare);
   return merged(model.spec(), base, best[0].parameters, channels);
 }

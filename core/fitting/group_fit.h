@@ -21,9 +21,14 @@ class ProgressMeter {
   double done_ = 0;
 };
 
+/// Where a search begins: at `base`, and at points that are spread over the soft ranges of the free parameters.
+std::vector<models::ParameterValues> startingPoints(const models::Model& model, const models::ParameterValues& base,
+                                                    const std::vector<std::size_t>& free);
+
 /// Fits the parameters of some colour channels together: starts spread over the soft ranges, the best of them refined
 /// on few cells, the best of these on many. Parameters of shadowing join late: they only bend what the others explain.
-/// Deterministic for any number of threads. A stop request ends it early with the best so far.
+/// Deterministic for any number of threads. Never worse, over the cells of `polish`, than the best start. A stop
+/// request ends it early with the best so far.
 /// @param base values of everything that is not fitted here.
 /// @param share of the progress that this fit may report.
 /// @return `base` with the parameters of `channels` (all channels of shared ones) replaced.

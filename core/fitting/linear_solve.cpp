@@ -10,8 +10,7 @@ namespace {
 
 constexpr int maxSteps = 50;
 constexpr int maxHalvings = 12;
-constexpr double stepTolerance = 1e-9;   ///< of each parameter, relative: Gauss-Newton's next error is its square
-constexpr double costTolerance = 1e-13;  ///< relative
+constexpr double stepTolerance = 1e-9;  ///< of each parameter, relative: Gauss-Newton's next error is its square
 
 /// Gauss-Newton's bounded linear problem: the basis columns times `slopes` against `target`.
 LinearVector solveNormalEquations(const ChannelProblem& problem, std::span<const double> slopes,
@@ -21,9 +20,9 @@ LinearVector solveNormalEquations(const ChannelProblem& problem, std::span<const
   LinearMatrix columns(cells, count);
   for (Eigen::Index j = 0; j < count; ++j)
     columns.col(j) = rowWeights * Eigen::Map<const Eigen::ArrayXd>(problem.bases[std::size_t(j)].data(), cells);
-  LinearMatrix normal(count, count);
-  for (Eigen::Index a = 0; a < count; ++a)
-    for (Eigen::Index b = 0; b <= a; ++b) normal(a, b) = normal(b, a) = columns.col(a).dot(columns.col(b));
+  LinearMatrix half = LinearMatrix::Zero(count, count);
+  half.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
+  const LinearMatrix normal = half.selfadjointView<Eigen::Lower>();
   const LinearVector right = columns.transpose() * Eigen::Map<const Eigen::VectorXd>(target.data(), cells);
   return solveBounded(normal, right, problem.lower, problem.upper);
 }
@@ -94,7 +93,7 @@ ChannelSolution solveLinearParameters(const ChannelProblem& problem, const Linea
     }
     if (!(trial.cost < best.cost)) break;
     std::swap(best, trial);
-    if (best.cost >= (1 - costTolerance) * costBefore) break;
+    if (best.cost >= (1 - problem.costTolerance) * costBefore) break;
   }
   return best;
 }

@@ -20,6 +20,7 @@ struct ChannelProblem {
   std::span<const double> values;       ///< measured, 1/sr
   std::vector<std::span<const double>> bases;
   LinearVector lower, upper;
+  double costTolerance = 1e-13;  ///< relative change of the cost at which it is solved
 
   std::size_t size() const { return factor.size(); }
   /// The model at all cells, 1/sr.

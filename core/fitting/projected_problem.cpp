@@ -20,7 +20,8 @@ double unitStrength(const models::ParameterSpec& spec) { return std::min(1.0, sp
 
 }  // namespace
 
-FitTarget::FitTarget(FitCells fitCells, MetricTransform fitMetric) : cells(std::move(fitCells)), metric(fitMetric) {
+FitTarget::FitTarget(FitCells fitCells, MetricTransform fitMetric, double linearCostTolerance)
+    : cells(std::move(fitCells)), metric(fitMetric), costTolerance(linearCostTolerance) {
   double total = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double cosI = cells.cosI[i], cosO = cells.cosO[i];
@@ -143,7 +144,8 @@ ChannelProblem ProjectedProblem::channelProblem(std::size_t slot) const {
                          .values = target_.cells.values[channel],
                          .bases = {},
                          .lower = LinearVector(Eigen::Index(linear_.size())),
-                         .upper = LinearVector(Eigen::Index(linear_.size()))};
+                         .upper = LinearVector(Eigen::Index(linear_.size())),
+                         .costTolerance = target_.costTolerance};
   for (std::size_t j = 0; j < linear_.size(); ++j) {
     problem.bases.emplace_back(basis(slot, j));
     problem.lower[Eigen::Index(j)] = model_.spec().parameters[linear_[j]].hardMin;

@@ -22,7 +22,9 @@ struct FitTarget {
   std::array<std::vector<double>, 3> transformed;  ///< transform(measured factor)
   std::array<std::vector<double>, 3> startWeight;  ///< rootWeight slope(measured factor) factor
 
-  FitTarget(FitCells fitCells, MetricTransform fitMetric);
+  double costTolerance;  ///< of the linear parameters, see ChannelProblem
+
+  FitTarget(FitCells fitCells, MetricTransform fitMetric, double linearCostTolerance = 1e-13);
 };
 
 /// A least-squares problem in the non-linear parameters only (variable projection: Golub and Pereyra 1973): for each

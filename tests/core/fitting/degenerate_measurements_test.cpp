@@ -4,7 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "core/fitting/fit.h"
+#include "core/fitting/fit_data.h"
+#include "core/fitting/fit_parameters.h"
+#include "core/fitting/group_fit.h"
 
 using namespace gonio;
 using namespace gonio::fitting;
@@ -12,7 +14,7 @@ using namespace gonio::fitting;
 namespace {
 
 // Every cell is among those that a fit looks at: what holds for them holds for the table.
-constexpr HalfDifferenceGrid grid{.thetaHCount = 20, .thetaDCount = 8, .phiDCount = 5};
+constexpr HalfDifferenceGrid grid{.thetaHCount = 12, .thetaDCount = 8, .phiDCount = 5};
 using Values = std::vector<TabulatedBrdf::Value>;
 
 template <typename ValueAt>
@@ -114,9 +116,30 @@ class DegenerateMeasurementsTest : public QObject {
     }
   }
 
+  /// The linear parameters of each start are the best ones too.
+  void neverWorseThanTheBestStart() {
+    const TabulatedBrdf table = randomTable(5);
+    const FitData data(table, {});
+    for (const models::Model* model : models::allModels()) {
+      const double error = fit(data, *model).errors[0];
+      const models::ParameterValues base = models::defaultParameters(model->spec());
+      const std::vector<std::size_t> free = parametersOf(model->spec(), base, FitRole::nonlinear);
+      double best = std::numeric_limits<double>::infinity();
+      for (const models::ParameterValues& start : startingPoints(*model, base, free)) {
+        ProjectedProblem problem(*model, data.search(), start, free, {0, 1, 2});
+        problem.cost(problem.unitsOf(start));
+        const auto brdf = model->instantiate(problem.bestParameters());
+        best = std::min(best, metrics::brdfError(metrics::BrdfMetric::log, table, *brdf));
+      }
+      // Staying near the defaults may cost this much.
+      QVERIFY2(error <= best * 1.002,
+               qPrintable(QString("%1: %2, %3").arg(model->spec().id.data()).arg(error).arg(best)));
+    }
+  }
+
   void randomTables_data() {
     QTest::addColumn<unsigned>("seed");
-    for (unsigned seed = 1; seed <= 3; ++seed) QTest::addRow("%u", seed) << seed;
+    for (unsigned seed = 1; seed <= 2; ++seed) QTest::addRow("%u", seed) << seed;
   }
   void randomTables() {
     QFETCH(unsigned, seed);
