@@ -18,6 +18,7 @@ namespace {
 const QString comparisonKey = QStringLiteral("comparison");
 /// After the last change: while the hand moves nothing is measured.
 constexpr int delayMilliseconds = 250;
+constexpr int columnCount = 4, valueColumn = 1;
 
 struct Measured {
   ComparisonReferencePtr reference;
@@ -30,15 +31,15 @@ ComparisonPanel::ComparisonPanel(ComparisonController& comparison, BackgroundTas
       m_comparison(comparison),
       m_tasks(tasks),
       m_title(new QLabel(this)),
-      m_table(new QTableWidget(0, 3, this)),
+      m_table(new QTableWidget(0, columnCount, this)),
       m_copy(new QPushButton(tr("Copy as &CSV"), this)) {
   m_title->setWordWrap(true);
   m_title->setTextFormat(Qt::PlainText);
-  m_table->setHorizontalHeaderLabels({tr("Quantity"), tr("Value"), tr("Unit")});
+  m_table->setHorizontalHeaderLabels({tr("Quantity"), tr("Value"), tr("Unit"), tr("Meaning")});
   m_table->verticalHeader()->hide();
-  m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  m_table->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
-  m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_table->horizontalHeader()->setStretchLastSection(true);
+  m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_table->setShowGrid(false);
@@ -75,7 +76,7 @@ void ComparisonPanel::subjectsChanged() {
   m_title->setText(hasBoth() ? tr("%1 against %2, scene %3")
                                    .arg(m_comparison.name(sides[0]), m_comparison.name(sides[1]), comparisonSceneName)
                              : tr("Open and fit a material to compare it."));
-  show(m_numbers ? &*m_numbers : nullptr);
+  fillTable(m_numbers ? &*m_numbers : nullptr);
   if (isVisible()) m_delay.start();
 }
 
@@ -100,7 +101,7 @@ void ComparisonPanel::measure() {
         m_reference = measured.reference;
         m_numbers = measured.numbers;
         m_current = true;
-        show(&*m_numbers);
+        fillTable(&*m_numbers);
       },
       [this](const QString& error) {
         m_current = true;
@@ -108,19 +109,19 @@ void ComparisonPanel::measure() {
       });
 }
 
-void ComparisonPanel::show(const ComparisonNumbers* numbers) {
+void ComparisonPanel::fillTable(const ComparisonNumbers* numbers) {
   const auto lines = comparisonLines(numbers);
   m_table->setRowCount(hasBoth() ? int(lines.size()) : 0);
   for (int row = 0; row < m_table->rowCount(); ++row) {
     const ComparisonLine& line = lines[std::size_t(row)];
     const QString value = numbers ? comparisonValue(line.value) : tr("not measured");
-    const QString cells[] = {line.name, value, line.unit};
-    for (int column = 0; column < 3; ++column) {
+    const QString cells[] = {line.name, value, line.unit, line.explanation.section('\n', 0, 0)};
+    for (int column = 0; column < columnCount; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);
       item->setToolTip(line.explanation);
-      if (column == 1) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      if (column == valueColumn) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       // Grey: these are not the numbers of what is shown now.
-      if (column == 1 && !m_current) item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+      if (column == valueColumn && !m_current) item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
       m_table->setItem(row, column, item);
     }
   }

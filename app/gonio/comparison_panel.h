@@ -37,7 +37,7 @@ class ComparisonPanel : public QWidget {
  private:
   void subjectsChanged();
   void measure();
-  void show(const ComparisonNumbers* numbers);
+  void fillTable(const ComparisonNumbers* numbers);
   void copy();
   bool hasBoth() const;
 

@@ -28,6 +28,8 @@ class DocumentController : public QObject {
 
   /// Uses the fit that is known of this material, or makes it. One undo step.
   void chooseModel(const models::Model& model);
+  /// A fit of the open material that is known from now on: choosing its model costs nothing.
+  void rememberFit(const fitting::FitResult& fit) { m_fits[fit.model] = fit; }
   /// Fits the current model again.
   void fit();
   void applyProposal();

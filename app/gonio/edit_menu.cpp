@@ -35,7 +35,6 @@ EditMenu::EditMenu(MainWindow& window) : QObject(&window), m_window(window) {
   addEdits(menu);
   menu->addSeparator();
   menu->addAction(tr("&Preferences..."), QKeySequence(Qt::CTRL | Qt::Key_Comma), this, &EditMenu::showPreferences);
-  addMaterial();
   applyHistoryLimit(window);
 }
 
@@ -76,23 +75,6 @@ void EditMenu::addEdits(QMenu* menu) {
   connect(&document, &Document::stateChanged, this, update);
   connect(&document, &Document::editChanged, this, update);
   connect(QApplication::clipboard(), &QClipboard::dataChanged, this, update);
-  update();
-}
-
-void EditMenu::addMaterial() {
-  QMenu* menu = m_window.menuBar()->addMenu(tr("&Material"));
-  QAction* fit = menu->addAction(tr("&Fit"), QKeySequence(Qt::CTRL | Qt::Key_F5), &m_window.controller(),
-                                 &DocumentController::fit);
-  QAction* cancel =
-      menu->addAction(tr("&Cancel"), QKeySequence(Qt::Key_Escape), &m_window.tasks(), &BackgroundTasks::cancelTopmost);
-  cancel->setToolTip(tr("Stops the newest work in progress"));
-  const auto update = [this, fit, cancel] {
-    fit->setEnabled(m_window.document().material() != nullptr);
-    const auto task = m_window.tasks().topmost();
-    cancel->setEnabled(task && !task->quiet);
-  };
-  connect(&m_window.document(), &Document::materialChanged, this, update);
-  connect(&m_window.tasks(), &BackgroundTasks::changed, this, update);
   update();
 }
 

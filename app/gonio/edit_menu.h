@@ -10,7 +10,7 @@ namespace gonio::app {
 
 class MainWindow;
 
-/// The Edit and the Material menu.
+/// The Edit menu.
 class EditMenu : public QObject {
   Q_OBJECT
 
@@ -20,7 +20,6 @@ class EditMenu : public QObject {
  private:
   void addHistory(QMenu* menu);
   void addEdits(QMenu* menu);
-  void addMaterial();
   void showPreferences();
 
   MainWindow& m_window;

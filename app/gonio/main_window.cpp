@@ -17,7 +17,9 @@
 #include "app/gonio/dropped_files.h"
 #include "app/gonio/edit_menu.h"
 #include "app/gonio/file_menu.h"
+#include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/help_menu.h"
+#include "app/gonio/material_menu.h"
 #include "app/gonio/thumbnail.h"
 #include "app/gonio/view_menu.h"
 #include "app/gonio/view_state.h"
@@ -65,6 +67,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_comparison(new ComparisonController(m_document, m_tasks, *m_preview, *m_comparisonBar, this)),
       m_comparisonPanel(new ComparisonPanel(*m_comparison, m_tasks)),
       m_plots(new PlotsPanel(m_document, m_tasks)),
+      m_ranking(new FitRankingPanel(m_document, m_controller, m_tasks)),
       m_messages(new widgets::MessageBar),
       m_progress(new widgets::ProgressStrip),
       m_dropOverlay(nullptr),
@@ -79,6 +82,7 @@ MainWindow::MainWindow(QWidget* parent)
   new FileMenu(*this);
   new EditMenu(*this);
   new ViewMenu(*this);
+  new MaterialMenu(*this);
   new AnalyseMenu(*this);
   new HelpMenu(*this);
   connectDocument();
@@ -122,6 +126,7 @@ void MainWindow::connectController() {
   });
   connect(&m_controller, &DocumentController::failed, this, &MainWindow::showFailure);
   connect(m_comparison, &ComparisonController::failed, this, &MainWindow::showFailure);
+  connect(m_ranking, &FitRankingPanel::failed, this, &MainWindow::showFailure);
   connect(&m_controller, &DocumentController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_controller, &DocumentController::proposalOffered, m_messages, &widgets::MessageBar::showProposal);
   connect(m_messages, &widgets::MessageBar::applied, &m_controller, &DocumentController::applyProposal);

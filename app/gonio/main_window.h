@@ -28,6 +28,7 @@ class QUndoView;
 namespace gonio::app {
 
 class ComparisonPanel;
+class FitRankingPanel;
 
 /// The editor's window: library left, preview in the middle, inspector right. It connects the parts; what they do lies
 /// in them. The menus are built by the classes in file_menu.h, edit_menu.h, view_menu.h, analyse_menu.h and
@@ -50,6 +51,7 @@ class MainWindow : public QMainWindow {
   Inspector& inspector() { return *m_inspector; }
   ComparisonController& comparison() { return *m_comparison; }
   PlotsPanel& plots() { return *m_plots; }
+  FitRankingPanel& ranking() { return *m_ranking; }
   QList<QDockWidget*> docks() const { return m_docks; }
 
   /// Opens a file after asking what to do with unsaved changes.
@@ -61,6 +63,8 @@ class MainWindow : public QMainWindow {
   bool save();
   bool saveAs();
   void resetLayout();
+  /// Brings a dock to the front, by its object name.
+  void showDock(const QString& name);
   /// Offers work that an earlier run left behind.
   void offerRecovery();
   /// Whether everything that was asked for is on the screen.
@@ -75,7 +79,7 @@ class MainWindow : public QMainWindow {
  private:
   void buildCentre();
   void buildDocks();
-  void buildPlots();
+  void buildBottomDocks();
   QDockWidget* addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
   void buildStatusBar();
   void connectDocument();
@@ -102,6 +106,7 @@ class MainWindow : public QMainWindow {
   ComparisonController* m_comparison;
   ComparisonPanel* m_comparisonPanel;
   PlotsPanel* m_plots;
+  FitRankingPanel* m_ranking;
   widgets::MessageBar* m_messages;
   widgets::ProgressStrip* m_progress;
   widgets::DropOverlay* m_dropOverlay;

@@ -8,9 +8,11 @@
 #include <QVBoxLayout>
 
 #include "app/gonio/comparison_panel.h"
+#include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/main_window.h"
 #include "widgets/library/library_view.h"
 #include "widgets/panels/message_bar.h"
+#include "widgets/panels/plausibility_badges.h"
 #include "widgets/panels/progress_strip.h"
 #include "widgets/preview/comparison_bar.h"
 #include "widgets/preview/preview_widget.h"
@@ -48,8 +50,7 @@ void MainWindow::buildDocks() {
   m_history->setEmptyLabel(tr("Opened"));
   m_history->setAccessibleName(tr("History"));
   addDock(tr("History"), "history", m_history, Qt::RightDockWidgetArea)->hide();
-  addDock(tr("Comparison"), "comparison", m_comparisonPanel, Qt::BottomDockWidgetArea)->hide();
-  buildPlots();
+  buildBottomDocks();
   const int em = fontMetrics().height();
   resizeDocks({library, inspector}, {em * 27, em * 28}, Qt::Horizontal);
   m_libraryView->setEmptyText(
@@ -62,12 +63,29 @@ void MainWindow::buildDocks() {
   connect(m_libraryView, &widgets::LibraryView::referenceRequested, m_comparison, &ComparisonController::openReference);
 }
 
-void MainWindow::buildPlots() {
-  addDock(tr("Plots"), "plots", m_plots, Qt::BottomDockWidgetArea)->hide();
+void MainWindow::buildBottomDocks() {
+  QDockWidget* plots = addDock(tr("Plots"), "plots", m_plots, Qt::BottomDockWidgetArea);
+  QDockWidget* comparison = addDock(tr("Comparison"), "comparison", m_comparisonPanel, Qt::BottomDockWidgetArea);
+  QDockWidget* models = addDock(tr("Models"), "models", m_ranking, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(plots, comparison);
+  tabifyDockWidget(comparison, models);
+  for (QDockWidget* dock : {plots, comparison, models}) dock->hide();
   connect(m_plots, &PlotsPanel::pickingToggled, m_preview, &widgets::PreviewWidget::setPicking);
   connect(m_preview, &widgets::PreviewWidget::polarAnglePicked, m_plots, &PlotsPanel::setThetaI);
+  connect(m_inspector->plausibility(), &widgets::PlausibilityBadges::showRequested, m_plots,
+          [this](const QString& check, double theta) {
+            m_plots->showAt(check == "energy" ? PlotKind::albedo : PlotKind::cartesian, theta);
+          });
   connect(m_plots, &PlotsPanel::exported, &m_controller, &DocumentController::exported);
   connect(m_plots, &PlotsPanel::failed, &m_controller, &DocumentController::failed);
+}
+
+void MainWindow::showDock(const QString& name) {
+  for (QDockWidget* dock : m_docks)
+    if (dock->objectName() == name) {
+      dock->show();
+      dock->raise();
+    }
 }
 
 void MainWindow::buildStatusBar() {

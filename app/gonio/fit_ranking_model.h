@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QIcon>
+#include <vector>
+
+#include "core/fitting/fit_ranking.h"
+
+namespace gonio::app {
+
+/// The fits of one material as rows. Qt::UserRole holds what a column is sorted by: a number that is smaller for
+/// better rows, or a name.
+class FitRankingModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { NameColumn, ErrorColumn, SnrColumn, ParametersColumn, SecondsColumn, WarningsColumn, ColumnCount };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  void clear();
+  /// Replaces the row of the same model.
+  void add(const fitting::RankedFit& ranked);
+  const fitting::RankedFit& ranked(int row) const { return m_rows[std::size_t(row)].ranked; }
+  /// Which error the error column shows.
+  void setMetric(metrics::BrdfMetric metric);
+  metrics::BrdfMetric metric() const { return m_metric; }
+  /// The model that is edited now is marked; null: none.
+  void setCurrent(const models::Model* model);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  struct Row {
+    fitting::RankedFit ranked;
+    QIcon thumbnail;
+  };
+  double error(const Row& row) const;
+  QVariant text(const Row& row, int column) const;
+  QVariant sortKey(const Row& row, int column) const;
+
+  std::vector<Row> m_rows;
+  metrics::BrdfMetric m_metric = metrics::BrdfMetric::log;
+  const models::Model* m_current = nullptr;
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QSignalSpy>
+#include <QTest>
+#include <cmath>
+
+#include "app/gonio/comparison_controller.h"
+#include "app/gonio/comparison_panel.h"
+#include "core/metrics/brdf_metrics.h"
+#include "tests/widgets/offscreen_context.h"
+#include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_widget.h"
+
+using namespace gonio;
+using namespace gonio::app;
+using widgets::ComparedSubject;
+using widgets::CompareMode;
+
+namespace {
+
+constexpr int patienceMilliseconds = 120000;
+
+LoadedMaterialPtr lambertMaterial(const char* name, double albedo) {
+  auto loaded = std::make_shared<LoadedMaterial>();
+  loaded->material.name = name;
+  const HalfDifferenceGrid grid{24, 24, 24};
+  loaded->table = bakeTable(*models::findModel("lambert").instantiate({{Rgb(albedo)}}), grid);
+  loaded->material.brdf = loaded->table;
+  return loaded;
+}
+
+fitting::FitResult lambertFit(double albedo) {
+  fitting::FitResult fit;
+  fit.model = &models::findModel("lambert");
+  fit.parameters = {{Rgb(albedo)}};
+  return fit;
+}
+
+struct Editor {
+  Document document;
+  BackgroundTasks tasks;
+  widgets::PreviewWidget preview;
+  widgets::ComparisonBar bar;
+  ComparisonController comparison{document, tasks, preview, bar};
+};
+
+}  // namespace
+
+class ComparisonTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    const tests::OffscreenContext context;
+    if (!context.isValid()) QSKIP("needs an OpenGL 4.1 context");
+  }
+
+  /// Without an edit the fit is judged, with one the edit; C goes back to the mode of the last time.
+  void usualSidesAndToggle() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    QCOMPARE(editor.comparison.name(ComparedSubject::fit), QString());
+    editor.document.adoptFit(lambertFit(0.5));
+    editor.comparison.toggle();
+    QCOMPARE(editor.comparison.comparison().mode, CompareMode::split);
+    QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::fit, ComparedSubject::measured}));
+    QVERIFY(editor.preview.isComparing());
+    editor.comparison.setComparison({.mode = CompareMode::twoUp});
+    editor.comparison.toggle();
+    QVERIFY(!editor.preview.isComparing());
+    editor.document.setParameter(0, Rgb(0.4));
+    editor.comparison.toggle();
+    QCOMPARE(editor.comparison.comparison().mode, CompareMode::twoUp);
+    QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::edited, ComparedSubject::measured}));
+  }
+
+  void subjectsAreWhatTheyAreCalled() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.document.adoptFit(lambertFit(0.3));
+    editor.document.setParameter(0, Rgb(0.4));
+    const Direction up{0, 0, 1};
+    const auto at = [&](ComparedSubject side) {
+      return widgets::subjectBrdf(editor.comparison.subject(side))->evaluate(up, up).x * pi;
+    };
+    QVERIFY(std::abs(at(ComparedSubject::measured) - 0.5) < 1e-6);
+    QVERIFY(std::abs(at(ComparedSubject::fit) - 0.3) < 1e-6);
+    QVERIFY(std::abs(at(ComparedSubject::edited) - 0.6) < 1e-6);  // 0.5 + 0.4 - 0.3
+    QVERIFY(editor.comparison.subject(ComparedSubject::reference).isEmpty());
+    QCOMPARE(editor.comparison.name(ComparedSubject::fit), "Fit: Lambert");
+  }
+
+  /// A reference is read in the background, takes the second side and opens a split.
+  void anotherMaterialAsReference() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.comparison.openReference("library:sgd/green-plastic");
+    QTRY_VERIFY_WITH_TIMEOUT(editor.comparison.reference() != nullptr, patienceMilliseconds);
+    QCOMPARE(editor.comparison.sides()[1], ComparedSubject::reference);
+    QCOMPARE(editor.comparison.comparison().mode, CompareMode::split);
+    QCOMPARE(editor.comparison.name(ComparedSubject::reference), "green-plastic");
+    QSignalSpy failed(&editor.comparison, &ComparisonController::failed);
+    editor.comparison.openReference("/nowhere/nothing.binary");
+    QTRY_COMPARE(failed.count(), 1);
+    QCOMPARE(editor.comparison.name(ComparedSubject::reference), "green-plastic");
+  }
+
+  /// The numbers are those of core/metrics, of the newest edit, and say so only then.
+  void numbersFollowTheEdit() {
+    Editor editor;
+    ComparisonPanel panel(editor.comparison, editor.tasks);
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.document.adoptFit(lambertFit(0.5));
+    editor.comparison.setSides(ComparedSubject::edited, ComparedSubject::measured);
+    QVERIFY(panel.isSettled() && !panel.isCurrent());  // out of sight: nothing is measured
+    panel.show();
+    QTRY_VERIFY_WITH_TIMEOUT(panel.isCurrent(), patienceMilliseconds);
+    QVERIFY(std::isinf(panel.numbers()->renderedSnr));
+    editor.document.setParameter(0, Rgb(0.45));
+    editor.document.setParameter(0, Rgb(0.4));
+    QVERIFY(!panel.isCurrent());
+    QTRY_VERIFY_WITH_TIMEOUT(panel.isCurrent(), patienceMilliseconds);
+    // 0.4 against 0.5 everywhere: |r|^2 / |r - t|^2 = 25.
+    QVERIFY(std::abs(panel.numbers()->renderedSnr - 10 * std::log10(25)) < 1e-3);
+    QVERIFY(std::abs(panel.numbers()->brdfSnr - 10 * std::log10(25)) < 1e-3);
+    const auto edit = *editor.document.edit();
+    const auto& table = editor.document.material()->table;
+    const auto expected = metrics::brdfErrors(*table, *editing::applyEdits(table, std::span(&edit, 1)));
+    QVERIFY(panel.numbers()->errors == expected);
+  }
+
+  /// A model as the reference is sampled as a table; the errors of equal sides are 0.
+  void aFitAsTheReference() {
+    const auto material = lambertMaterial("grey", 0.5);
+    widgets::PreviewSubject fit{.table = material->table, .lobe = {}};
+    fit.model = &models::findModel("lambert");
+    fit.parameters = {{Rgb(0.5)}};
+    const auto reference = comparisonReference(fit);
+    const ComparisonNumbers numbers = compareSubjects({.table = material->table, .lobe = {}}, *reference);
+    for (const double error : numbers.errors) QVERIFY(std::abs(error) < 1e-6);
+    QVERIFY(numbers.brdfSnr > 100);
+  }
+
+  /// Text for a spreadsheet: what is compared, a title line, one line a number, decimal points.
+  void csv() {
+    ComparisonNumbers numbers;
+    numbers.errors.assign(metrics::allBrdfMetrics().size(), 0.25);
+    numbers.renderedSnr = 12.5;
+    const QStringList lines = comparisonCsv(numbers, "Edited", "Measured").split('\n', Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), 2 + 3 + qsizetype(metrics::allBrdfMetrics().size()));
+    QVERIFY(lines[0].startsWith("# Edited against Measured"));
+    QCOMPARE(lines[1], "quantity,value,unit");
+    QCOMPARE(lines[2], "\"Rendered SNR\",12.5,\"dB\"");
+  }
+};
+
+QTEST_MAIN(ComparisonTest)
+#include "comparison_test.moc"

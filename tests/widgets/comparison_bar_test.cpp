@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/comparison_bar.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace gonio::widgets;
+
+namespace {
+
+/// The list whose accessible name is that.
+QComboBox* list(const ComparisonBar& bar, const QString& name) {
+  for (auto* box : bar.findChildren<QComboBox*>())
+    if (box->accessibleName() == name) return box;
+  return nullptr;
+}
+
+}  // namespace
+
+class ComparisonBarTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init() {
+    qRegisterMetaType<ComparedSubject>("gonio::widgets::ComparedSubject");
+    bar_ = std::make_unique<ComparisonBar>();
+    bar_->setSubjects({"Measured", "Fit: GGX", "Edited", ""});
+    bar_->setSides(ComparedSubject::edited, ComparedSubject::measured);
+    bar_->show();
+  }
+
+  /// Each mode shows what it needs and nothing else.
+  void modesShowTheirControls() {
+    QVERIFY(!list(*bar_, "First side")->isVisible());
+    bar_->setComparison({.mode = CompareMode::split});
+    QVERIFY(list(*bar_, "First side")->isVisible());
+    QVERIFY(!list(*bar_, "Kind of difference")->isVisible());
+    bar_->setComparison({.mode = CompareMode::difference});
+    QVERIFY(list(*bar_, "Kind of difference")->isVisible());
+  }
+
+  void aPressedModeIsTold() {
+    QSignalSpy told(bar_.get(), &ComparisonBar::comparisonEdited);
+    bar_->findChild<QButtonGroup*>()->button(int(CompareMode::twoUp))->click();
+    QCOMPARE(told.count(), 1);
+    QCOMPARE(told.front().front().value<PreviewComparison>().mode, CompareMode::twoUp);
+  }
+
+  /// The subject of the other side exchanges the two: a side against itself tells nothing.
+  void choosingTheOtherSideExchanges() {
+    bar_->setComparison({.mode = CompareMode::split});
+    std::pair<ComparedSubject, ComparedSubject> told{};
+    connect(bar_.get(), &ComparisonBar::sidesEdited, this, [&](auto a, auto b) { told = {a, b}; });
+    choose("First side", int(ComparedSubject::measured));
+    QCOMPARE(told, (std::pair{ComparedSubject::measured, ComparedSubject::edited}));
+    choose("Second side", int(ComparedSubject::fit));
+    QCOMPARE(told, (std::pair{ComparedSubject::edited, ComparedSubject::fit}));
+  }
+
+  /// The last entry asks for a material and leaves the side as it was until there is one.
+  void anotherMaterialIsAskedFor() {
+    bar_->setComparison({.mode = CompareMode::split});
+    QSignalSpy wanted(bar_.get(), &ComparisonBar::referenceWanted);
+    choose("Second side", 4);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(list(*bar_, "Second side")->currentIndex(), int(ComparedSubject::measured));
+  }
+
+  /// A range of its own is kept until the box for the automatic one is ticked again.
+  void rangeIsAutomaticOrGiven() {
+    bar_->setComparison({.mode = CompareMode::difference});
+    bar_->setFoundRange(0.2);
+    auto* automatic = bar_->findChild<QCheckBox*>();
+    QVERIFY(automatic->isChecked());
+    QSignalSpy told(bar_.get(), &ComparisonBar::comparisonEdited);
+    automatic->click();
+    QCOMPARE(told.back().front().value<PreviewComparison>().range, 0.2);
+    automatic->click();
+    QCOMPARE(told.back().front().value<PreviewComparison>().range, 0.0);
+  }
+
+ private:
+  void choose(const QString& name, int index) {
+    QComboBox* box = list(*bar_, name);
+    box->setCurrentIndex(index);
+    Q_EMIT box->activated(index);
+  }
+
+  std::unique_ptr<ComparisonBar> bar_;
+};
+
+QTEST_MAIN(ComparisonBarTest)
+#include "comparison_bar_test.moc"
