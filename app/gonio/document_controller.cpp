@@ -108,6 +108,7 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
       [this, name, done = std::move(done)](const fitting::FitResult& fit) {
         if (!fit.cancelled) {
           m_fits[fit.model] = fit;
+          for (const std::string& warning : fit.warnings) Q_EMIT warned(QString::fromStdString(warning));
           return done(fit);
         }
         m_proposal = fit;

@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <cstdio>
+#include <cstdlib>
 
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/fitting/fit_ranking.h"
+#include "core/fitting/gamma_selection.h"
 
 namespace gonio::tool {
 
 namespace {
 
 constexpr const char* bySnr = "snr";
+constexpr const char* chooseGamma = "auto";
 
 struct Options {
-  std::string material, model, metric = "log", sort, out;
-  double gamma = metrics::defaultGamma;
+  std::string material, model, metric = "log", gamma, sort, out;
   double maxAngle = degrees(metrics::defaultMaxPolarAngle);
   bool all = false;
 
   fitting::FitOptions fitOptions() const {
-    return {.metric = metrics::metricByName(metric), .gamma = gamma, .maxPolarAngle = radians(maxAngle)};
+    const bool isNumber = !gamma.empty() && gamma != chooseGamma;
+    return {.metric = metrics::metricByName(metric),
+            .gamma = isNumber ? std::stod(gamma) : metrics::defaultGamma,
+            .maxPolarAngle = radians(maxAngle)};
   }
 };
 
@@ -36,17 +41,38 @@ std::string text(const fitting::FitResult& result) {
          errorsText(result.errors) + warningsText(result);
 }
 
+/// One fit, or the one of the gamma whose picture is best, with what was tried in `json`.
+fitting::FitResult fitModel(const Options& options, const io::Material& material, const TabulatedBrdf& table,
+                            const models::Model& model, const Tool& tool, Json& trials) {
+  const TaskControl control = tool.control("fitting " + options.model);
+  if (options.gamma != chooseGamma) return fitting::fit(table, model, options.fitOptions(), control);
+  const std::vector<fitting::GammaTrial> tried =
+      fitting::selectGamma(table, *material.brdf, model, options.fitOptions(),
+                           {.width = 128, .height = 128, .samples = 32, .lobe = {}}, control);
+  for (const fitting::GammaTrial& trial : tried)
+    trials.push_back({{"gamma", trial.gamma}, {"renderedSnr", decibelsJson(trial.renderedSnr)}});
+  return tried.front().fit;
+}
+
 int fitOne(const Options& options, const io::Material& material, const Tool& tool) {
   const auto table = material.tabulated(tool.control("tabulating"));
   const models::Model& model = models::findModel(options.model);
-  const fitting::FitResult result =
-      fitting::fit(*table, model, options.fitOptions(), tool.control("fitting " + options.model));
+  Json trials = Json::array();
+  const fitting::FitResult result = fitModel(options, material, *table, model, tool, trials);
   if (!options.out.empty())
     writeMaterial(*bakeTable(*model.instantiate(result.parameters), table->grid(), tool.control("baking")),
                   options.out);
   Json json = fitJson(result);
   json["metric"] = options.metric;
-  print(tool, json, text(result));
+  std::string heading;
+  if (!trials.empty()) {
+    json["gamma"] = trials[0]["gamma"];
+    json["trials"] = trials;
+    heading = "gamma " + number(trials[0]["gamma"].get<double>()) + " matches best in " + comparisonSceneName + "\n";
+  } else if (options.metric == metricName(metrics::BrdfMetric::gamma)) {
+    json["gamma"] = options.fitOptions().gamma;
+  }
+  print(tool, json, heading + text(result));
   return 0;
 }
 
@@ -82,10 +108,24 @@ int fitAll(const Options& options, const io::Material& material, const Tool& too
   return 0;
 }
 
+void checkGamma(const Options& options) {
+  if (options.gamma.empty()) return;
+  if (options.metric != metricName(metrics::BrdfMetric::gamma)) throw UsageError("fit: --gamma is for --metric gamma");
+  if (options.gamma == chooseGamma) {
+    if (options.all) throw UsageError("fit: --gamma auto chooses for one model; give --model");
+    return;
+  }
+  char* end = nullptr;
+  const double value = std::strtod(options.gamma.c_str(), &end);
+  if (*end != 0 || !(value >= metrics::smallestGamma && value <= metrics::largestGamma))
+    throw UsageError("fit: --gamma is a number from 1 to 3, or auto; got '" + options.gamma + "'");
+}
+
 int fit(const Options& options, const Tool& tool) {
   if (options.model.empty() == !options.all) throw UsageError("fit: give one model by --model, or --all");
   if (options.all && !options.out.empty()) throw UsageError("fit: --out bakes one model; give --model");
   if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort orders the rows of --all");
+  checkGamma(options);
   if (!options.out.empty()) checkOutput(options.out);
   const io::Material material = openMaterial(options.material, tool.control("reading"));
   return options.all ? fitAll(options, material, tool) : fitOne(options, material, tool);
@@ -104,8 +144,7 @@ void addFit(CLI::App& app, Tool& tool) {
   for (const metrics::BrdfMetric metric : metrics::allBrdfMetrics()) orders.emplace_back(metricName(metric));
   orders.emplace_back(bySnr);
   command->add_option("--metric", options->metric, "What is made small (log)")->check(CLI::IsMember(metricNames));
-  command->add_option("--gamma", options->gamma, "Of the metric gamma (2)")
-      ->check(CLI::Range(metrics::smallestGamma, metrics::largestGamma));
+  command->add_option("--gamma", options->gamma, "Of the metric gamma: 1 to 3 (2), or auto for the best picture");
   command->add_option("--sort", options->sort, "Order of the ranking: a metric, or snr (what is made small)")
       ->check(CLI::IsMember(orders));
   command->add_option("--max-angle", options->maxAngle, "Cells beyond this polar angle are left out, degrees (85)")

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/fitting/gamma_selection.h"
+
+#include <algorithm>
+
+#include "core/rendering/rendered_comparison.h"
+
+namespace gonio::fitting {
+
+namespace {
+
+constexpr double gammaStep = 0.25;
+constexpr int gammaCount = int((metrics::largestGamma - metrics::smallestGamma) / gammaStep) + 1;
+
+}  // namespace
+
+std::vector<GammaTrial> selectGamma(const TabulatedBrdf& table, const Brdf& reference, const models::Model& model,
+                                    const FitOptions& options, const SphereRenderOptions& picture,
+                                    const TaskControl& control) {
+  std::vector<GammaTrial> trials;
+  try {
+    const RenderedComparison comparison(reference, picture, {control.stop, {}});
+    for (int i = 0; i < gammaCount; ++i) {
+      FitOptions gammaOptions = options;
+      gammaOptions.metric = metrics::BrdfMetric::gamma;
+      gammaOptions.gamma = metrics::smallestGamma + i * gammaStep;
+      FitResult result = fit(table, model, gammaOptions, {control.stop, {}});
+      control.throwIfStopped();
+      const Image image = comparison.render(*model.instantiate(result.parameters), {control.stop, {}});
+      trials.push_back({gammaOptions.gamma, std::move(result), comparison.signalToNoiseRatio(image)});
+      control.report(double(i + 1) / gammaCount);
+    }
+  } catch (const Cancelled&) {
+  }
+  // Comparisons with a NaN (a black reference) are false: the first stays.
+  const auto best = std::ranges::max_element(
+      trials, [](const GammaTrial& a, const GammaTrial& b) { return a.renderedSnr < b.renderedSnr; });
+  if (best != trials.end()) std::rotate(trials.begin(), best, best + 1);
+  return trials;
+}
+
+}  // namespace gonio::fitting

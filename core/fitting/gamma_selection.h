@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <vector>
+
+#include "core/fitting/fit.h"
+#include "core/rendering/sphere_renderer.h"
+
+namespace gonio::fitting {
+
+struct GammaTrial {
+  double gamma;
+  FitResult fit;
+  double renderedSnr;  ///< dB in comparisonScene()
+};
+
+/// The two stages of Bieron and Peers 2020: a fit by the gamma metric for each of several gammas (1 to 3 in steps of a
+/// quarter), of which the one whose picture matches best is taken; here the one of the highest rendered SNR, the first
+/// among equals. Nine fits of the model, and pictures.
+/// @param options all but the metric and its gamma.
+/// @param reference what the pictures are compared with: the table, or the material that it samples.
+/// @return the best first, the others in the order of their gammas. A stop request leaves the trials that are done;
+/// none are left when it came before the first. It never throws Cancelled.
+std::vector<GammaTrial> selectGamma(
+    const TabulatedBrdf& table, const Brdf& reference, const models::Model& model, const FitOptions& options = {},
+    const SphereRenderOptions& picture = {.width = 128, .height = 128, .samples = 32, .lobe = {}},
+    const TaskControl& control = {});
+
+}  // namespace gonio::fitting
