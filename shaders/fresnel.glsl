@@ -17,6 +17,14 @@ float fresnelDielectric(float cosD, float eta) {
   return eta == 1.0 ? 0.0 : fresnelOfContrast(cosD, (eta - 1.0) * (eta + 1.0));
 }
 
+float fresnelTransmittance(float cosD, float eta) {
+  float c = clamp(cosD, 0.0, 1.0), squaredG = (eta - 1.0) * (eta + 1.0) + c * c;
+  if (squaredG < 0.0 || c == 0.0) return eta == 1.0 ? 1.0 : 0.0;
+  float g = sqrt(squaredG);
+  float s = g + c, p = g / eta + c * eta;
+  return min(1.0, 2.0 * c * g * (1.0 / (s * s) + 1.0 / (p * p)));
+}
+
 float fresnelOfNormalReflectance(float cosD, float f0) {
   if (f0 >= 1.0) return 1.0;
   if (f0 <= 0.0) return 0.0;

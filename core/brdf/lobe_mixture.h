@@ -34,6 +34,21 @@ inline std::array<double, 2> lobeShares(double diffuseAlbedo, double specularAlb
   return {1 - specular, specular};
 }
 
+/// Shares of any number of parts by their albedos, but at least about a tenth of each that is there.
+template <std::size_t count>
+std::array<double, count> lobeShares(const std::array<double, count>& albedos) {
+  double total = 0, sum = 0;
+  for (const double albedo : albedos) total += albedo;
+  std::array<double, count> shares{};
+  if (!(total > 0)) {
+    shares[0] = 1;
+    return shares;
+  }
+  for (std::size_t i = 0; i < count; ++i) sum += shares[i] = albedos[i] > 0 ? std::max(0.1, albedos[i] / total) : 0;
+  for (double& share : shares) share /= sum;
+  return shares;
+}
+
 /// A weighted sum of lobes, folded to the upper hemisphere: Brdf::sample() and pdf() of a model.
 template <typename... Lobes>
 class LobeMixture {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <cmath>
-
 #include "core/brdf/half_vector_lobe.h"
+#include "core/models/beckmann.h"
 #include "core/models/common_parameters.h"
 #include "core/models/fresnel.h"
 #include "core/models/registry.h"
@@ -51,15 +50,13 @@ class CookTorrance final : public Model {
 
  protected:
   std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double m2 = p.values[roughness].x * p.values[roughness].x, inverseM2 = 1 / m2;
+    const double inverseM2 = 1 / (p.values[roughness].x * p.values[roughness].x);
     const double denominator = denominators[chosen(p.values[normalisation].x)];
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / (pi * m2 * denominator);
+    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / denominator;
     const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
     return makeGeometryBrdf(
         [=](const SurfaceGeometry& g) {
-          const double cos2H = g.half.z * g.half.z;
-          const double distribution = std::exp(-g.sin2H / cos2H * inverseM2) / (cos2H * cos2H);
-          return kd + ks * (distribution * fresnel(g.cosD) * foldedVCavity(g));
+          return kd + ks * (beckmannDistribution(g, inverseM2) * fresnel(g.cosD) * foldedVCavity(g));
         },
         diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
                    HalfVectorLobe{BeckmannNormals{p.values[roughness].x, p.values[roughness].x}}));

@@ -35,6 +35,9 @@ std::span<const Model* const> allModels() {
       &abcSmooth(),
       &abc(),
       &sgd(),
+      &beardMaxwell(),
+      &weidlichWilkie(),
+      &carPaint(),
       // series
       &sphericalHarmonics(),
       &rational(),

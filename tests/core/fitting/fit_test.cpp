@@ -75,6 +75,11 @@ class FitTest : public QObject {
     row("ggx rough", "ggx", {body, tint, Rgb(0.8), Rgb(0.3), Rgb(0)});
     row("abc-smooth", "abc-smooth", {body, Rgb(52, 31, 12), Rgb(3000), Rgb(0.9), Rgb(1.8)});
     row("abc", "abc", {body, Rgb(52, 31, 12), Rgb(10482), Rgb(0.82), Rgb(2.24), Rgb(0)});
+    row("beard-maxwell", "beard-maxwell", {body, tint, tint, Rgb(0.2), Rgb(0.3), Rgb(0.7), Rgb(0.4)});
+    row("car-paint", "car-paint",
+        {body, tint, Rgb(0.03), Rgb(0.1), tint, Rgb(0.12), Rgb(0.4), tint, Rgb(0.5), Rgb(0.6)});
+    row("weidlich-wilkie", "weidlich-wilkie",
+        {body, tint, Rgb(0.3), Rgb(0.6), Rgb(1), Rgb(0.05), Rgb(1.5), Rgb(0.2, 0.4, 0.6)});
     // Published row of alum-bronze (Bagher et al. 2012): every channel has its own lobe.
     row("sgd", "sgd",
         {Rgb(0.0478786, 0.0313514, 0.0200638), Rgb(0.0364976, 0.664975, 0.268836), Rgb(0.014832, 0.0300126, 0.0490339),

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <array>
+
+#include "core/brdf/half_vector_lobe.h"
+#include "core/models/beckmann.h"
+#include "core/models/common_parameters.h"
+#include "core/models/registry.h"
+#include "core/models/v_cavity.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view guenther =
+    "Guenther, Chen, Goesele, Wald and Seidel 2005, Efficient Acquisition and Realistic Rendering of Car Paint; Rump, "
+    "Mueller, Sarlette, Koch and Klein 2008, Photo-realistic Rendering of Metallic Car Paint from Image-Based "
+    "Measurements";
+constexpr std::string_view lobeFormula = "k D F G / (N cos theta_i cos theta_o)";
+constexpr std::string_view normalisations[] = {"walter", "rump"};
+
+constexpr int lobes = 3;
+/// After the diffuse part three parameters a lobe: strength, roughness, reflectance.
+enum Index { diffuse, firstLobe, normalisation = firstLobe + 3 * lobes, fresnelTerm, edgeTint };
+
+// clang-format off
+constexpr ParameterSpec strengthParameter(std::string_view id, std::string_view label, std::string_view symbol,
+                                          double defaultValue, std::string_view description) {
+  return {.id = id, .label = label, .symbol = symbol, .unit = "",
+          .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 100, .defaultValue = defaultValue,
+          .perChannel = true, .linear = true, .description = description, .formula = lobeFormula,
+          .reference = guenther};
+}
+
+constexpr ParameterSpec widthParameter(std::string_view id, std::string_view label, std::string_view symbol,
+                                       double defaultValue, std::string_view description) {
+  return {.id = id, .label = label, .symbol = symbol, .unit = "",
+          .softMin = 0.005, .softMax = 1, .hardMin = 1e-4, .hardMax = 5, .defaultValue = defaultValue,
+          .scale = ParameterScale::logarithmic, .description = description,
+          .formula = "D = exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h)", .reference = guenther};
+}
+
+constexpr ParameterSpec reflectanceParameter(std::string_view id, std::string_view label, std::string_view symbol,
+                                             double defaultValue, std::string_view description) {
+  return {.id = id, .label = label, .symbol = symbol, .unit = "",
+          .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = defaultValue,
+          .group = ParameterGroup::fresnel, .description = description, .formula = "F = F(cos theta_d, F_0)",
+          .reference = guenther};
+}
+
+constexpr ParameterSpec parameters[] = {
+    diffuseParameter(0.1),
+    strengthParameter("coat", "Coat", "k_1", 1, "Strength and tint of the clear coat's mirror image."),
+    widthParameter("coat-roughness", "Coat roughness", "m_1", 0.02, "Blur of the clear coat's mirror image."),
+    reflectanceParameter("coat-f0", "Coat reflectance", "F_1", 0.04,
+                         "How mirror-like the clear coat is when seen head-on; lacquer is near 0.04."),
+    strengthParameter("flakes", "Flakes", "k_2", 0.3, "Strength and tint of the glow of flakes that lie flat."),
+    widthParameter("flakes-roughness", "Flakes roughness", "m_2", 0.15, "How far the flat flakes tilt."),
+    reflectanceParameter("flakes-f0", "Flakes reflectance", "F_2", 0.5,
+                         "How mirror-like the flat flakes are when seen head-on."),
+    strengthParameter("haze", "Haze", "k_3", 0.2, "Strength and tint of the wide glow of flakes in disorder."),
+    widthParameter("haze-roughness", "Haze roughness", "m_3", 0.45, "How far the flakes in disorder tilt."),
+    reflectanceParameter("haze-f0", "Haze reflectance", "F_3", 0.5,
+                         "How mirror-like the flakes in disorder are when seen head-on."),
+    choiceParameter("normalisation", "Normalisation", "N",
+                    "The constant under the highlights, which differs between publications.",
+                    "walter: 4 (conserves energy); rump: pi", guenther, normalisations),
+    fresnelParameter(FresnelChoice::schlick),
+    edgeTintParameter(),
+};
+
+constexpr ModelSpec carPaintSpec = {
+    .id = "car-paint", .name = "Car paint",
+    .description = "Three Cook-Torrance lobes over a matte base: clear coat, flat flakes, flakes in disorder; without "
+                   "the sparkle of single flakes. Reciprocal; conserves energy with normalisation 'walter', gains up "
+                   "to 4/pi with 'rump'.",
+    .formula = "k_d / pi + sum over three lobes of k D F G / (N cos theta_i cos theta_o)", .reference = guenther,
+    .parameters = parameters, .conservesEnergy = true};
+// clang-format on
+
+struct Lobe {
+  Rgb strength;
+  double roughness;
+  Fresnel fresnel;
+};
+
+class CarPaint final : public Model {
+ public:
+  const ModelSpec& spec() const override { return carPaintSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const double denominator = chosen(p.values[normalisation].x) == 0 ? 4 : pi;
+    const auto makeLobe = [&](std::size_t lobe) {
+      const Rgb* values = &p.values[firstLobe + 3 * lobe];
+      return Lobe{values[0] / denominator, values[1].x, chosenFresnel(p, fresnelTerm, edgeTint, values[2].x)};
+    };
+    const std::array<Lobe, lobes> all{makeLobe(0), makeLobe(1), makeLobe(2)};
+    const auto albedo = [&](int n) {
+      return maxChannel(all[std::size_t(n)].strength) * 4 * all[std::size_t(n)].fresnel(typicalCosine);
+    };
+    const auto normals = [&](int n) {
+      return HalfVectorLobe{BeckmannNormals{all[std::size_t(n)].roughness, all[std::size_t(n)].roughness}};
+    };
+    const Rgb kd = p.values[diffuse] / pi;
+    return makeGeometryBrdf(
+        [kd, all](const SurfaceGeometry& g) {
+          Rgb sum(0);
+          for (const Lobe& lobe : all)
+            sum +=
+                lobe.strength * (beckmannDistribution(g, 1 / (lobe.roughness * lobe.roughness)) * lobe.fresnel(g.cosD));
+          return kd + sum * foldedVCavity(g);
+        },
+        LobeMixture(lobeShares(std::array{maxChannel(p.values[diffuse]), albedo(0), albedo(1), albedo(2)}),
+                    CosineLobe{}, normals(0), normals(1), normals(2)));
+  }
+};
+
+}  // namespace
+
+const Model& carPaint() {
+  static const CarPaint model;
+  return model;
+}
+
+}  // namespace gonio::models

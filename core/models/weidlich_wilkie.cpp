@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <array>
+#include <cmath>
+#include <glm/exponential.hpp>
+
+#include "core/brdf/half_vector_lobe.h"
+#include "core/models/beckmann.h"
+#include "core/models/common_parameters.h"
+#include "core/models/registry.h"
+#include "core/models/v_cavity.h"
+
+namespace gonio::models {
+
+namespace {
+
+constexpr std::string_view weidlichWilkie2007 = "Weidlich and Wilkie 2007, Arbitrarily Layered Micro-Facet Surfaces";
+constexpr std::string_view layersFormula =
+    "f_1(i, o) + T a t f_2(i', o'), T = 1 - F_1, t = (1 - G) + T G, f_1 = k_c D_1 F_1 G / (4 cos theta_i cos theta_o), "
+    "f_2 = k_d / pi + k_s D_2 F_2 G' / (4 cos theta_i' cos theta_o')";
+constexpr std::string_view beckmannFormula = "D = exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h)";
+
+enum Index {
+  diffuse,
+  specular,
+  roughness,
+  normalReflectance,
+  coat,
+  coatRoughness,
+  coatIndex,
+  absorption,
+  fresnelTerm,
+  edgeTint
+};
+
+// clang-format off
+constexpr ParameterSpec parameters[] = {
+    diffuseParameter(0.2),
+    specularParameter(0.5, "k_s D_2 F_2 G' / (4 cos theta_i' cos theta_o'), i' and o' refracted at h",
+                      weidlichWilkie2007),
+    roughnessParameter("m_2", "Width of the highlight of the base under the coat.", beckmannFormula,
+                       weidlichWilkie2007, 5),
+    normalReflectanceParameter(),
+    {.id = "coat", .label = "Coat", .symbol = "k_c", .unit = "",
+     .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 100, .defaultValue = 1,
+     .group = ParameterGroup::layer, .perChannel = true, .linear = true,
+     .description = "Strength and tint of the highlight on the coat; a real coat has 1.",
+     .formula = "k_c D_1 F_1 G / (4 cos theta_i cos theta_o)", .reference = weidlichWilkie2007},
+    {.id = "coat-roughness", .label = "Coat roughness", .symbol = "m_1", .unit = "",
+     .softMin = 0.005, .softMax = 1, .hardMin = 1e-4, .hardMax = 5, .defaultValue = 0.05,
+     .scale = ParameterScale::logarithmic, .group = ParameterGroup::layer,
+     .description = "Width of the highlight on the coat.", .formula = beckmannFormula,
+     .reference = weidlichWilkie2007},
+    {.id = "coat-index", .label = "Coat index", .symbol = "eta", .unit = "",
+     .softMin = 1, .softMax = 2.5, .hardMin = 1, .hardMax = 1000, .defaultValue = 1.5,
+     .group = ParameterGroup::layer,
+     .description = "Index of refraction of the coat: bends the light and sets how much is mirrored; 1 is no coat.",
+     .formula = "sin theta_d' = sin theta_d / eta, F_1 exact dielectric", .reference = weidlichWilkie2007},
+    {.id = "absorption", .label = "Absorption", .symbol = "sigma d", .unit = "",
+     .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 100, .defaultValue = 0.1,
+     .group = ParameterGroup::layer, .perChannel = true,
+     .description = "Optical depth of the coat: deepens the colour of the base, most toward grazing angles.",
+     .formula = "a = exp(-sigma d (1 / cos theta_i' + 1 / cos theta_o'))",
+     .reference = "Bouguer 1729, Lambert 1760, Beer 1852; Weidlich and Wilkie 2007"},
+    fresnelParameter(FresnelChoice::conductor),
+    edgeTintParameter(),
+};
+
+constexpr ModelSpec weidlichWilkieSpec = {
+    .id = "weidlich-wilkie", .name = "Weidlich-Wilkie",
+    .description = "A rough clear coat that absorbs, over a base with a matte and a glossy part. Reciprocal. Leaves out "
+                   "light that bounces between the layers; a white matte base gains energy at grazing angles (1.16 at "
+                   "75 degrees).",
+    .formula = layersFormula, .reference = weidlichWilkie2007, .parameters = parameters};
+// clang-format on
+
+/// The geometry of the refracted directions, both still in the plane of the facet normal h: i' = (i + s h) / eta with
+/// s = eta cos theta_d' - cos theta_d, formed without cancellation. eta >= 1, so s >= 0 and both stay above the
+/// horizon.
+SurfaceGeometry refracted(const SurfaceGeometry& g, double eta) {
+  const double contrast = (eta - 1) * (eta + 1), root = std::sqrt(contrast + g.cosD * g.cosD);
+  const double s = contrast / (root + g.cosD);
+  SurfaceGeometry inside = g;
+  inside.wi = (g.wi + s * g.half) / eta;
+  inside.wo = (g.wo + s * g.half) / eta;
+  inside.cosI = inside.wi.z;
+  inside.cosO = inside.wo.z;
+  inside.cosD = root / eta;
+  return inside;
+}
+
+class WeidlichWilkie final : public Model {
+ public:
+  const ModelSpec& spec() const override { return weidlichWilkieSpec; }
+
+ protected:
+  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
+    const double m1 = p.values[coatRoughness].x, m2 = p.values[roughness].x, eta = p.values[coatIndex].x;
+    const double coatSharpness = 1 / (m1 * m1), baseSharpness = 1 / (m2 * m2);
+    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / 4.0, kc = p.values[coat] / 4.0;
+    const Rgb depth = p.values[absorption];
+    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+    const double entering = fresnelTransmittance(typicalCosine, eta);
+    const double kept = entering * entering * maxChannel(glm::exp(-2.0 * depth));
+    return makeGeometryBrdf(
+        [=](const SurfaceGeometry& g) {
+          const double folded = foldedVCavity(g), unmasked = folded * g.cosI * g.cosO;
+          const double transmitted = fresnelTransmittance(g.cosD, eta);
+          const double leaving = transmitted * ((1 - unmasked) + transmitted * unmasked);
+          const SurfaceGeometry inside = refracted(g, eta);
+          const Rgb absorbed = glm::exp(-depth * (1 / inside.cosI + 1 / inside.cosO));
+          const double base = beckmannDistribution(g, baseSharpness) * fresnel(inside.cosD) * foldedVCavity(inside);
+          const double surface = beckmannDistribution(g, coatSharpness) * fresnelDielectric(g.cosD, eta) * folded;
+          return kc * surface + (kd + ks * base) * absorbed * leaving;
+        },
+        LobeMixture(
+            lobeShares(std::array{maxChannel(p.values[diffuse]) * kept, maxChannel(p.values[coat]) * (1 - entering),
+                                  maxChannel(p.values[specular]) * kept * fresnel(typicalCosine)}),
+            CosineLobe{}, HalfVectorLobe{BeckmannNormals{m1, m1}}, HalfVectorLobe{BeckmannNormals{m2, m2}}));
+  }
+};
+
+}  // namespace
+
+const Model& weidlichWilkie() {
+  static const WeidlichWilkie model;
+  return model;
+}
+
+}  // namespace gonio::models
