@@ -184,6 +184,29 @@ class PlotsTest : public QObject {
     }
   }
 
+  /// SVG files do not clip: every corner of a zoomed chart's curves lies between the axes.
+  void zoomedCurvesEndAtTheAxes() {
+    const auto plot = cartesianPlot();
+    const QPointF at = QRectF(plot->rect()).center();
+    QWidget* widget = target(*plot);
+    QWheelEvent wheel(at, widget->mapToGlobal(at), {}, {0, 600}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QApplication::sendEvent(widget, &wheel);
+    QXmlStreamReader reader(plotAsSvg(*plot));
+    int corners = 0;
+    while (!reader.atEnd()) {
+      reader.readNext();
+      if (!reader.isStartElement() || reader.name() != QLatin1String("polyline")) continue;
+      for (const QString& point : reader.attributes().value("points").toString().split(' ', Qt::SkipEmptyParts)) {
+        const double x = point.section(',', 0, 0).toDouble(), y = point.section(',', 1, 1).toDouble();
+        QVERIFY2(x > -1 && y > -1 && x < 601 && y < 321, qPrintable(point));
+        ++corners;
+      }
+    }
+    QVERIFY(corners > 10);
+    QVERIFY(plot->series().front().data.angles.size() > 700);
+  }
+
   /// A column a curve: the numbers of a Lambert lobe times cos theta_o.
   void csvHoldsTheShownNumbers() {
     const auto plot = polarPlot();

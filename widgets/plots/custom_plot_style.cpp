@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/plots/custom_plot_style.h"
 
+#include <cmath>
+
+#include "core/plots/clip_polyline.h"
 #include "widgets/plots/custom_plot.h"
 
 namespace gonio::widgets {
@@ -33,7 +36,6 @@ void styleChart(QCustomPlot& chart, const PlotStyle& style, const QFont& font) {
 }
 
 void setLogarithmic(QCPAxis& axis, bool logarithmic) {
-  if ((axis.scaleType() == QCPAxis::stLogarithmic) == logarithmic) return;
   axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
   if (logarithmic) {
     axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
@@ -46,12 +48,40 @@ void setLogarithmic(QCPAxis& axis, bool logarithmic) {
   }
 }
 
+namespace {
+
+using GraphData = QSharedPointer<QCPGraphDataContainer>;
+
+/// The graph's data where it lies between the ends of its axes.
+GraphData cutData(const QCPGraph& graph) {
+  const QCPRange keys = graph.keyAxis()->range(), values = graph.valueAxis()->range();
+  const bool logarithmic = graph.valueAxis()->scaleType() == QCPAxis::stLogarithmic;
+  const auto toAxis = [logarithmic](double value) { return logarithmic ? std::log(value) : value; };
+  std::vector<glm::dvec2> points;
+  for (const QCPGraphData& point : *graph.data()) points.emplace_back(point.key, toAxis(point.value));
+  auto result = GraphData::create();
+  for (const auto& part :
+       plots::clipPolyline(points, {keys.lower, toAxis(values.lower)}, {keys.upper, toAxis(values.upper)})) {
+    for (const glm::dvec2& point : part) result->add(QCPGraphData(point.x, logarithmic ? std::exp(point.y) : point.y));
+    result->add(QCPGraphData(part.back().x, std::nan("")));
+  }
+  return result;
+}
+
+}  // namespace
+
 void paintChart(QCustomPlot& chart, QPaintDevice& device, const QSize& size) {
+  QList<GraphData> whole;
+  for (int i = 0; i < chart.graphCount(); ++i) {
+    whole << chart.graph(i)->data();
+    chart.graph(i)->setData(cutData(*chart.graph(i)));
+  }
   QCPPainter painter;
   painter.begin(&device);
   painter.setMode(QCPPainter::pmVectorized);
   painter.setMode(QCPPainter::pmNoCaching);
   chart.toPainter(&painter, size.width(), size.height());
+  for (int i = 0; i < chart.graphCount(); ++i) chart.graph(i)->setData(whole[i]);
 }
 
 }  // namespace gonio::widgets

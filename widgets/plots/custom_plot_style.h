@@ -18,7 +18,8 @@ void styleChart(QCustomPlot& chart, const PlotStyle& style, const QFont& font);
 void styleAxis(QCPAxis& axis, const PlotStyle& style, const QFont& font);
 /// Kind of an axis and its ticks: powers of ten on a logarithmic one.
 void setLogarithmic(QCPAxis& axis, bool logarithmic);
-/// Draws a chart at any size on any device, lines as lines.
+/// Draws a chart at any size on any device, lines as lines; graphs are cut at the edges of their axes beforehand, since
+/// SVG files do not clip.
 void paintChart(QCustomPlot& chart, QPaintDevice& device, const QSize& size);
 
 }  // namespace gonio::widgets

@@ -57,7 +57,7 @@ void drawSurface(QPainter& painter, const LobePlace& place, const LobePicture& p
     const double light = 0.35 + 0.65 * std::abs(glm::dot(normal, toLamp)) / length;
     const QColor shade(int(colour.red() * light), int(colour.green() * light), int(colour.blue() * light));
     const QPointF corners[] = {place.at(points[a]), place.at(points[b]), place.at(points[c]), place.at(points[d])};
-    painter.setPen(QPen(shade, 0.6));  // closes the seams that antialiasing leaves between neighbours
+    painter.setPen(QPen(shade, 1));  // closes the seams that antialiasing leaves between neighbours
     painter.setBrush(shade);
     painter.drawConvexPolygon(corners, 4);
   }
@@ -78,8 +78,7 @@ void drawGround(QPainter& painter, const LobePlace& place, const PlotStyle& styl
   painter.drawLine(place.at({0, -1, 0}), place.at({0, 1, 0}));
 }
 
-void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, double head) {
-  painter.drawLine(from, to);
+void drawArrowHead(QPainter& painter, const QPointF& from, const QPointF& to, double head) {
   const QPointF along = from - to;
   const double length = std::hypot(along.x(), along.y());
   if (length < head) return;
@@ -87,27 +86,36 @@ void drawArrow(QPainter& painter, const QPointF& from, const QPointF& to, double
   painter.drawPolygon(QPolygonF{to, to + step + aside, to + step - aside});
 }
 
-/// The axes whose far or near end is beyond the surface are drawn before or after it.
-void drawAxes(QPainter& painter, const LobePlace& place, double thetaI, const PlotStyle& style, bool behind) {
+/// How far the surface reaches along a direction, as a share of the unit hemisphere.
+double reachAlong(const LobePicture& picture, const Direction& direction) {
+  const std::vector<Direction>& directions = picture.series.data.directions;
+  const auto nearest = std::max_element(directions.begin(), directions.end(), [&](const auto& a, const auto& b) {
+    return glm::dot(a, direction) < glm::dot(b, direction);
+  });
+  return nearest == directions.end() ? 0 : glm::length(lobePoint(picture, std::size_t(nearest - directions.begin())));
+}
+
+/// Axes from the origin outwards. The surface hides what lies within it: all is drawn before the surface, and again
+/// after it those parts of axes toward the viewer that stand out of it.
+void drawAxes(QPainter& painter, const LobePlace& place, const LobePicture& picture, const PlotStyle& style,
+              bool afterSurface) {
   const double em = painter.fontMetrics().height();
-  const Direction toEye = place.view.toEye();
-  const Direction light = fromSpherical(thetaI, pi), mirror = fromSpherical(thetaI, 0), normal(0, 0, 1);
-  const auto isBehind = [&](const Direction& w) { return glm::dot(w, toEye) < 0; };
-  if (isBehind(light) == behind) {
-    painter.setPen(style.accentPen());
-    painter.setBrush(style.accent);
-    drawArrow(painter, place.at(1.12 * light), place.at(0.45 * light), 0.7 * em);
-    painter.drawLine(place.at(0.45 * light), place.at({0, 0, 0}));
+  const Direction light = fromSpherical(picture.settings.thetaI, pi),
+                  mirror = fromSpherical(picture.settings.thetaI, 0);
+  const auto draw = [&](const Direction& axis, double length, const QPen& pen, bool arrow) {
+    if (afterSurface && glm::dot(axis, place.view.toEye()) < 0) return;
+    const double from = afterSurface ? reachAlong(picture, axis) : 0;
+    if (from >= length) return;
+    painter.setPen(pen);
+    painter.drawLine(place.at(length * axis), place.at(from * axis));
+    if (!arrow || from > 0.45) return;
+    painter.setBrush(pen.color());
+    drawArrowHead(painter, place.at(length * axis), place.at(0.45 * axis), 0.7 * em);
     painter.setBrush(Qt::NoBrush);
-  }
-  if (isBehind(mirror) == behind) {
-    painter.setPen(QPen(style.accent, 1, Qt::DotLine));
-    painter.drawLine(place.at(mirror), place.at({0, 0, 0}));
-  }
-  if (isBehind(normal) == behind) {
-    painter.setPen(QPen(style.text, 1));
-    painter.drawLine(place.at(1.08 * normal), place.at({0, 0, 0}));
-  }
+  };
+  draw(light, 1.12, style.accentPen(), true);
+  draw(mirror, 1, QPen(style.accent, 1, Qt::DotLine), false);
+  draw({0, 0, 1}, 1.08, QPen(style.text, 1), false);
 }
 
 void drawTexts(QPainter& painter, const QRectF& cell, const LobePlace& place, const LobePicture& picture,
@@ -155,9 +163,9 @@ void drawLobe(QPainter& painter, const QRectF& cell, const LobePlace& place, con
               const PlotStyle& style) {
   painter.setRenderHint(QPainter::Antialiasing);
   drawGround(painter, place, style);
-  drawAxes(painter, place, picture.settings.thetaI, style, true);
+  drawAxes(painter, place, picture, style, false);
   drawSurface(painter, place, picture, style);
-  drawAxes(painter, place, picture.settings.thetaI, style, false);
+  drawAxes(painter, place, picture, style, true);
   drawTexts(painter, cell, place, picture, style);
 }
 

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/plots/custom_plot.h"
 #include "widgets/plots/custom_plot_style.h"
@@ -165,8 +166,17 @@ void SlicePlot::resetView() {
 }
 
 void SlicePlot::drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& paper) {
+  // Pictures cannot be cut as lines can: the whole slices are drawn, however far the view is zoomed.
+  if (m_panels.empty()) return;
+  const QCPAxisRect* first = m_panels.front().rect;
+  const QCPRange across = first->axis(QCPAxis::atBottom)->range(), up = first->axis(QCPAxis::atLeft)->range();
+  const bool changed = std::exchange(m_viewChanged, false);
+  setRanges();
   apply(paper);
   paintChart(*m_chart, device, size);
+  m_viewChanged = changed;
+  first->axis(QCPAxis::atBottom)->setRange(across);
+  first->axis(QCPAxis::atLeft)->setRange(up);
   apply(style());
   m_chart->replot(QCustomPlot::rpQueuedReplot);
 }

@@ -32,6 +32,7 @@ class SlicePlot final : public Plot {
   void setSeries(PlotSeriesList<plots::Slice> series);
   const PlotSeriesList<plots::Slice>& series() const { return m_series; }
 
+  /// The whole slices, whatever the view shows.
   void drawOn(QPaintDevice& device, const QSize& size, const PlotStyle& style) override;
   plots::CsvTable table() const override;
   bool isEmpty() const override { return m_series.empty(); }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/plots/angle_nodes.h"
+#include "core/plots/clip_polyline.h"
 #include "core/plots/csv_table.h"
 #include "core/plots/plotted_values.h"
 #include "core/plots/value_scale.h"
@@ -70,6 +71,22 @@ class PlotNumbersTest : public QObject {
     const std::vector<double> powers = scaleTicks({true, 1e-3, 1e5}, 4);
     QVERIFY(powers.size() <= 5 && std::abs(powers.back() - 1e5) < 1e-6);
     for (std::size_t i = 1; i < powers.size(); ++i) QVERIFY(std::abs(powers[i] / powers[i - 1] - 100) < 1e-6);
+  }
+
+  /// A zigzag through the square [0, 1]^2, cut at its edges.
+  void linesAreCutAtTheEdges() {
+    const glm::dvec2 zigzag[] = {{-1, 0.5}, {1, 0.5}, {1, 2}, {0, 1}, {0, std::nan("")}, {0.2, 0.2}, {0.4, 0.4}};
+    const auto parts = clipPolyline(zigzag, {0, 0}, {1, 1});
+    const std::vector<std::vector<glm::dvec2>> expected{
+        {{0, 0.5}, {1, 0.5}, {1, 1}}, {{0, 1}, {0, 1}}, {{0.2, 0.2}, {0.4, 0.4}}};
+    QCOMPARE(parts.size(), expected.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      QCOMPARE(parts[i].size(), expected[i].size());
+      for (std::size_t k = 0; k < parts[i].size(); ++k) QVERIFY(glm::length(parts[i][k] - expected[i][k]) < 1e-12);
+    }
+    const glm::dvec2 outside[] = {{-1, 0}, {0, 2.5}, {2, 1.5}};
+    QVERIFY(clipPolyline(outside, {0, 0}, {1, 1}).empty());
+    QVERIFY(clipPolyline({}, {0, 0}, {1, 1}).empty());
   }
 
   void csvIsReadBack() {
