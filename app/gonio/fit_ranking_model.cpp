@@ -22,8 +22,11 @@ QIcon thumbnailOf(const Image& picture) {
   if (picture.width == 0) return {};
   const std::vector<std::uint8_t> bytes = toDisplayBytes(picture, 0, ToneMap::filmic);
   const QImage image(bytes.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBA8888);
-  return QIcon(QPixmap::fromImage(
-      image.scaled(thumbnailSide, thumbnailSide, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+  const QPixmap pixmap =
+      QPixmap::fromImage(image.scaled(thumbnailSide, thumbnailSide, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);  // a tinted one would be another material
+  return icon;
 }
 
 /// Last where it is not a number.

@@ -68,7 +68,7 @@ void FitRankingPanel::buildView() {
   m_view->sortByColumn(FitRankingModel::ErrorColumn, Qt::AscendingOrder);
   m_view->setAccessibleName(tr("Models by their fits"));
   const int line = fontMetrics().height();
-  m_view->setIconSize({2 * line, 2 * line});
+  m_view->setIconSize({5 * line / 2, 5 * line / 2});
   QHeaderView* header = m_view->header();
   header->setSectionResizeMode(QHeaderView::Interactive);
   header->resizeSection(FitRankingModel::NameColumn, 22 * line);

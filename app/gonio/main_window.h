@@ -63,8 +63,8 @@ class MainWindow : public QMainWindow {
   bool save();
   bool saveAs();
   void resetLayout();
-  /// Brings a dock to the front, by its object name.
-  void showDock(const QString& name);
+  /// Brings a dock to the front, or takes it away; by its object name.
+  void showDock(const QString& name, bool shown = true);
   /// Offers work that an earlier run left behind.
   void offerRecovery();
   /// Whether everything that was asked for is on the screen.

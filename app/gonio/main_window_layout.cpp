@@ -19,6 +19,10 @@
 
 namespace gonio::app {
 
+namespace {
+constexpr int bottomDockLines = 18;
+}
+
 void MainWindow::buildCentre() {
   auto* centre = new QWidget;
   auto* layout = new QVBoxLayout(centre);
@@ -80,12 +84,16 @@ void MainWindow::buildBottomDocks() {
   connect(m_plots, &PlotsPanel::failed, &m_controller, &DocumentController::failed);
 }
 
-void MainWindow::showDock(const QString& name) {
-  for (QDockWidget* dock : m_docks)
-    if (dock->objectName() == name) {
-      dock->show();
-      dock->raise();
-    }
+void MainWindow::showDock(const QString& name, bool shown) {
+  for (QDockWidget* dock : m_docks) {
+    if (dock->objectName() != name) continue;
+    const bool wasHidden = dock->isHidden();
+    dock->setVisible(shown);
+    if (!shown) return;
+    dock->raise();
+    if (wasHidden && dockWidgetArea(dock) == Qt::BottomDockWidgetArea)
+      resizeDocks({dock}, {bottomDockLines * fontMetrics().height()}, Qt::Vertical);
+  }
 }
 
 void MainWindow::buildStatusBar() {
@@ -96,6 +104,8 @@ void MainWindow::buildStatusBar() {
     statusBar()->addPermanentWidget(label);
     return label;
   };
+  // The bar of progress comes and goes: a status bar that grows with it would resize the preview, which starts anew.
+  statusBar()->setMinimumHeight(2 * fontMetrics().height());
   m_progress->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   statusBar()->addWidget(m_progress, 1);
   m_representation = permanent(tr("What the preview shows"));

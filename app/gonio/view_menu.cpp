@@ -20,6 +20,7 @@ constexpr double exposureStep = 0.5, darkest = -10, brightest = 10;
 
 ViewMenu::ViewMenu(MainWindow& window) : QObject(&window), m_window(window) {
   QMenu* menu = window.menuBar()->addMenu(tr("&View"));
+  addLayouts(menu->addMenu(tr("La&youts")));
   addDocks(menu);
   menu->addSeparator();
   addPicture(menu);
@@ -28,6 +29,22 @@ ViewMenu::ViewMenu(MainWindow& window) : QObject(&window), m_window(window) {
   menu->addSeparator();
   addTheme(menu->addMenu(tr("T&heme")));
   addWindow(menu);
+}
+
+void ViewMenu::addLayouts(QMenu* menu) {
+  menu->addAction(tr("&Edit"), QKeySequence(Qt::CTRL | Qt::Key_1), this, [this] { m_window.resetLayout(); });
+  menu->addAction(tr("&Compare"), QKeySequence(Qt::CTRL | Qt::Key_2), this, [this] {
+    m_window.resetLayout();
+    m_window.showDock(QStringLiteral("library"), false);
+    m_window.showDock(QStringLiteral("comparison"));
+    ComparisonController& comparison = m_window.comparison();
+    if (comparison.comparison().mode == widgets::CompareMode::off) comparison.toggle();
+  });
+  menu->addAction(tr("&Analyse"), QKeySequence(Qt::CTRL | Qt::Key_3), this, [this] {
+    m_window.resetLayout();
+    m_window.showDock(QStringLiteral("models"));
+    m_window.showDock(QStringLiteral("plots"));
+  });
 }
 
 void ViewMenu::addDocks(QMenu* menu) {
@@ -126,7 +143,7 @@ void ViewMenu::addWindow(QMenu* menu) {
                                : m_window.windowState() & ~Qt::WindowFullScreen);
   });
   full->setCheckable(true);
-  menu->addAction(tr("Reset La&yout"), &m_window, &MainWindow::resetLayout);
+  menu->addAction(tr("Reset Layou&t"), &m_window, &MainWindow::resetLayout);
 }
 
 }  // namespace gonio::app

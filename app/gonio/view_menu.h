@@ -10,7 +10,7 @@ namespace gonio::app {
 
 class MainWindow;
 
-/// The View menu: docks, tone map, exposure, light, theme.
+/// The View menu: layouts, docks, tone map, exposure, light, theme.
 class ViewMenu : public QObject {
   Q_OBJECT
 
@@ -18,6 +18,7 @@ class ViewMenu : public QObject {
   explicit ViewMenu(MainWindow& window);
 
  private:
+  void addLayouts(QMenu* menu);
   void addDocks(QMenu* menu);
   void addPicture(QMenu* menu);
   void addToneMap(QMenu* menu);

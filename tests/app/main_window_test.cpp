@@ -12,11 +12,26 @@
 #include "app/gonio/help_pages.h"
 #include "core/models/model.h"
 #include "tests/widgets/offscreen_context.h"
+#include "widgets/library/library_view.h"
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
 using namespace gonio;
 using namespace gonio::app;
+
+namespace {
+
+LoadedMaterialPtr greyMaterial() {
+  auto loaded = std::make_shared<LoadedMaterial>();
+  loaded->material.name = "grey";
+  const HalfDifferenceGrid grid{4, 4, 4};
+  loaded->table = std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.2f)),
+                                                  std::vector<std::uint8_t>(grid.size(), 1));
+  return loaded;
+}
+
+}  // namespace
 
 class MainWindowTest : public QObject {
   Q_OBJECT
@@ -51,13 +66,7 @@ class MainWindowTest : public QObject {
     auto* window = new MainWindow;
     window->show();
     QVERIFY(window->windowTitle().contains("Untitled"));
-    auto loaded = std::make_shared<LoadedMaterial>();
-    loaded->material.name = "grey";
-    const HalfDifferenceGrid grid{4, 4, 4};
-    loaded->table =
-        std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.2f)),
-                                        std::vector<std::uint8_t>(grid.size(), 1));
-    window->document().setMaterial(loaded);
+    window->document().setMaterial(greyMaterial());
     fitting::FitResult fit;
     fit.model = &defaultModel();
     fit.parameters = models::defaultParameters(fit.model->spec());
@@ -85,6 +94,54 @@ class MainWindowTest : public QObject {
     QCOMPARE(search.findChild<QListWidget*>()->count(), 1);
     QTest::keyClick(text, Qt::Key_Return);
     QCOMPARE(window->preview().overlayVisible(), !before);
+    delete window;
+  }
+
+  /// The three layouts show what their work needs; the first is the usual one.
+  void layouts() {
+    auto* window = new MainWindow;
+    window->show();
+    const auto run = [&](const QString& path) {
+      for (const NamedAction& named : allActions(window))
+        if (named.path == path) return named.action->trigger();
+      QFAIL(qPrintable(path));
+    };
+    const auto isShown = [&](const char* name) {
+      for (const QDockWidget* dock : window->docks())
+        if (dock->objectName() == name) return !dock->isHidden();
+      return false;
+    };
+    run("View > Layouts > Compare");
+    QVERIFY(isShown("comparison") && !isShown("library"));
+    QVERIFY(window->comparison().comparison().mode != widgets::CompareMode::off);
+    run("View > Layouts > Analyse");
+    QVERIFY(isShown("plots") && isShown("models") && isShown("library"));
+    run("View > Layouts > Edit");
+    QVERIFY(isShown("library") && isShown("inspector") && !isShown("plots") && !isShown("comparison"));
+    delete window;
+  }
+
+  /// \\ shows the second side while it is held, wherever the focus is, but writes itself into a field for text.
+  void flickerKey() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->document().setMaterial(greyMaterial());
+    fitting::FitResult fit;
+    fit.model = &defaultModel();
+    fit.parameters = models::defaultParameters(fit.model->spec());
+    window->document().adoptFit(fit);
+    window->comparison().setComparison({.mode = widgets::CompareMode::flicker});
+    const auto* shown = window->preview().overlay()->name(0);
+    QTest::keyPress(&window->preview(), Qt::Key_Backslash);
+    QCOMPARE(shown->text(), "Measured");
+    QTest::keyRelease(&window->preview(), Qt::Key_Backslash);
+    QCOMPARE(shown->text(), "Fit: GGX");
+    auto* search = window->libraryView().search();
+    search->setFocus();
+    QTest::keyPress(search, Qt::Key_Backslash, {});
+    QCOMPARE(shown->text(), "Fit: GGX");
+    QTest::keyRelease(search, Qt::Key_Backslash);
     delete window;
   }
 

@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "core/models/registry.h"
+#include "widgets/panels/collapsible_section.h"
 #include "widgets/parameters/colour_swatch.h"
 #include "widgets/parameters/linked_channels.h"
 #include "widgets/parameters/parameter_line.h"
@@ -47,6 +48,44 @@ class ParameterPanelTest : public QObject {
   };
 
  private Q_SLOTS:
+  /// What matters only with another choice is grey and says why; it wakes when that choice is made.
+  void inactiveParametersAreGrey() {
+    for (const models::Model* model : models::allModels()) {
+      Owned owned(model->spec());
+      for (std::size_t i = 0; i < model->spec().parameters.size(); ++i) {
+        const models::ParameterSpec& spec = model->spec().parameters[i];
+        if (spec.activeWith.empty()) {
+          QVERIFY(owned.panel.row(i)->isEnabled());
+          continue;
+        }
+        const std::size_t choice = *model->spec().find(spec.activeWith);
+        for (std::size_t c = 0; c < model->spec().parameters[choice].choices.size(); ++c) {
+          owned.values.values[choice] = Rgb(double(c));
+          owned.panel.setValues(owned.values, owned.fitted);
+          QCOMPARE(owned.panel.row(i)->isEnabled(), int(c) == spec.activeChoice);
+          const QString toolTip = line(owned.panel.row(i), 0)->slider()->toolTip();
+          QCOMPARE(toolTip.contains("matters only"), int(c) != spec.activeChoice);
+        }
+      }
+    }
+  }
+
+  /// Dozens of coefficients are folded at first; what was unfolded stays so with the next model.
+  void coefficientsAreFolded() {
+    const models::ModelSpec& spec = models::findModel("spherical-harmonics").spec();
+    std::size_t coefficient = 0;
+    while (spec.parameters[coefficient].group != models::ParameterGroup::coefficients) ++coefficient;
+    Owned owned(spec);
+    owned.panel.show();
+    QVERIFY(!owned.panel.row(coefficient)->isVisible());
+    auto* section = owned.panel.findChild<CollapsibleSection*>();
+    section->setExpanded(true);
+    QVERIFY(owned.panel.row(coefficient)->isVisible());
+    owned.panel.setModel(&m_spec);
+    owned.panel.setModel(&spec);
+    QTRY_VERIFY(owned.panel.row(coefficient)->isVisible());
+  }
+
   void everyModelHasARowForEveryParameter() {
     for (const models::Model* model : models::allModels()) {
       Owned owned(model->spec());

@@ -11,6 +11,7 @@ namespace gonio::widgets {
 CollapsibleSection::CollapsibleSection(const QString& title, QWidget* content, QWidget* parent)
     : QWidget(parent), m_header(new QToolButton(this)), m_content(content) {
   m_header->setText(title);
+  m_header->setAccessibleName(title);
   m_header->setCheckable(true);
   m_header->setChecked(true);
   m_header->setAutoRaise(true);

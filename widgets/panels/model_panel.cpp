@@ -6,7 +6,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/parameters/parameter_text.h"
 
@@ -18,16 +20,29 @@ QString modelToolTip(const models::ModelSpec& spec) {
            fromView(spec.formula).toHtmlEscaped(), fromView(spec.reference).toHtmlEscaped());
 }
 
+namespace {
+
+QString familyTitle(models::ModelFamily family) {
+  switch (family) {
+    case models::ModelFamily::empirical:
+      return ModelPanel::tr("Empirical");
+    case models::ModelFamily::analytic:
+      return ModelPanel::tr("Analytic");
+    case models::ModelFamily::series:
+      return ModelPanel::tr("Series");
+  }
+  return {};
+}
+
+}  // namespace
+
 ModelPanel::ModelPanel(QWidget* parent)
     : QWidget(parent),
       m_models(new QComboBox(this)),
       m_fit(new QPushButton(tr("Fit"), this)),
       m_residual(new QLabel(this)) {
   m_models->setAccessibleName(tr("Model"));
-  for (const models::Model* model : models::allModels()) {
-    m_models->addItem(fromView(model->spec().name));
-    m_models->setItemData(m_models->count() - 1, modelToolTip(model->spec()), Qt::ToolTipRole);
-  }
+  fillModels();
   m_fit->setToolTip(tr("Fit the model to the measurement (Ctrl+F5)"));
   m_residual->setWordWrap(true);
   m_residual->setForegroundRole(QPalette::PlaceholderText);
@@ -40,14 +55,35 @@ ModelPanel::ModelPanel(QWidget* parent)
   layout->addWidget(m_residual);
   connect(m_fit, &QPushButton::clicked, this, &ModelPanel::fitRequested);
   connect(m_models, &QComboBox::activated, this,
-          [this](int index) { Q_EMIT modelChosen(models::allModels()[std::size_t(index)]); });
+          [this](int index) { Q_EMIT modelChosen(m_entries[std::size_t(index)]); });
   setModel(nullptr, {});
 }
 
+void ModelPanel::fillModels() {
+  auto* items = qobject_cast<QStandardItemModel*>(m_models->model());
+  for (const auto family :
+       {models::ModelFamily::empirical, models::ModelFamily::analytic, models::ModelFamily::series}) {
+    // A title is an entry that cannot be chosen.
+    m_models->addItem(familyTitle(family));
+    QStandardItem* title = items->item(m_models->count() - 1);
+    title->setFlags(Qt::NoItemFlags);
+    QFont bold = font();
+    bold.setBold(true);
+    title->setFont(bold);
+    m_entries.push_back(nullptr);
+    for (const models::Model* model : models::allModels()) {
+      if (model->spec().family != family) continue;
+      m_models->addItem(fromView(model->spec().name));
+      m_models->setItemData(m_models->count() - 1, modelToolTip(model->spec()), Qt::ToolTipRole);
+      m_entries.push_back(model);
+    }
+  }
+  m_models->setMaxVisibleItems(int(m_entries.size()));
+}
+
 void ModelPanel::setModel(const models::Model* model, const QString& residual) {
-  int index = -1;
-  for (std::size_t i = 0; i < models::allModels().size(); ++i)
-    if (models::allModels()[i] == model) index = int(i);
+  const auto found = std::find(m_entries.begin(), m_entries.end(), model);
+  const int index = model && found != m_entries.end() ? int(found - m_entries.begin()) : -1;
   m_models->setCurrentIndex(index);
   m_models->setToolTip(model ? modelToolTip(model->spec()) : QString());
   m_residual->setText(residual);

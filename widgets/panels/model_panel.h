@@ -3,7 +3,7 @@
 #pragma once
 
 #include <QWidget>
-#include <span>
+#include <vector>
 
 #include "core/models/model.h"
 
@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace gonio::widgets {
 
-/// Which model explains the material: a list, a fit button, and how well it fits.
+/// Which model explains the material: a list by family, a fit button, and how well it fits.
 class ModelPanel : public QWidget {
   Q_OBJECT
 
@@ -30,7 +30,10 @@ class ModelPanel : public QWidget {
   void fitRequested();
 
  private:
+  void fillModels();
+
   QComboBox* m_models;
+  std::vector<const models::Model*> m_entries;  ///< of the list; null for a family's title
   QPushButton* m_fit;
   QLabel* m_residual;
 };

@@ -4,17 +4,19 @@
 
 #include <QLabel>
 #include <QVBoxLayout>
+#include <cmath>
 
+#include "widgets/panels/collapsible_section.h"
 #include "widgets/parameters/parameter_row.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::widgets {
 
 namespace {
-constexpr models::ParameterGroup groupOrder[] = {models::ParameterGroup::diffuse, models::ParameterGroup::specular,
-                                                 models::ParameterGroup::fresnel, models::ParameterGroup::shadowing,
-                                                 models::ParameterGroup::layer,    models::ParameterGroup::coefficients,
-                                                 models::ParameterGroup::convention};
+constexpr models::ParameterGroup groupOrder[] = {
+    models::ParameterGroup::diffuse,   models::ParameterGroup::specular, models::ParameterGroup::fresnel,
+    models::ParameterGroup::shadowing, models::ParameterGroup::layer,    models::ParameterGroup::coefficients,
+    models::ParameterGroup::convention};
 }
 
 ParameterPanel::ParameterPanel(QWidget* parent) : QWidget(parent), m_layout(new QVBoxLayout(this)) {
@@ -39,25 +41,37 @@ void ParameterPanel::setModel(const models::ModelSpec* spec, const QString& empt
     return;
   }
   m_rows.resize(spec->parameters.size());
-  for (const models::ParameterGroup group : groupOrder) {
-    bool titled = false;
-    for (std::size_t i = 0; i < spec->parameters.size(); ++i) {
-      if (spec->parameters[i].group != group) continue;
-      if (!titled) {
-        auto* title = new QLabel(groupTitle(group), m_content);
-        title->setObjectName(QStringLiteral("groupTitle"));
-        title->setForegroundRole(QPalette::PlaceholderText);
-        content->addWidget(title);
-        titled = true;
-      }
-      addRow(i);
-    }
-  }
+  for (const models::ParameterGroup group : groupOrder) addGroup(group);
 }
 
-void ParameterPanel::addRow(std::size_t index) {
-  auto* row = new ParameterRow(m_spec->parameters[index], m_content);
-  m_content->layout()->addWidget(row);
+void ParameterPanel::addGroup(models::ParameterGroup group) {
+  std::vector<std::size_t> members;
+  for (std::size_t i = 0; i < m_spec->parameters.size(); ++i)
+    if (m_spec->parameters[i].group == group) members.push_back(i);
+  if (members.empty()) return;
+  if (group != models::ParameterGroup::coefficients) {
+    auto* title = new QLabel(groupTitle(group), m_content);
+    title->setObjectName(QStringLiteral("groupTitle"));
+    title->setForegroundRole(QPalette::PlaceholderText);
+    m_content->layout()->addWidget(title);
+    for (const std::size_t index : members) addRow(index, m_content);
+    return;
+  }
+  auto* rows = new QWidget(m_content);
+  auto* layout = new QVBoxLayout(rows);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(m_content->layout()->spacing());
+  for (const std::size_t index : members) addRow(index, rows);
+  auto* section = new CollapsibleSection(tr("%1 (%2)").arg(groupTitle(group)).arg(members.size()), rows, m_content);
+  section->setExpanded(m_coefficientsShown);
+  rows->setVisible(m_coefficientsShown);
+  connect(section, &CollapsibleSection::expandedChanged, this, [this](bool shown) { m_coefficientsShown = shown; });
+  m_content->layout()->addWidget(section);
+}
+
+void ParameterPanel::addRow(std::size_t index, QWidget* parent) {
+  auto* row = new ParameterRow(m_spec->parameters[index], parent);
+  parent->layout()->addWidget(row);
   m_rows[index] = row;
   connect(row, &ParameterRow::editingStarted, this, &ParameterPanel::editingStarted);
   connect(row, &ParameterRow::editingFinished, this, &ParameterPanel::editingFinished);
@@ -67,7 +81,16 @@ void ParameterPanel::addRow(std::size_t index) {
 }
 
 void ParameterPanel::setValues(const models::ParameterValues& values, const models::ParameterValues& reference) {
-  for (std::size_t i = 0; i < m_rows.size(); ++i) m_rows[i]->setValue(values.values[i], reference.values[i]);
+  for (std::size_t i = 0; i < m_rows.size(); ++i) {
+    m_rows[i]->setValue(values.values[i], reference.values[i]);
+    const models::ParameterSpec& spec = m_spec->parameters[i];
+    if (spec.activeWith.empty()) continue;
+    const std::size_t switching = *m_spec->find(spec.activeWith);
+    const models::ParameterSpec& choice = m_spec->parameters[switching];
+    const bool active = std::lround(values.values[switching].x) == spec.activeChoice;
+    m_rows[i]->setActive(active, tr("It matters only with %1 set to \"%2\".")
+                                     .arg(fromView(choice.label), displayValue(choice, Rgb(spec.activeChoice))));
+  }
 }
 
 int ParameterPanel::currentParameter() const {

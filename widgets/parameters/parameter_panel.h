@@ -14,8 +14,9 @@ namespace gonio::widgets {
 
 class ParameterRow;
 
-/// The parameters of a model, grouped, each as its ParameterSpec describes it and nothing else. The panel shows values
-/// that others own: it tells what the user wants and is told the result by setValues().
+/// The parameters of a model, grouped, each as its ParameterSpec describes it and nothing else; the many coefficients
+/// of a series are folded away at first, and what does not matter with the present choices is grey. The panel shows
+/// values that others own: it tells what the user wants and is told the result by setValues().
 class ParameterPanel : public QWidget {
   Q_OBJECT
 
@@ -39,12 +40,14 @@ class ParameterPanel : public QWidget {
   void resetRequested(int parameter);
 
  private:
-  void addRow(std::size_t index);
+  void addGroup(models::ParameterGroup group);
+  void addRow(std::size_t index, QWidget* parent);
 
   const models::ModelSpec* m_spec = nullptr;
   QVBoxLayout* m_layout;
   QWidget* m_content = nullptr;
   std::vector<ParameterRow*> m_rows;
+  bool m_coefficientsShown = false;  ///< kept from one model to the next
 };
 
 }  // namespace gonio::widgets

@@ -109,7 +109,14 @@ void ParameterRow::buildChoice() {
 void ParameterRow::setValue(const Rgb& value, const Rgb& reference) {
   m_value = value;
   m_reference = reference;
-  const QString toolTip = parameterToolTip(*m_spec, &m_reference), name = fromView(m_spec->label);
+  describe();
+  refresh();
+}
+
+void ParameterRow::describe() {
+  const QString name = fromView(m_spec->label);
+  QString toolTip = parameterToolTip(*m_spec, &m_reference);
+  if (!m_inactiveReason.isEmpty()) toolTip.prepend(QStringLiteral("<p>%1</p>").arg(m_inactiveReason.toHtmlEscaped()));
   m_line->setDescription(toolTip, name);
   for (std::size_t c = 0; c < 3; ++c)
     if (m_channels[c]) m_channels[c]->setDescription(toolTip, name + ' ' + m_channels[c]->label()->text());
@@ -117,7 +124,12 @@ void ParameterRow::setValue(const Rgb& value, const Rgb& reference) {
     m_choice->setToolTip(toolTip);
     m_choice->setAccessibleName(name);
   }
-  refresh();
+}
+
+void ParameterRow::setActive(bool active, const QString& reason) {
+  setEnabled(active);
+  m_inactiveReason = active ? QString() : reason;
+  describe();
 }
 
 void ParameterRow::refresh() {

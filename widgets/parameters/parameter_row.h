@@ -27,6 +27,8 @@ class ParameterRow : public QWidget {
   void setValue(const Rgb& value, const Rgb& reference);
   const models::ParameterSpec& spec() const { return *m_spec; }
   bool isModified() const { return m_value != m_reference; }
+  /// Greyed while it does not matter; `reason` stands first in the tooltips then.
+  void setActive(bool active, const QString& reason);
   void setChannelsShown(bool shown);
   bool channelsShown() const;
 
@@ -43,9 +45,11 @@ class ParameterRow : public QWidget {
   void connectLine(ParameterLine* line);
   void offer(const Rgb& value);
   void refresh();
+  void describe();
 
   const models::ParameterSpec* m_spec;
   Rgb m_value{0}, m_reference{0};
+  QString m_inactiveReason;
   ParameterLine* m_line = nullptr;
   std::array<ParameterLine*, 3> m_channels{};
   QToolButton* m_disclosure = nullptr;
