@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/factorization/deviation_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/coordinates/projected_deviation.h"
+#include "core/math/parallel.h"
+
+namespace gonio::factorization {
+
+namespace {
+
+constexpr std::size_t steps = 2000;
+constexpr int viewers = 30, azimuths = 8;
+
+/// Mean of ln(1 + rho) over viewers, azimuths that are on the disk, and channels, at one deviation.
+double energyAt(const Brdf& brdf, double deviation) {
+  std::vector<DirectionPair> pairs;
+  for (int i = 0; i < viewers; ++i) {
+    const double thetaR = halfPi * i / viewers, limit = azimuthLimit(deviation, std::sin(thetaR));
+    for (int k = 0; k < azimuths && limit > 0; ++k) {
+      const auto at = fromProjectedDeviation({thetaR, deviation, limit * (k + 0.5) / azimuths});
+      if (at.valid) pairs.push_back(at.pair);
+    }
+  }
+  std::vector<Rgb> values(pairs.size());
+  brdf.evaluate(pairs, values);
+  double sum = 0;
+  for (const Rgb& value : values) sum += std::log1p(value.x) + std::log1p(value.y) + std::log1p(value.z);
+  return pairs.empty() ? 0 : sum;
+}
+
+}  // namespace
+
+std::vector<double> deviationNodes(std::span<const double> energy, int count) {
+  constexpr double smallestGap = 1e-6;
+  std::vector<double> cumulative{0};
+  for (const double e : energy) cumulative.push_back(cumulative.back() + e);
+  const double total = cumulative.back(), step = largestDeviation / double(energy.size());
+  std::vector<double> nodes;
+  std::size_t at = 0;
+  for (int k = 0; k < count; ++k) {
+    const double share = double(k) / (count - 1);
+    double node = largestDeviation * share;
+    if (total > 0) {
+      const double wanted = share * total;
+      while (at + 1 < energy.size() && cumulative[at + 1] < wanted) ++at;
+      const double part = energy[at] > 0 ? (wanted - cumulative[at]) / energy[at] : 0;
+      node = step * (double(at) + std::clamp(part, 0.0, 1.0));
+    }
+    nodes.push_back(nodes.empty() ? 0 : std::max(node, nodes.back() + smallestGap));
+  }
+  nodes.back() = largestDeviation;
+  for (std::size_t k = nodes.size() - 1; k-- > 1;) nodes[k] = std::min(nodes[k], nodes[k + 1] - smallestGap);
+  return nodes;
+}
+
+std::vector<double> deviationNodes(std::span<const std::shared_ptr<const TabulatedBrdf>> tables, int count,
+                                   const TaskControl& control) {
+  std::vector<double> energy(steps, 0.0);
+  parallelForBlocks(
+      steps, 50,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t j = begin; j < end; ++j)
+          for (const auto& table : tables) energy[j] += energyAt(*table, (double(j) + 0.5) * largestDeviation / steps);
+      },
+      control);
+  return deviationNodes(energy, count);
+}
+
+}  // namespace gonio::factorization

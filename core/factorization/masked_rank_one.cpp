@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/factorization/masked_rank_one.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/math/parallel.h"
+
+namespace gonio::factorization {
+
+namespace {
+
+constexpr std::size_t rowsOfABlock = 6;
+
+double ratio(double above, double below) { return below > 0 ? above / below : 0; }
+
+/// What a sweep needs of the tensor: sums over the last mode for all (i, j), then sums over the first two.
+class Sweep {
+ public:
+  Sweep(const MaskedTensor& tensor, RankOne& term)
+      : t_(tensor),
+        term_(term),
+        m_(std::size_t(tensor.sizes[0])),
+        n_(std::size_t(tensor.sizes[1])),
+        p_(std::size_t(tensor.sizes[2])),
+        above_(m_ * n_),
+        below_(m_ * n_),
+        c_(p_),
+        c2_(p_) {}
+
+  /// One round of updates; the fall of the squared norm that the term now explains.
+  double run() {
+    contractLast();
+    // Both factors live on small matrices now: a few rounds cost nothing.
+    for (int round = 0; round < 3; ++round) {
+      updateA();
+      updateB();
+    }
+    return updateC();
+  }
+
+ private:
+  void contractLast() {
+    for (std::size_t k = 0; k < p_; ++k) {
+      c_[k] = float(term_.c[k]);
+      c2_[k] = c_[k] * c_[k];
+    }
+    parallelForBlocks(m_, rowsOfABlock, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t row = begin * n_; row < end * n_; ++row) {
+        const float *values = t_.values.data() + row * p_, *mask = t_.mask.data() + row * p_;
+        constexpr std::size_t lanes = 8;
+        float sums[lanes] = {}, squares[lanes] = {};
+        std::size_t k = 0;
+        for (; k + lanes <= p_; k += lanes)
+          for (std::size_t lane = 0; lane < lanes; ++lane) {
+            sums[lane] += values[k + lane] * c_[k + lane];
+            squares[lane] += mask[k + lane] * c2_[k + lane];
+          }
+        double sum = 0, square = 0;
+        for (std::size_t lane = 0; lane < lanes; ++lane) sum += sums[lane], square += squares[lane];
+        for (; k < p_; ++k) sum += values[k] * c_[k], square += mask[k] * c2_[k];
+        above_[row] = sum;
+        below_[row] = square;
+      }
+    });
+  }
+
+  void updateA() {
+    for (std::size_t i = 0; i < m_; ++i) {
+      double sum = 0, square = 0;
+      for (std::size_t j = 0; j < n_; ++j) {
+        sum += above_[i * n_ + j] * term_.b[j];
+        square += below_[i * n_ + j] * term_.b[j] * term_.b[j];
+      }
+      term_.a[i] = ratio(sum, square);
+    }
+  }
+
+  void updateB() {
+    std::vector<double> sum(n_, 0.0), square(n_, 0.0);
+    for (std::size_t i = 0; i < m_; ++i)
+      for (std::size_t j = 0; j < n_; ++j) {
+        sum[j] += above_[i * n_ + j] * term_.a[i];
+        square[j] += below_[i * n_ + j] * term_.a[i] * term_.a[i];
+      }
+    for (std::size_t j = 0; j < n_; ++j) term_.b[j] = ratio(sum[j], square[j]);
+  }
+
+  double updateC() {
+    const std::size_t blocks = (m_ + rowsOfABlock - 1) / rowsOfABlock;
+    std::vector<double> sums(blocks * p_, 0.0), squares(blocks * p_, 0.0);
+    parallelForBlocks(m_, rowsOfABlock, [&](std::size_t begin, std::size_t end) {
+      double* sum = sums.data() + begin / rowsOfABlock * p_;
+      double* square = squares.data() + begin / rowsOfABlock * p_;
+      std::vector<float> rowSum(p_), rowSquare(p_);
+      for (std::size_t i = begin; i < end; ++i) {
+        std::fill(rowSum.begin(), rowSum.end(), 0.0f);
+        std::fill(rowSquare.begin(), rowSquare.end(), 0.0f);
+        for (std::size_t j = 0; j < n_; ++j) {
+          const float weight = float(term_.a[i] * term_.b[j]), weight2 = weight * weight;
+          const float *values = t_.values.data() + (i * n_ + j) * p_, *mask = t_.mask.data() + (i * n_ + j) * p_;
+          for (std::size_t k = 0; k < p_; ++k) {
+            rowSum[k] += weight * values[k];
+            rowSquare[k] += weight2 * mask[k];
+          }
+        }
+        for (std::size_t k = 0; k < p_; ++k) sum[k] += rowSum[k], square[k] += rowSquare[k];
+      }
+    });
+    double explained = 0;
+    for (std::size_t k = 0; k < p_; ++k) {
+      double sum = 0, square = 0;
+      for (std::size_t block = 0; block < blocks; ++block) {
+        sum += sums[block * p_ + k];
+        square += squares[block * p_ + k];
+      }
+      term_.c[k] = ratio(sum, square);
+      explained += sum * term_.c[k];
+    }
+    return explained;
+  }
+
+  const MaskedTensor& t_;
+  RankOne& term_;
+  std::size_t m_, n_, p_;
+  std::vector<double> above_, below_;
+  std::vector<float> c_, c2_;
+};
+
+/// Means over the cells that count, for a start inside of the positive factors.
+RankOne marginalMeans(const MaskedTensor& t) {
+  RankOne start;
+  std::vector<double>* factors[] = {&start.a, &start.b, &start.c};
+  for (int mode = 0; mode < 3; ++mode) {
+    std::vector<double> sum(std::size_t(t.sizes[mode]), 0.0), count(sum.size(), 0.0);
+    std::size_t at = 0;
+    int index[3];
+    for (index[0] = 0; index[0] < t.sizes[0]; ++index[0])
+      for (index[1] = 0; index[1] < t.sizes[1]; ++index[1])
+        for (index[2] = 0; index[2] < t.sizes[2]; ++index[2], ++at) {
+          sum[std::size_t(index[mode])] += t.values[at];
+          count[std::size_t(index[mode])] += t.mask[at];
+        }
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = ratio(sum[i], count[i]);
+    *factors[mode] = sum;
+  }
+  return start;
+}
+
+/// The fibres through the largest entry: exact where the tensor has rank one.
+RankOne crossOfLargest(const MaskedTensor& t) {
+  const auto largest =
+      std::max_element(t.values.begin(), t.values.end(), [](float x, float y) { return std::abs(x) < std::abs(y); });
+  const int at = int(largest - t.values.begin()), n = t.sizes[1], p = t.sizes[2];
+  const int i = at / (n * p), j = at / p % n, k = at % p;
+  RankOne start;
+  for (int x = 0; x < t.sizes[0]; ++x) start.a.push_back(t.values[t.index(x, j, k)]);
+  for (int x = 0; x < n; ++x) start.b.push_back(t.values[t.index(i, x, k)]);
+  for (int x = 0; x < p; ++x) start.c.push_back(t.values[t.index(i, j, x)]);
+  return start;
+}
+
+/// Moves the size of b and c into a.
+void gatherStrength(RankOne& term) {
+  for (std::vector<double>* factor : {&term.b, &term.c}) {
+    double largest = 0;
+    for (const double value : *factor)
+      if (std::abs(value) > std::abs(largest)) largest = value;
+    if (largest == 0) continue;
+    for (double& value : *factor) value /= largest;
+    for (double& value : term.a) value *= largest;
+  }
+}
+
+}  // namespace
+
+double MaskedTensor::squaredNorm() const {
+  constexpr std::size_t block = 1 << 14;
+  return parallelSumBlocks(values.size(), block, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += double(values[i]) * double(values[i]);
+    return sum;
+  });
+}
+
+RankOne bestRankOne(const MaskedTensor& tensor, const RankOneOptions& options) {
+  RankOne term = options.nonnegative ? marginalMeans(tensor) : crossOfLargest(tensor);
+  const double squaredNorm = tensor.squaredNorm();
+  term.residuals.push_back(squaredNorm);
+  Sweep sweep(tensor, term);
+  for (int n = 0; n < options.maxSweeps && squaredNorm > 0; ++n) {
+    const double before = term.residuals.back();
+    // Single precision inside of the sums: a rise of its size is none.
+    term.residuals.push_back(std::clamp(squaredNorm - sweep.run(), 0.0, before));
+    if (before - term.residuals.back() <= options.tolerance * before) break;
+  }
+  gatherStrength(term);
+  return term;
+}
+
+void subtract(MaskedTensor& tensor, const RankOne& term) {
+  const std::size_t n = std::size_t(tensor.sizes[1]), p = std::size_t(tensor.sizes[2]);
+  parallelForBlocks(std::size_t(tensor.sizes[0]), rowsOfABlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        const double weight = term.a[i] * term.b[j];
+        for (std::size_t k = 0, at = (i * n + j) * p; k < p; ++k, ++at)
+          tensor.values[at] -= tensor.mask[at] * float(weight * term.c[k]);
+      }
+  });
+}
+
+}  // namespace gonio::factorization

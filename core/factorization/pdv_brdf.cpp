@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "core/brdf/sampling_lobe.h"
+#include "core/coordinates/projected_deviation.h"
+#include "core/factorization/pdv_factors.h"
+#include "core/math/monotone_cubic.h"
+
+namespace gonio::factorization {
+
+namespace {
+
+/// All curves of one axis side by side, so that one place between two nodes serves all of them in vector code.
+class CurveBundle {
+ public:
+  CurveBundle(std::vector<double> nodes, std::size_t width)
+      : nodes_(std::move(nodes)), width_(width), values_(nodes_.size() * width), slopes_(nodes_.size() * width) {}
+
+  void set(std::size_t curve, std::span<const double> values) {
+    const std::vector<double> slopes = monotoneSlopes(nodes_, values);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      values_[i * width_ + curve] = float(values[i]);
+      slopes_[i * width_ + curve] = float(slopes[i]);
+    }
+  }
+
+  /// Multiplies each entry of `products` by its curve at x.
+  void multiply(double x, float* products) const {
+    if (nodes_.size() < 2) {
+      for (std::size_t c = 0; c < width_; ++c) products[c] *= values_[c];
+      return;
+    }
+    const NodePlace at = placeBetween(nodes_, x);
+    const HermiteWeights w(at.share, nodes_[at.index + 1] - nodes_[at.index]);
+    const float before = float(w.before), after = float(w.after);
+    const float slopeBefore = float(w.slopeBefore), slopeAfter = float(w.slopeAfter);
+    const float *v = values_.data() + at.index * width_, *s = slopes_.data() + at.index * width_;
+    for (std::size_t c = 0; c < width_; ++c)
+      products[c] *= before * v[c] + after * v[c + width_] + slopeBefore * s[c] + slopeAfter * s[c + width_];
+  }
+
+ private:
+  std::vector<double> nodes_;
+  std::size_t width_;
+  std::vector<float> values_, slopes_;
+};
+
+class PdvBrdf final : public Brdf {
+ public:
+  explicit PdvBrdf(const PdvFactors& f)
+      : transform_(f.transform),
+        highest_(f.highest),
+        terms_(std::size_t(f.terms())),
+        f1_(f.thetaNodes, 3 * terms_),
+        f2_(f.deviationNodes, 3 * terms_),
+        f3_(f.phiNodes, 3 * terms_) {
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      for (std::size_t term = 0; term < terms_; ++term) {
+        const PdvTerm& curves = f.channels[channel][term];
+        f1_.set(channel * terms_ + term, curves.f1);
+        f2_.set(channel * terms_ + term, curves.f2);
+        f3_.set(channel * terms_ + term, curves.f3);
+      }
+  }
+
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
+  }
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return lobe().sample(wo, u); }
+  double pdf(const Direction& wi, const Direction& wo) const override { return lobe().pdf(wi, wo); }
+
+ private:
+  Rgb evaluatePair(const DirectionPair& pair) const {
+    if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return Rgb(0);
+    const ProjectedDeviation at = toProjectedDeviation(pair.wi, pair.wo);
+    float products[3 * mostPdvTerms];
+    std::fill_n(products, 3 * terms_, 1.0f);
+    f1_.multiply(at.thetaR, products);
+    f2_.multiply(at.deviation, products);
+    f3_.multiply(std::abs(at.phi), products);
+    const double weight = cosineWeight(std::max(0.0, pair.wi.z), std::max(0.0, pair.wo.z));
+    Rgb result;
+    for (int channel = 0; channel < 3; ++channel) {
+      double sum = 0;
+      for (std::size_t term = 0; term < terms_; ++term) sum += products[std::size_t(channel) * terms_ + term];
+      result[channel] = inverseTransformed(transform_, std::min(sum, highest_), weight);
+    }
+    return result;
+  }
+
+  const SamplingLobe& lobe() const {
+    std::call_once(lobeOnce_, [this] { lobe_ = estimateSamplingLobe(*this); });
+    return lobe_;
+  }
+
+  DataTransform transform_;
+  double highest_;
+  std::size_t terms_;
+  CurveBundle f1_, f2_, f3_;
+  mutable std::once_flag lobeOnce_;
+  mutable SamplingLobe lobe_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Brdf> makePdvBrdf(const PdvFactors& factors) { return std::make_shared<const PdvBrdf>(factors); }
+
+}  // namespace gonio::factorization

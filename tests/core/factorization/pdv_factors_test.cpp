@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/factorization/pdv_factors.h"
+
+#include <QTest>
+#include <cmath>
+#include <random>
+
+#include "core/coordinates/projected_deviation.h"
+#include "core/factorization/deviation_grid.h"
+#include "core/math/parallel.h"
+#include "core/models/registry.h"
+#include "core/support/error.h"
+
+using namespace gonio;
+using namespace gonio::factorization;
+
+namespace {
+
+const HalfDifferenceGrid smallGrid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 60};
+
+std::shared_ptr<const TabulatedBrdf> glossyTable() {
+  models::ParameterValues values = models::defaultParameters(models::ggx().spec());
+  values.values[models::ggx().spec().find("roughness").value()] = Rgb(0.2);
+  return bakeTable(*models::ggx().instantiate(values), smallGrid);
+}
+
+Direction randomUpper(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const double z = uniform(random), s = std::sqrt((1 - z) * (1 + z)), phi = 2 * pi * uniform(random);
+  return {s * std::cos(phi), s * std::sin(phi), z};
+}
+
+/// Three terms with curves of every kind.
+PdvFactors someFactors() {
+  PdvFactors f{
+      .thetaNodes = {0, 0.4, 1, 1.5}, .deviationNodes = {0, 0.1, 0.5, 2}, .phiNodes = {0, 1, pi}, .highest = 30};
+  for (int channel = 0; channel < 3; ++channel)
+    for (int term = 0; term < 3; ++term) {
+      const double s = channel + 1, t = term + 1;
+      f.channels[std::size_t(channel)].push_back(
+          {{s, 0.5 * s, 2 * t, 1}, {1, 0.6 / t, 0.2, 0.1}, {1, term == 0 ? 1 : -0.5, 0.3}});
+    }
+  return f;
+}
+
+}  // namespace
+
+class PdvFactorsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// At the nodes the value is the inverse transform of the sum of the products.
+  void evaluationWrittenOut() {
+    PdvFactors f = someFactors();
+    for (const DataTransform transform : {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::none}) {
+      f.transform = transform;
+      const auto brdf = makePdvBrdf(f);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+          for (std::size_t k = 0; k < 3; ++k) {
+            const auto at = fromProjectedDeviation({f.thetaNodes[i], f.deviationNodes[j], f.phiNodes[k]});
+            if (!at.valid || (j == 0 && k > 0)) continue;
+            for (int channel = 0; channel < 3; ++channel) {
+              double y = 0;
+              for (const PdvTerm& term : f.channels[std::size_t(channel)]) y += term.f1[i] * term.f2[j] * term.f3[k];
+              const double weight = cosineWeight(at.pair.wi.z, at.pair.wo.z);
+              const double expected = inverseTransformed(transform, y, weight);
+              QVERIFY(std::abs(brdf->evaluate(at.pair.wi, at.pair.wo)[channel] - expected) <
+                      1e-5 * std::max(1.0, expected));
+            }
+          }
+    }
+  }
+
+  void belowTheHorizonItIsZero() {
+    const auto brdf = makePdvBrdf(someFactors());
+    QCOMPARE(brdf->evaluate(fromSpherical(2, 0), {0, 0, 1}), Rgb(0));
+    QCOMPARE(brdf->evaluate({0, 0, 1}, fromSpherical(2, 0)), Rgb(0));
+  }
+
+  /// hardCase06: with the viewer along the normal the azimuth of the light does not matter, but for F3.
+  void hardCase06IsotropicForTheVerticalViewer() {
+    PdvFactors f = someFactors();
+    f.form = PdvForm::twoFactors;
+    f.phiNodes = {0};
+    for (auto& channel : f.channels)
+      for (PdvTerm& term : channel) term.f3 = {1};
+    const auto brdf = makePdvBrdf(f);
+    const Rgb first = brdf->evaluate(fromSpherical(0.6, 0), {0, 0, 1});
+    for (double phi = -3; phi < 3; phi += 0.5)
+      QVERIFY(glm::length(brdf->evaluate(fromSpherical(0.6, phi), {0, 0, 1}) - first) < 1e-12);
+  }
+
+  void residualsFallWithTheTerms() {
+    const PdvFactorization f = factorizePdv(*glossyTable(), {.terms = 8});
+    QCOMPARE(f.residuals.size(), std::size_t(9));
+    QCOMPARE(f.residuals[0], 1.0);
+    for (std::size_t l = 1; l < f.residuals.size(); ++l) QVERIFY(f.residuals[l] <= f.residuals[l - 1]);
+    QVERIFY2(f.residuals[8] < 0.05, QByteArray::number(f.residuals[8]));
+    for (const auto& channel : f.factors.channels) {
+      QCOMPARE(channel.size(), std::size_t(8));
+      for (const auto* curve : {&channel[0].f1, &channel[0].f2, &channel[0].f3})
+        for (const double value : *curve) QVERIFY(value >= 0);
+    }
+  }
+
+  /// The residual is what the model misses at the nodes.
+  void theResidualIsThatOfTheModel() {
+    const auto table = glossyTable();
+    const PdvFactorization f = factorizePdv(*table, {.terms = 3});
+    const auto brdf = makePdvBrdf(f.factors);
+    double left = 0, total = 0;
+    for (const double theta : f.factors.thetaNodes)
+      for (const double deviation : f.factors.deviationNodes)
+        for (const double phi : f.factors.phiNodes) {
+          const auto at = fromProjectedDeviation({theta, deviation, phi});
+          if (!at.valid || at.pair.wi.z < std::cos(largestPolarAngle)) continue;
+          bool valid = false;
+          const Rgb rho = table->lookup(toHalfDifference(at.pair.wi, at.pair.wo), TableLookup::trilinear, &valid);
+          if (!valid) continue;
+          const double y = std::log1p(rho.x), model = std::log1p(brdf->evaluate(at.pair.wi, at.pair.wo).x);
+          total += y * y;
+          left += (y - model) * (y - model);
+        }
+    // The BRDF cuts at 0, and on the mirror direction it knows one phi only: nearly the same.
+    QVERIFY2(std::abs(std::sqrt(left / total) - f.residuals[3]) < 0.05 * f.residuals[3],
+             QByteArray::number(std::sqrt(left / total)) + " " + QByteArray::number(f.residuals[3]));
+  }
+
+  /// A material that is separable in these coordinates is met by one term, at the largest deviations too, where no cell
+  /// is.
+  void separableMaterialsAreExact() {
+    class Separable final : public Brdf {
+     public:
+      using Brdf::evaluate;
+      void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+          const double dp = toProjectedDeviation(pairs[i].wi, pairs[i].wo).deviation;
+          values[i] = Rgb(std::expm1(1 / (1 + 4 * dp * dp)), std::expm1(0.5 * std::exp(-dp)), 0);
+        }
+      }
+    };
+    const auto table = bakeTable(Separable());
+    for (const PdvForm form : {PdvForm::twoFactors, PdvForm::threeFactors}) {
+      const PdvFactorization f = factorizePdv(*table, {.form = form, .terms = 1});
+      QVERIFY2(f.residuals[1] < 2e-3, QByteArray::number(f.residuals[1]));
+      const auto brdf = makePdvBrdf(f.factors);
+      std::mt19937_64 random(1);
+      for (int n = 0; n < 1000; ++n) {
+        const Direction wi = randomUpper(random), wo = randomUpper(random);
+        if (wi.z < 0.1 || wo.z < 0.1) continue;
+        const Rgb difference = brdf->evaluate(wi, wo) - Separable().Brdf::evaluate(wi, wo);
+        QVERIFY2(glm::length(difference) < 0.02, QByteArray::number(glm::length(difference)));
+      }
+    }
+  }
+
+  void hardCase14ConstantNeedsOneTerm() {
+    const TabulatedBrdf table(smallGrid, std::vector<glm::vec3>(smallGrid.size(), glm::vec3(0.5f)),
+                              std::vector<std::uint8_t>(smallGrid.size(), 1));
+    const PdvFactorization f = factorizePdv(table, {.terms = 1});
+    QVERIFY2(f.residuals[1] < 1e-5, QByteArray::number(f.residuals[1]));
+    const Rgb value = makePdvBrdf(f.factors)->evaluate(fromSpherical(0.5, 1), fromSpherical(0.9, 0));
+    QVERIFY(std::abs(value.x - 0.5) < 1e-5);
+  }
+
+  void hardCase12BlackStaysBlack() {
+    const TabulatedBrdf black(smallGrid, std::vector<glm::vec3>(smallGrid.size(), glm::vec3(0)),
+                              std::vector<std::uint8_t>(smallGrid.size(), 1));
+    const PdvFactorization f = factorizePdv(black, {.terms = 2});
+    QVERIFY(f.residuals == std::vector<double>({0, 0, 0}));
+    QCOMPARE(makePdvBrdf(f.factors)->evaluate(fromSpherical(0.5, 1), fromSpherical(0.9, 0)), Rgb(0));
+  }
+
+  void hardCase15SpikeStaysFinite() {
+    std::vector<glm::vec3> values(smallGrid.size(), glm::vec3(0));
+    values[smallGrid.index(3, 10, 7)] = glm::vec3(1e6);
+    const TabulatedBrdf table(smallGrid, values, std::vector<std::uint8_t>(smallGrid.size(), 1));
+    const PdvFactorization f = factorizePdv(table, {.terms = 5});
+    std::mt19937_64 random(2);
+    const auto brdf = makePdvBrdf(f.factors);
+    for (int n = 0; n < 2000; ++n) {
+      const Rgb value = brdf->evaluate(randomUpper(random), randomUpper(random));
+      QVERIFY(std::isfinite(value.x) && value.x >= 0 && value.x <= 1e6 * std::exp(2.0));
+    }
+  }
+
+  void truncationKeepsTheFirstTerms() {
+    const PdvFactors f = someFactors(), one = f.truncated(1);
+    QCOMPARE(one.terms(), 1);
+    QVERIFY(one.channels[2][0] == f.channels[2][0]);
+    QVERIFY(f.truncated(7) == f);
+  }
+
+  void wrongOptionsAreErrors() {
+    const auto table = glossyTable();
+    QVERIFY_EXCEPTION_THROWN(factorizePdv(*table, {.terms = 0}), Error);
+    QVERIFY_EXCEPTION_THROWN(factorizePdv(*table, {.terms = 21}), Error);
+    QVERIFY_EXCEPTION_THROWN(factorizePdv(*table, {.deviationNodes = {0, 1, 1}}), Error);
+    QVERIFY_EXCEPTION_THROWN(factorizePdv(*table, {.deviationNodes = {0.1, 1}}), Error);
+  }
+
+  void hardCase50SameBitsForAnyNumberOfThreads() {
+    const auto table = glossyTable();
+    const PdvFactorization all = factorizePdv(*table, {.terms = 2});
+    const ThreadLimit one(1);
+    QVERIFY(factorizePdv(*table, {.terms = 2}).factors == all.factors);
+  }
+
+  void deviationNodesAreQuantiles() {
+    // Energy 1 in the first quarter and 3 beyond: a tenth of it all is spent there.
+    std::vector<double> energy(2000, 3.0);
+    std::fill(energy.begin(), energy.begin() + 500, 1.0);
+    const std::vector<double> nodes = deviationNodes(energy, 11);
+    QCOMPARE(nodes.front(), 0.0);
+    QCOMPARE(nodes.back(), largestDeviation);
+    QVERIFY(std::abs(nodes[1] - largestDeviation / 4) < 1e-9);
+    QVERIFY(std::abs(nodes[10] - nodes[9] - largestDeviation / 12) < 1e-9);
+    for (const auto& flat : {std::vector<double>(2000, 0.0), std::vector<double>(2000, 1.0)})
+      QVERIFY(std::abs(deviationNodes(flat, 11)[5] - largestDeviation / 2) < 1e-9);
+    std::vector<double> spike(2000, 0.0);
+    spike[0] = 1;
+    const std::vector<double> close = deviationNodes(spike, 90);
+    for (std::size_t i = 1; i < close.size(); ++i) QVERIFY(close[i] > close[i - 1]);
+    QCOMPARE(close.back(), largestDeviation);
+  }
+};
+
+QTEST_APPLESS_MAIN(PdvFactorsTest)
+#include "pdv_factors_test.moc"
