@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/plot_controls.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -163,13 +164,10 @@ void PlotControls::addIncidence() {
   m_thetaI->setAccessibleName(tr("Angle of incidence"));
   connect(m_thetaI, &NumberField::valueEdited, this, &PlotControls::setThetaI);
   addWidget(m_thetaI);
-  auto* pick = new QToolButton;
-  pick->setText(tr("Pick"));
-  pick->setCheckable(true);
+  auto* pick = new QCheckBox(tr("Pick on sphere"));
   pick->setToolTip(tr("Pick the angle on the sphere of the preview (there also Ctrl + drag)"));
-  connect(pick, &QToolButton::toggled, this, &PlotControls::pickingToggled);
-  addWidget(pick);
-  pick->setAutoRaise(false);  // the tool bar makes it look like a label
+  connect(pick, &QCheckBox::toggled, this, &PlotControls::pickingToggled);
+  addLabelled({}, pick);
 }
 
 void PlotControls::addValues() {
@@ -189,14 +187,11 @@ void PlotControls::addValues() {
     change([index](PlotChoices& choices) { choices.settings.cosine = CosineFactor(index); });
   });
   m_cosineAction = addLabelled({}, m_cosine);
-  m_logarithmic = new QToolButton;
-  m_logarithmic->setText(tr("Log"));
+  m_logarithmic = new QCheckBox(tr("Logarithmic"));
   m_logarithmic->setToolTip(tr("Logarithmic axis of values"));
-  m_logarithmic->setCheckable(true);
-  connect(m_logarithmic, &QToolButton::toggled, this,
+  connect(m_logarithmic, &QCheckBox::toggled, this,
           [this](bool on) { change([on](PlotChoices& choices) { choices.settings.logarithmic = on; }); });
-  addWidget(m_logarithmic);
-  m_logarithmic->setAutoRaise(false);  // the tool bar makes it look like a label
+  addLabelled({}, m_logarithmic);
 }
 
 void PlotControls::addExport() {

@@ -6,6 +6,7 @@
 
 #include "app/gonio/plot_data.h"
 
+class QCheckBox;
 class QComboBox;
 class QSettings;
 class QTabBar;
@@ -71,7 +72,8 @@ class PlotControls : public QToolBar {
   QComboBox *m_axis, *m_spacing, *m_channel, *m_cosine;
   widgets::NumberField *m_phiD, *m_thetaH, *m_planeAzimuth, *m_thetaI;
   widgets::ParameterSlider* m_thetaISlider;
-  QToolButton *m_logarithmic, *m_export;
+  QCheckBox* m_logarithmic;
+  QToolButton* m_export;
   QAction *m_axisAction, *m_spacingAction, *m_phiDAction, *m_thetaHAction, *m_planeAzimuthAction, *m_cosineAction;
 };
 

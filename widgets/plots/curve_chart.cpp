@@ -163,7 +163,8 @@ void CurveChart::pointerMoved(const QPointF& position) {
   showReadout(inside ? QStringLiteral("%1 = %2\n%3")
                            .arg(titles.angleTitle.section(' ', 0, 0), degreesText(radians(angle)),
                                 curveReadout(m_series, radians(angle), settings().channel, titles.unitText))
-                     : QString());
+                     : QString(),
+              position);
   m_chart->setCursor(isOnLine(position) ? Qt::SplitHCursor : Qt::ArrowCursor);
   m_chart->replot(QCustomPlot::rpQueuedReplot);
 }

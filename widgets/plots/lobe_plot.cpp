@@ -125,7 +125,8 @@ void LobePlot::showValueAt(const QPointF& position) {
     const plots::PlottedValues& points = m_series[i].data.points;
     return showReadout(tr("θo = %1, φo = %2\n%3: %4")
                            .arg(degreesText(polarAngle(direction)), degreesText(azimuth(direction)), m_series[i].name,
-                                valueText(points.at(*nearest, settings().channel), points.states[*nearest])));
+                                valueText(points.at(*nearest, settings().channel), points.states[*nearest])),
+                       position);
   }
 }
 

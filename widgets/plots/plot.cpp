@@ -62,18 +62,18 @@ std::vector<std::string> Plot::commentsOfTable() const {
   return {"Gonio plot: " + m_title.toStdString(), "material: " + m_source.toStdString(), conventionForCsv()};
 }
 
-void Plot::showReadout(const QString& text) {
+void Plot::showReadout(const QString& text, const QPointF& pointer) {
   m_readout->setVisible(!text.isEmpty() && !isEmpty());
   if (text.isEmpty()) return;
   m_readout->setText(text);
-  m_readout->raise();
-  placeLabels();
-}
-
-void Plot::placeLabels() {
   m_readout->adjustSize();
-  m_readout->move(width() - m_readout->width() - 4, 4);
-  m_hint->setGeometry(rect().adjusted(20, 20, -20, -20));
+  m_readout->raise();
+  // Right of the pointer and above it, or where there is room.
+  const int away = fontMetrics().height();
+  const QPoint at = pointer.toPoint();
+  const bool left = at.x() + away + m_readout->width() > width();
+  m_readout->move(left ? std::max(0, at.x() - away - m_readout->width()) : at.x() + away,
+                  std::clamp(at.y() - m_readout->height() - away / 2, 0, std::max(0, height() - m_readout->height())));
 }
 
 void Plot::editThetaI(double thetaI) { Q_EMIT thetaIEdited(std::clamp(thetaI, 0.0, maxThetaI)); }
@@ -123,7 +123,7 @@ void Plot::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) refresh();
 }
 
-void Plot::resizeEvent(QResizeEvent*) { placeLabels(); }
+void Plot::resizeEvent(QResizeEvent*) { m_hint->setGeometry(rect().adjusted(20, 20, -20, -20)); }
 
 void Plot::leaveEvent(QEvent*) { showReadout({}); }
 

@@ -56,8 +56,8 @@ class Plot : public QWidget {
   /// The start of every table: what, of which material, values, convention.
   std::vector<std::string> commentsOfTable() const;
   PlotStyle style() const { return PlotStyle::of(palette()); }
-  /// An empty text hides it.
-  void showReadout(const QString& text);
+  /// Beside the pointer; an empty text hides it.
+  void showReadout(const QString& text, const QPointF& pointer = {});
   /// Hides or shows the hint as isEmpty() says.
   void showEmptiness();
   void editThetaI(double thetaI);
@@ -69,8 +69,6 @@ class Plot : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  void placeLabels();
-
   QString m_title, m_source;
   PlotSettings m_settings;
   QLabel *m_readout, *m_hint;

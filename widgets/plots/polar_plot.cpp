@@ -90,7 +90,8 @@ void PolarPlot::showValuesAt(const QPointF& position) {
   m_pointed = std::abs(angle) <= halfPi && !isEmpty() ? std::optional(angle) : std::nullopt;
   showReadout(m_pointed ? QStringLiteral("θo = %1\n%2")
                               .arg(degreesText(angle), curveReadout(m_series, angle, settings().channel, tr("1/sr")))
-                        : QString());
+                        : QString(),
+              position);
   update();
 }
 

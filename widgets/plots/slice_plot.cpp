@@ -238,7 +238,7 @@ void SlicePlot::pointerMoved(const QPointF& at) {
     lines << QStringLiteral("%1: %2").arg(
         series.name, valueText(series.data.cells.at(i, settings().channel), series.data.cells.states[i]));
   }
-  showReadout(lines.join('\n'));
+  showReadout(lines.join('\n'), at);
 }
 
 bool SlicePlot::eventFilter(QObject* watched, QEvent* event) {
