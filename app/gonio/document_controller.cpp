@@ -166,7 +166,12 @@ void DocumentController::exportMerl(const QString& path) {
           io::writeMerl(*editing::bakeEdits(material->table, std::span(&*edit, 1), control), target);
         return true;
       },
-      [this, path](bool) { Q_EMIT exported(path); },
+      [this, path, edit](bool) {
+        Q_EMIT exported(path);
+        if (edit && editing::isAnisotropic(*edit))
+          Q_EMIT warned(tr("%1 holds the mean over all azimuths: the edit is anisotropic, MERL files are not.")
+                            .arg(shortName(path)));
+      },
       [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(shortName(path)), error); });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 
@@ -91,12 +92,21 @@ std::size_t write(const io::Material& material, const std::shared_ptr<const Tabu
   return capped;
 }
 
+/// What a table cannot hold, for people.
+std::string averagedText() {
+  return "  note: the edit is anisotropic, the table is not: it holds the mean over " +
+         std::to_string(editing::bakedAzimuths) + " azimuths\n";
+}
+
 int replayDocument(const Options& options, const Tool& tool) {
   if (!options.model.empty() || !options.set.empty())
     throw UsageError("edit: " + options.material + " is a document: it is replayed, without --model and --set");
   writeMaterial(openMaterial(options.material, tool.control("replaying")), options.out);
-  const std::size_t edits = editing::readDocument(options.material).edits.size();
-  print(tool, {{"edits", edits}, {"out", options.out}}, options.out + ": " + std::to_string(edits) + " edits\n");
+  const auto edits = editing::readDocument(options.material).edits;
+  const bool averaged = std::any_of(edits.begin(), edits.end(), editing::isAnisotropic);
+  print(tool,
+        {{"edits", edits.size()}, {"averagedAzimuths", averaged ? editing::bakedAzimuths : 0}, {"out", options.out}},
+        options.out + ": " + std::to_string(edits.size()) + " edits\n" + (averaged ? averagedText() : ""));
   return 0;
 }
 
@@ -108,6 +118,8 @@ void printEdit(const editing::DifferentialEdit& edit, const fitting::FitResult& 
   for (const models::ClampedParameter& one : clamped)
     text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range, used " +
             number(one.used) + "\n";
+  const bool averaged = !writesDocument(options) && editing::isAnisotropic(edit);
+  if (averaged) text += averagedText();
   print(tool,
         {{"model", spec.id},
          {"fitted", parametersJson(spec, edit.fitted)},
@@ -116,6 +128,7 @@ void printEdit(const editing::DifferentialEdit& edit, const fitting::FitResult& 
          {"strength", edit.strength},
          {"clamped", clampedJson(clamped)},
          {"cappedValues", capped},
+         {"averagedAzimuths", averaged ? editing::bakedAzimuths : 0},
          {"seconds", fitted.seconds},
          {"out", options.out}},
         text);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/brdf/tabulated_brdf.h"
+#include "core/coordinates/azimuth_rotation.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
 
@@ -48,10 +49,9 @@ std::vector<Rgb> evaluateRotated(const Brdf& brdf, const std::vector<DirectionPa
   std::vector<Rgb> sums(pairs.size()), results(pairs.size());
   brdf.evaluate(pairs, sums);
   for (int rotation = 1; rotation < rotations; ++rotation) {
-    const double angle = 2 * pi * rotation / rotations, c = std::cos(angle), s = std::sin(angle);
+    const AzimuthRotation turn(2 * pi * rotation / rotations);
     std::vector<DirectionPair> rotated = pairs;
-    for (DirectionPair& pair : rotated)
-      for (Direction* w : {&pair.wi, &pair.wo}) *w = {c * w->x - s * w->y, s * w->x + c * w->y, w->z};
+    for (DirectionPair& pair : rotated) pair = turn(pair);
     brdf.evaluate(rotated, results);
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += results[i];
   }

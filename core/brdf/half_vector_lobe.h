@@ -81,7 +81,8 @@ struct CosinePowerNormals {
     if (!(sin2 > 0)) return norm;
     if (!(h.z > 0)) return 0;
     const double exponent = (exponentX * h.x * h.x + exponentY * h.y * h.y) / sin2;
-    return norm * std::exp(exponent * std::log1p(-sin2 / (1 + h.z)));
+    // Near the pole from the sine, near the horizon from the cosine: neither loses digits.
+    return norm * std::exp(exponent * (h.z > 0.5 ? std::log1p(-sin2 / (1 + h.z)) : std::log(h.z)));
   }
 };
 

@@ -8,6 +8,7 @@
 #include <cassert>
 #include <limits>
 
+#include "core/coordinates/azimuth_rotation.h"
 #include "core/math/parallel.h"
 
 namespace gonio::editing {
@@ -22,7 +23,13 @@ constexpr std::size_t chunkSize = 64;
 struct ActiveEdit {
   std::unique_ptr<const Brdf> edited, fitted;
   double strength;
+
+  bool isIsotropic() const { return edited->isIsotropic() && fitted->isIsotropic(); }
 };
+
+bool allIsotropic(std::span<const ActiveEdit> edits) {
+  return std::all_of(edits.begin(), edits.end(), [](const ActiveEdit& edit) { return edit.isIsotropic(); });
+}
 
 std::vector<ActiveEdit> activate(std::span<const DifferentialEdit> edits) {
   std::vector<ActiveEdit> active;
@@ -63,11 +70,7 @@ class EditedBrdf final : public Brdf {
     }
   }
 
-  bool isIsotropic() const override {
-    return base_->isIsotropic() && std::all_of(edits_.begin(), edits_.end(), [](const ActiveEdit& edit) {
-             return edit.edited->isIsotropic() && edit.fitted->isIsotropic();
-           });
-  }
+  bool isIsotropic() const override { return base_->isIsotropic() && allIsotropic(edits_); }
 
  private:
   void evaluateChunk(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
@@ -93,6 +96,22 @@ class EditedBrdf final : public Brdf {
   std::vector<ActiveEdit> edits_;
   Rgb floor_;  ///< of the values
 };
+
+/// The mean of the edited base over the azimuths, for at most chunkSize pairs; `values` hold the base.
+void addAveragedEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> pairs, std::span<Rgb> values) {
+  std::array<DirectionPair, chunkSize> turned;
+  std::array<Rgb, chunkSize> edited;
+  std::array<Rgb, chunkSize> sums{};
+  const auto first = [&](auto& all) { return std::span(all).first(pairs.size()); };
+  for (int n = 0; n < bakedAzimuths; ++n) {
+    const AzimuthRotation turn(pi * n / bakedAzimuths);
+    std::transform(pairs.begin(), pairs.end(), turned.begin(), turn);
+    std::copy(values.begin(), values.end(), edited.begin());
+    addEdits(edits, first(turned), first(edited));
+    for (std::size_t i = 0; i < pairs.size(); ++i) sums[i] += edited[i];
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = sums[i] / double(bakedAzimuths);
+}
 
 /// The directions of a node as bakeTable() evaluates them: rounding must not push a node on the horizon below it.
 DirectionPair bakeDirections(const HalfDifferenceGrid& grid, std::size_t cell) {
@@ -122,6 +141,8 @@ std::shared_ptr<const Brdf> editedBrdf(std::shared_ptr<const Brdf> base, std::sp
 
 }  // namespace
 
+bool isAnisotropic(const DifferentialEdit& edit) { return !allIsotropic(activate(std::span(&edit, 1))); }
+
 std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits) {
   return editedBrdf(std::move(base), edits, 0);
 }
@@ -141,6 +162,7 @@ std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const Tabul
   std::vector<TabulatedBrdf::Value> baked(base->values().begin(), base->values().end());
   std::vector<std::uint8_t> valid(base->valid().begin(), base->valid().end());
   std::atomic<std::size_t> capped = 0;
+  const bool isotropic = allIsotropic(active);
   const auto bakeCells = [&](std::span<const std::size_t> cells) {
     std::array<DirectionPair, chunkSize> pairs;
     std::array<Rgb, chunkSize> values;
@@ -148,7 +170,12 @@ std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const Tabul
       pairs[i] = bakeDirections(grid, cells[i]);
       values[i] = Rgb(baked[cells[i]]);
     }
-    addEdits(active, std::span(pairs).first(cells.size()), std::span(values).first(cells.size()));
+    const auto chunkPairs = std::span(pairs).first(cells.size());
+    const auto chunkValues = std::span(values).first(cells.size());
+    if (isotropic)
+      addEdits(active, chunkPairs, chunkValues);
+    else
+      addAveragedEdits(active, chunkPairs, chunkValues);
     for (std::size_t i = 0; i < cells.size(); ++i) capped += store(values[i], baked[cells[i]]);
   };
   parallelForBlocks(

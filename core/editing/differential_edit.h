@@ -26,6 +26,9 @@ struct DifferentialEdit {
   bool isIdentity() const { return !enabled || strength == 0 || edited == fitted; }
 };
 
+/// Whether it changes a material by something that depends on the azimuth, so that no isotropic table can hold it.
+bool isAnisotropic(const DifferentialEdit& edit);
+
 /// The edited reflectance: the base with the edits applied in order, each clamped at 0.
 /// A pair at which the base has no data (below the horizon) stays 0.
 std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits);
@@ -35,9 +38,14 @@ std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::sp
 std::shared_ptr<const Brdf> applyEditsUnclamped(std::shared_ptr<const Brdf> base,
                                                 std::span<const DifferentialEdit> edits);
 
+/// Over how many azimuths, spread over half a turn, bakeEdits() averages an anisotropic edit. Enough for a highlight
+/// ten times as wide along one axis as along the other; every model looks the same from the opposite side.
+inline constexpr int bakedAzimuths = 64;
+
 /// The edited reflectance as a table over the base's cells: invalid cells stay invalid; an identity stack returns the
-/// base itself. A value that would overflow float is capped at the largest float and counted in `*cappedCount` when
-/// given. In parallel, deterministic. @throws Cancelled.
+/// base itself. Tables are isotropic: where an edit is not, the table holds the mean over `bakedAzimuths` turns of both
+/// directions about the normal. A value that would overflow float is capped at the largest float and counted in
+/// `*cappedCount` when given. In parallel, deterministic. @throws Cancelled.
 std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
                                                std::span<const DifferentialEdit> edits, const TaskControl& control = {},
                                                std::size_t* cappedCount = nullptr);

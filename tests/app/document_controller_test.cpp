@@ -24,6 +24,25 @@ struct Editor {
 class DocumentControllerTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  /// A MERL file cannot hold an anisotropic edit: the message bar says what was written.
+  void exportOfAnAnisotropicEditTellsThatItIsAMean() {
+    const QTemporaryDir folder;
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    const models::Model& ward = models::findModel("ward-anisotropic");
+    editor.controller.chooseModel(ward);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit()->model == &ward, patienceMilliseconds);
+    QSignalSpy warned(&editor.controller, &DocumentController::warned);
+    QSignalSpy done(&editor.controller, &DocumentController::exported);
+    editor.document.setParameter(int(*ward.spec().find("roughness-x")), Rgb(0.03));
+    editor.document.setParameter(int(*ward.spec().find("roughness-y")), Rgb(0.4));
+    editor.controller.exportMerl(folder.filePath("brushed.binary"));
+    QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
+    QCOMPARE(warned.count(), 1);
+    QVERIFY(warned.at(0).at(0).toString().contains("anisotropic"));
+  }
+
   /// The main job end to end: open, automatic fit, edit, save, open again, export, open the export.
   void openFitEditSaveOpenExport() {
     const QTemporaryDir folder;

@@ -188,6 +188,39 @@ class DifferentialEditTest : public QObject {
       }
   }
 
+  /// A table holds the mean over the azimuths: against 4096 of them round the whole circle.
+  void anisotropicEditIsAveragedOverTheAzimuths() {
+    const models::Model& model = models::findModel("ward-anisotropic");
+    DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
+    edit.edited = edit.fitted;
+    edit.edited.values[model.spec().find("diffuse").value()] = Rgb(0.1);
+    QVERIFY(!isAnisotropic(edit));  // both axes equal
+    edit.edited.values[model.spec().find("roughness-x").value()] = Rgb(0.06);
+    edit.edited.values[model.spec().find("roughness-y").value()] = Rgb(0.6);
+    QVERIFY(isAnisotropic(edit));
+    const std::vector<TabulatedBrdf::Value> flat(smallGrid.size(), TabulatedBrdf::Value(0.05f));
+    const auto base = std::make_shared<const TabulatedBrdf>(smallGrid, flat, std::vector<std::uint8_t>(flat.size(), 1));
+    const auto edited = applyEdits(base, std::span(&edit, 1));
+    QVERIFY(!edited->isIsotropic());
+    const auto baked = bakeEdits(base, std::span(&edit, 1));
+    double largest = 0, worst = 0;
+    for (std::size_t cell = 0; cell < smallGrid.size(); cell += 41) {
+      const DirectionPair pair = smallGrid.directions(cell);
+      if (pair.wi.z < 0.02 || pair.wo.z < 0.02) continue;
+      double mean = 0;
+      constexpr int turns = 4096;
+      for (int n = 0; n < turns; ++n) {
+        const double c = std::cos(2 * pi * n / turns), s = std::sin(2 * pi * n / turns);
+        const auto turned = [&](const Direction& w) { return Direction(c * w.x - s * w.y, s * w.x + c * w.y, w.z); };
+        mean += edited->evaluate(turned(pair.wi), turned(pair.wo)).x / turns;
+      }
+      largest = std::max(largest, mean);
+      worst = std::max(worst, std::abs(mean - double(baked->values()[cell].x)));
+    }
+    QVERIFY(largest > 0.1);
+    QVERIFY2(worst < 2e-3 * largest, qPrintable(QString("%1 of %2").arg(worst).arg(largest)));
+  }
+
   void nothingGrowsWhereTheBaseHasNoData() {
     std::vector<std::uint8_t> valid(smallGrid.size(), 0);
     for (std::size_t i = smallGrid.size() / 2; i < smallGrid.size(); ++i) valid[i] = smallGrid.nodeAboveHorizon(i);
