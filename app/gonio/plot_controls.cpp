@@ -82,6 +82,7 @@ void PlotControls::addKinds() {
   m_kinds = new QTabBar;
   m_kinds->setDrawBase(false);
   m_kinds->setExpanding(false);
+  m_kinds->setUsesScrollButtons(false);
   m_kinds->setAccessibleName(tr("Kind of plot"));
   const std::pair<QString, QString> kinds[] = {
       {tr("Polar"), tr("The lobe in the plane of incidence")},

@@ -45,12 +45,14 @@ CurveChart::CurveChart(const QString& title, QWidget* parent) : Plot(title, pare
   m_lineLabel->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
   m_lineLabel->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
   m_lineLabel->setClipToAxisRect(false);
+  m_lineLabel->setPadding(QMargins(0, 0, 0, 3));
   m_crosshair->setVisible(false);
   m_chart->setCurrentLayer(QStringLiteral("main"));
 }
 
 void CurveChart::setSeries(PlotSeriesList<plots::Curve> series) {
   m_series = std::move(series);
+  m_chart->setVisible(!isEmpty());
   showEmptiness();
   refresh();
 }

@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QPainter>
 #include <algorithm>
 
 #include "core/support/error.h"
@@ -124,6 +125,8 @@ void Plot::changeEvent(QEvent* event) {
 }
 
 void Plot::resizeEvent(QResizeEvent*) { m_hint->setGeometry(rect().adjusted(20, 20, -20, -20)); }
+
+void Plot::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), style().background); }
 
 void Plot::leaveEvent(QEvent*) { showReadout({}); }
 

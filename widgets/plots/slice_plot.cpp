@@ -15,6 +15,11 @@
 
 namespace gonio::widgets {
 
+namespace {
+/// Of a logarithmic colour scale: a few cells near 0 must not take the contrast from all others.
+constexpr int maxDecades = 5;
+}  // namespace
+
 SlicePlot::SlicePlot(QWidget* parent)
     : Plot(tr("Slice"), parent), m_chart(new QCustomPlot(this)), m_margins(new QCPMarginGroup(m_chart)) {
   setAccessibleDescription(tr("Values over the half angle and the difference angle in false colour."));
@@ -39,6 +44,7 @@ SlicePlot::~SlicePlot() = default;
 void SlicePlot::setSeries(PlotSeriesList<plots::Slice> series) {
   const bool otherPanels = series.size() != m_panels.size();
   m_series = std::move(series);
+  m_chart->setVisible(!isEmpty());
   if (otherPanels) buildPanels();
   showEmptiness();
   refresh();
@@ -98,7 +104,7 @@ void SlicePlot::refresh() {
   for (const auto& series : m_series)
     for (std::size_t i = 0; i < series.data.cells.values.size(); ++i)
       values.push_back(series.data.cells.at(i, settings().channel));
-  m_scale = plots::scaleFor(values, settings().logarithmic);
+  m_scale = plots::scaleFor(values, settings().logarithmic, maxDecades);
   m_bar->setDataScaleType(settings().logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
   m_bar->setDataRange(QCPRange(m_scale.min, m_scale.max));
   for (std::size_t i = 0; i < m_panels.size(); ++i) fillPanel(m_panels[i], m_series[i].data);
