@@ -32,8 +32,11 @@ int compare(const Options& options, const Tool& tool) {
   const io::Material a = openMaterial(options.reference, tool.control("reading the first"));
   const io::Material b = openMaterial(options.test, tool.control("reading the second"));
   const auto table = a.tabulated(tool.control("tabulating"));
-  const std::vector<double> errors = metrics::brdfErrors(*table, *b.brdf);
-  const double brdfSnr = metrics::brdfSignalToNoiseRatio(*table, *b.brdf);
+  // The cells of a table are isotropic: what is not is compared by its mean over the azimuths.
+  const std::shared_ptr<const Brdf> other =
+      b.brdf->isIsotropic() ? b.brdf : b.tabulated(tool.control("averaging the second"));
+  const std::vector<double> errors = metrics::brdfErrors(*table, *other);
+  const double brdfSnr = metrics::brdfSignalToNoiseRatio(*table, *other);
   const RenderedComparison comparison(*a.brdf, options.picture.renderOptions(), tool.control("rendering the first"));
   const Image picture = comparison.render(*b.brdf, tool.control("rendering the second"));
   const double snr = comparison.signalToNoiseRatio(picture);

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/goniotool/materials.h"
 
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 
@@ -23,6 +24,11 @@ io::Material replay(const std::filesystem::path& path, const TaskControl& contro
   material.name = path.stem().string();
   material.table = edited;
   material.brdf = edited;
+  if (std::any_of(document.edits.begin(), document.edits.end(), editing::isAnisotropic)) {
+    material.brdf = editing::applyEdits(base, document.edits);
+    material.source.notes.push_back("the edits are anisotropic: tables hold the mean over " +
+                                    std::to_string(editing::bakedAzimuths) + " azimuths");
+  }
   material.source.path = std::filesystem::absolute(path).lexically_normal();
   material.source.format = "gonio document";
   return material;

@@ -27,7 +27,8 @@ struct Material {
   std::string name;
   MaterialSource source;
   std::shared_ptr<const Brdf> brdf;            ///< evaluates the file in its own parameterisation
-  std::shared_ptr<const TabulatedBrdf> table;  ///< the same object when the file is a table, else null
+  std::shared_ptr<const TabulatedBrdf> table;  ///< the same object when the file is a table, else null;
+                                               ///< of an anisotropic replayed edit its mean over the azimuths
 
   /// The table for editing: `table`, or the reflectance sampled onto the MERL grid (about 1 s for an RGL file).
   std::shared_ptr<const TabulatedBrdf> tabulated(const TaskControl& control = {}) const;

@@ -139,6 +139,12 @@ class GoniotoolTest : public QObject {
     const ToolResult replayed = runTool({"edit", document, "--out", out});
     VERIFY_SUCCESS(replayed);
     QVERIFY(replayed.out.contains("anisotropic"));
+    // The document is drawn anisotropic; its cells are compared as the mean that the table holds.
+    const ToolResult compared = runJson({"compare", out, document, "--size", "48", "--samples", "16"});
+    VERIFY_SUCCESS(compared);
+    QVERIFY(compared.json["brdfSnr"].is_null() || compared.json["brdfSnr"].get<double>() > 100);
+    QVERIFY(compared.json["renderedSnr"].get<double>() < 30);
+    QVERIFY(runTool({"info", document}).out.contains("anisotropic"));
     QCOMPARE(runJson({"edit", plastic_, "--model", "ggx", "--set", "f0=0.5", "--out", out})
                  .json["averagedAzimuths"]
                  .get<int>(),

@@ -51,6 +51,13 @@ class WhiteFurnaceTest : public QObject {
         QVERIFY(std::abs(albedo(*model, lobe(*model, 0.2), angles[n], 0.2) - albedos[n]) < 6e-4);
   }
 
+  /// Ward's own form loses light until a fraction of a degree above the horizon; the reason that it claims nothing.
+  void wardGainsEnergyAtTheHorizonAlone() {
+    QVERIFY(std::abs(albedo(ward(), lobe(ward(), 0.2), 89.9, 0.2) - 0.670) < 1e-3);
+    QVERIFY(std::abs(albedo(ward(), lobe(ward(), 0.2), 89.99, 0.2) - 2.091) < 1e-3);
+    QVERIFY(!ward().spec().conservesEnergy && !wardAnisotropic().spec().conservesEnergy);
+  }
+
   /// The same at other sharpnesses: exponent 20 (Phong), 100 (Ashikhmin-Shirley).
   void albedoOfPowersAsPublished() {
     constexpr double angles[] = {0, 45, 75, 89};
