@@ -12,12 +12,16 @@ mkdir -p "$folder"
 settings=$(mktemp -d)
 trap 'rm -rf "$settings"' EXIT
 
-# picture NAME THEME FILE
+# picture NAME THEME FILE [OPTION ...]
 picture() {
+  name=$1 theme=$2 file=$3
+  shift 3
   XDG_CONFIG_HOME=$settings XDG_DATA_HOME=$settings LIBGL_ALWAYS_SOFTWARE=1 \
     xvfb-run -a -s "-screen 0 1600x1000x24" \
-    "$editor" "$3" --theme "$2" --size 1500x940 --wait 75 --screenshot "$folder/$1.png"
-  echo "$folder/$1.png"
+    "$editor" "$file" "$@" --theme "$theme" --size 1500x940 --wait 150 --screenshot "$folder/$name.png"
+  echo "$folder/$name.png"
 }
 picture editor-chrome dark library:sgd/nickel
 picture editor-fabric light library:sgd/red-fabric
+picture editor-comparison dark library:sgd/gold-metallic-paint --compare difference
+picture editor-models light library:sgd/gold-metallic-paint --models

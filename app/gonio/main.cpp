@@ -6,6 +6,7 @@
 #include <QSettings>
 #include <QSurfaceFormat>
 
+#include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/main_window.h"
 #include "app/gonio/screenshot.h"
 #include "app/gonio/theme.h"
@@ -21,6 +22,8 @@ struct Options {
   double waitSeconds;
   QString theme;
   QString plot;
+  QString compare;
+  bool models;
 };
 
 Options readOptions(const QApplication& application) {
@@ -41,6 +44,10 @@ Options readOptions(const QApplication& application) {
   hidden("wait", "SECONDS");
   hidden("theme", "NAME");
   hidden("plot", "KIND");
+  hidden("compare", "MODE");
+  QCommandLineOption models("models");  // ranks the fits of all models
+  models.setFlags(QCommandLineOption::HiddenFromHelp);
+  parser.addOption(models);
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
   return {parser.positionalArguments(),
@@ -48,11 +55,31 @@ Options readOptions(const QApplication& application) {
           size.size() == 2 ? QSize(size[0].toInt(), size[1].toInt()) : QSize(),
           parser.isSet("wait") ? parser.value("wait").toDouble() : 60,
           parser.value("theme"),
-          parser.value("plot")};
+          parser.value("plot"),
+          parser.value("compare"),
+          parser.isSet(models)};
 }
 
 QString asGiven(const QString& file) {
   return file.startsWith(QStringLiteral("library:")) ? file : QFileInfo(file).absoluteFilePath();
+}
+
+/// Puts the window into the state that a picture is to show.
+void prepare(MainWindow& window, const Options& options) {
+  if (!options.plot.isEmpty()) window.plots().showKind(options.plot);
+  const QStringList modes{"off", "split", "flicker", "difference", "two-up"};
+  if (modes.contains(options.compare))
+    window.comparison().setComparison({.mode = gonio::widgets::CompareMode(modes.indexOf(options.compare))});
+  if (!options.models) return;
+  window.showDock(QStringLiteral("models"));
+  // Once, when the material and its first fit are there.
+  QObject::connect(
+      &window.document(), &Document::stateChanged, &window,
+      [&window] {
+        if (window.document().edit() && window.ranking().model().rowCount() == 0 && !window.ranking().isRunning())
+          window.ranking().fitAll();
+      },
+      Qt::QueuedConnection);
 }
 
 }  // namespace
@@ -73,7 +100,7 @@ int main(int argc, char** argv) {
   auto* window = new MainWindow;
   if (options.size.isValid()) window->resize(options.size);
   window->show();
-  if (!options.plot.isEmpty()) window->plots().showKind(options.plot);
+  prepare(*window, options);
   if (!options.screenshot.isEmpty())
     new Screenshot(*window, options.screenshot, options.waitSeconds);
   else

@@ -31,6 +31,7 @@
 #include "widgets/parameters/parameter_text.h"
 #include "widgets/preview/comparison_bar.h"
 #include "widgets/preview/preview_widget.h"
+#include "widgets/preview/textures.h"
 
 namespace gonio::app {
 
@@ -44,6 +45,12 @@ LibraryController::LookMaker lookMaker() {
   return [folder = thumbnailCacheFolder()](const QString& id, const TaskControl& control) {
     return materialLook(id, folder, control);
   };
+}
+
+std::shared_ptr<const EnvironmentMap> readEnvironment(const std::string& nameOrPath) {
+  for (const auto& bundled : {studioEnvironment(), skyEnvironment(), furnaceEnvironment()})
+    if (bundled->name() == nameOrPath) return bundled;
+  return std::make_shared<const EnvironmentMap>(io::readImage(nameOrPath), nameOrPath);
 }
 
 }  // namespace
@@ -99,8 +106,8 @@ MainWindow::~MainWindow() = default;
 void MainWindow::connectDocument() {
   connect(&m_document, &Document::titleChanged, this, &MainWindow::showTitle);
   connect(&m_document, &Document::materialChanged, this, [this] { m_messages->hide(); });
-  connect(&m_document, &Document::stateChanged, this, &MainWindow::showRepresentation);
-  connect(&m_document, &Document::editChanged, this, &MainWindow::showRepresentation);
+  connect(m_comparison, &ComparisonController::subjectsChanged, this, &MainWindow::showRepresentation);
+  connect(m_comparison, &ComparisonController::comparisonChanged, this, &MainWindow::showRepresentation);
 }
 
 void MainWindow::connectController() {
@@ -157,6 +164,10 @@ void MainWindow::showProgress() {
 void MainWindow::showRepresentation() {
   const LoadedMaterialPtr& material = m_document.material();
   if (!material) return m_representation->setText(tr("Nothing open"));
+  if (m_preview->isComparing()) {
+    const auto sides = m_comparison->sides();
+    return m_representation->setText(tr("%1 | %2").arg(m_comparison->name(sides[0]), m_comparison->name(sides[1])));
+  }
   QString text = tr("%1 table").arg(QString::fromStdString(material->material.source.format));
   if (const auto& edit = m_document.edit(); edit && !edit->isIdentity())
     text = tr("%1 + %2 edit").arg(text, widgets::fromView(edit->model->spec().name));
@@ -172,10 +183,9 @@ void MainWindow::setEnvironment(const QString& nameOrPath) {
       {tr("Reading the environment %1").arg(nameOrPath.section('/', -1)), QStringLiteral("environment")},
       [nameOrPath](const TaskControl&) -> std::shared_ptr<const EnvironmentMap> {
         if (nameOrPath.isEmpty()) return nullptr;
-        const std::string name = nameOrPath.toStdString();
-        for (const auto& bundled : {studioEnvironment(), skyEnvironment(), furnaceEnvironment()})
-          if (bundled->name() == name) return bundled;
-        return std::make_shared<const EnvironmentMap>(io::readImage(name), name);
+        const auto environment = readEnvironment(nameOrPath.toStdString());
+        widgets::environmentTexels(environment);  // so that the preview need not wait for them
+        return environment;
       },
       [this](const std::shared_ptr<const EnvironmentMap>& environment) {
         SphereScene scene = m_preview->scene();

@@ -78,8 +78,8 @@ std::shared_ptr<const TableTexture> PreviewResources::table(const std::shared_pt
 void PreviewResources::bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
   if (environment != uploadedEnvironment_) {
     glActiveTexture(GL_TEXTURE0 + environmentUnit);
-    uploadEnvironmentMap(*this, environmentTexture_, *environment);
-    uploadLightPool(*this, lightPoolTexture_, lightPoolRadianceTexture_, *environment);
+    uploadEnvironment(*this, environmentTexture_, lightPoolTexture_, lightPoolRadianceTexture_,
+                      *environmentTexels(environment));
     uploadedEnvironment_ = environment;
   }
   glActiveTexture(GL_TEXTURE0 + environmentUnit);

@@ -42,28 +42,12 @@ void uploadTable(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const Tabulated
   setSampling(gl, GL_TEXTURE_3D, GL_LINEAR, GL_REPEAT);
 }
 
-void uploadEnvironmentMap(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const EnvironmentMap& environment) {
-  const Image& image = environment.image();
-  std::vector<glm::vec4> texels(image.pixels.size());
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      const Direction centre = EnvironmentMap::directionAt((x + 0.5) / image.width, (y + 0.5) / image.height);
-      texels[image.index(x, y)] = glm::vec4(image.at(x, y), static_cast<float>(environment.pdf(centre)));
-    }
-  uploadPicture(gl, texture, image.width, image.height, texels, GL_LINEAR);
-}
-
-void uploadLightPool(QOpenGLFunctions_4_1_Core& gl, GLuint& directions, GLuint& radiance,
-                     const EnvironmentMap& environment) {
-  constexpr int side = 256;
-  std::vector<glm::vec4> drawn(side * side), seen(side * side);
-  for (int i = 0; i < side * side; ++i) {
-    const auto sample = environment.sample(additiveRecurrence(2, 0, i), additiveRecurrence(2, 1, i));
-    drawn[std::size_t(i)] = glm::vec4(glm::vec3(sample.direction), float(sample.pdf));
-    seen[std::size_t(i)] = glm::vec4(glm::vec3(sample.radiance), 0.f);
-  }
-  uploadPicture(gl, directions, side, side, drawn, GL_NEAREST);
-  uploadPicture(gl, radiance, side, side, seen, GL_NEAREST);
+void uploadEnvironment(QOpenGLFunctions_4_1_Core& gl, GLuint& map, GLuint& poolDirection, GLuint& poolRadiance,
+                       const EnvironmentTexels& texels) {
+  constexpr int side = EnvironmentTexels::poolSide;
+  uploadPicture(gl, map, texels.width, texels.height, texels.map, GL_LINEAR);
+  uploadPicture(gl, poolDirection, side, side, texels.poolDirection, GL_NEAREST);
+  uploadPicture(gl, poolRadiance, side, side, texels.poolRadiance, GL_NEAREST);
 }
 
 void uploadColours(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, int size, const std::vector<glm::vec4>& colours) {

@@ -4,6 +4,7 @@
 
 #include <QOpenGLFunctions_4_1_Core>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
@@ -16,13 +17,24 @@ namespace gonio::widgets {
 /// RGBA32F of (rgb * valid, valid): x phi_d (repeats), y theta_d, z theta_h (shaders/preview/table.glsl).
 void uploadTable(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const TabulatedBrdf& table);
 
-/// RGBA32F of radiance and the sampler's density, 1/sr.
-void uploadEnvironmentMap(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const EnvironmentMap& environment);
+/// What the shaders read of an environment, computed on the CPU.
+struct EnvironmentTexels {
+  static constexpr int poolSide = 256;
 
-/// 256 x 256 directions drawn from the environment's density by a low-discrepancy sequence, in its order: direction and
-/// density (1/sr) in the first texture, radiance in the second.
-void uploadLightPool(QOpenGLFunctions_4_1_Core& gl, GLuint& directions, GLuint& radiance,
-                     const EnvironmentMap& environment);
+  int width = 0, height = 0;
+  std::vector<glm::vec4> map;  ///< radiance and the sampler's density, 1/sr
+  std::vector<glm::vec4>
+      poolDirection;  ///< drawn from that density by a low-discrepancy sequence, in its order; density
+  std::vector<glm::vec4> poolRadiance;
+};
+
+/// Computes the texels, or hands out those that are known of an environment that lives. Some 10 ms for 512 x 256, up to
+/// a second for large pictures: call it in the background first. From any thread.
+std::shared_ptr<const EnvironmentTexels> environmentTexels(const std::shared_ptr<const EnvironmentMap>& environment);
+
+/// Three RGBA32F pictures.
+void uploadEnvironment(QOpenGLFunctions_4_1_Core& gl, GLuint& map, GLuint& poolDirection, GLuint& poolRadiance,
+                       const EnvironmentTexels& texels);
 
 /// A row of `size` display colours, linear between their centres.
 void uploadColours(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, int size, const std::vector<glm::vec4>& colours);
