@@ -20,7 +20,7 @@
 namespace gonio::app {
 
 namespace {
-constexpr int bottomDockLines = 18;
+constexpr int bottomDockLines = 22;
 }
 
 void MainWindow::buildCentre() {
