@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "core/brdf/sampling_lobe.h"
@@ -74,6 +75,8 @@ class PdvBrdf final : public Brdf {
   double pdf(const Direction& wi, const Direction& wo) const override { return lobe().pdf(wi, wo); }
 
  private:
+  static constexpr double largest = double(std::numeric_limits<float>::max());
+
   Rgb evaluatePair(const DirectionPair& pair) const {
     if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return Rgb(0);
     const ProjectedDeviation at = toProjectedDeviation(pair.wi, pair.wo);
@@ -87,7 +90,8 @@ class PdvBrdf final : public Brdf {
     for (int channel = 0; channel < 3; ++channel) {
       double sum = 0;
       for (std::size_t term = 0; term < terms_; ++term) sum += products[std::size_t(channel) * terms_ + term];
-      result[channel] = inverseTransformed(transform_, std::min(sum, highest_), weight);
+      // Curves from a file may hold any number.
+      result[channel] = std::min(largest, inverseTransformed(transform_, std::min(sum, highest_), weight));
     }
     return result;
   }

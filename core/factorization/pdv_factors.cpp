@@ -149,11 +149,6 @@ PdvFactors PdvFactors::truncated(int count) const {
   return result;
 }
 
-std::size_t PdvFactors::bytes() const {
-  const std::size_t axes = thetaNodes.size() + deviationNodes.size() + phiNodes.size();
-  return sizeof(float) * (deviationNodes.size() + 3 * std::size_t(terms()) * axes);
-}
-
 PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& options, const TaskControl& control) {
   constexpr double preparationShare = 0.2;
   const auto start = std::chrono::steady_clock::now();

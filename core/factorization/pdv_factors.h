@@ -41,8 +41,6 @@ struct PdvFactors {
   int terms() const { return int(channels[0].size()); }
   /// The model with only its first terms.
   PdvFactors truncated(int terms) const;
-  /// Of the numbers in single precision, as the file holds them: about 43 KB for ten terms of three factors.
-  std::size_t bytes() const;
   bool operator==(const PdvFactors&) const = default;
 };
 

@@ -129,6 +129,7 @@ class ReaderMutationTest : public QObject {
   void seedsAreValid() {
     readMaterialBytes(merlSeed());
     readMaterialBytes(rglSeed());
+    readPdvBytes(pdvSeed());
     readImageBytes(hdrSeed());
     readImageBytes(exrSeed());
     readDocumentBytes(documentSeed());
@@ -136,6 +137,7 @@ class ReaderMutationTest : public QObject {
 
   void merl() { check("merl.binary", merlSeed(), readMaterialBytes); }
   void rgl() { check("rgl.bsdf", rglSeed(), readMaterialBytes); }
+  void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
   void hdr() { check("picture.hdr", hdrSeed(), readImageBytes); }
   void exr() { check("picture.exr", exrSeed(), readImageBytes); }
   void document() { check("edit.gonio", documentSeed(), readDocumentBytes); }

@@ -32,6 +32,15 @@ inline Bytes rglSeed() {
   return rgl.file();
 }
 
+inline Bytes pdvSeed() {
+  Bytes bytes = bytesOf("GONIOPDV");
+  for (const std::uint32_t number : {1u, 1u, 0u, 3u, 4u, 2u, 2u}) append(bytes, number);
+  append(bytes, 20.0f);
+  for (const float node : {0.0f, 0.5f, 1.5f, 0.0f, 0.1f, 0.5f, 2.0f, 0.0f, 3.0f}) append(bytes, node);
+  for (int i = 0; i < 3 * 2 * 9; ++i) append(bytes, 1.5f - 0.3f * float(i % 7));
+  return bytes;
+}
+
 /// Two run-length coded lines of 16 pixels: a run of ten, then six of their own.
 inline Bytes hdrSeed() {
   Bytes bytes = bytesOf("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 16\n");

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/editing/edit_document.h"
+#include "core/factorization/pdv_file.h"
 #include "core/io/image_io.h"
 #include "core/io/material.h"
 
@@ -25,6 +26,16 @@ inline void readMaterialBytes(std::span<const std::byte> bytes) {
     }
   if (material.table && material.table->values().size() != material.table->grid().size())
     throw std::logic_error("a table of another size than its grid");
+}
+
+inline void readPdvBytes(std::span<const std::byte> bytes) {
+  const auto brdf = factorization::makePdvBrdf(factorization::readPdv(io::MemorySource(bytes)));
+  for (const double thetaI : {0.0, 0.3, 1.2, 1.57})
+    for (const double phi : {0.0, 1.0, 3.0, -2.0}) {
+      const Rgb value = brdf->evaluate(fromSpherical(thetaI, 0.5), fromSpherical(0.9, phi));
+      for (int channel = 0; channel < 3; ++channel)
+        if (!std::isfinite(value[channel]) || value[channel] < 0) throw std::logic_error("a value that is no BRDF's");
+    }
 }
 
 inline void readImageBytes(std::span<const std::byte> bytes) {
