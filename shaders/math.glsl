@@ -16,9 +16,11 @@ float expMinusOne(float x) {
   return x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0 * (1.0 + x / 5.0 * (1.0 + x / 6.0 * (1.0 + x / 7.0))))));
 }
 
-// The angle of a sine and a cosine that are not negative, to a few units in the last place: drivers' atan() is coarser.
+// The angle of a sine and a cosine that are not negative (0 of two zeros), to a few units in the last place: drivers'
+// atan() is coarser.
 float acuteAngle(float sine, float cosine) {
-  float t = sine / (length(vec2(sine, cosine)) + cosine);  // of the half angle
+  float sum = length(vec2(sine, cosine)) + cosine;
+  float t = sum > 0.0 ? sine / sum : 0.0;  // of the half angle
   t = t / (1.0 + sqrt(1.0 + t * t));                       // of a quarter
   float t2 = t * t;
   return 4.0 * t *

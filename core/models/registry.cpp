@@ -35,6 +35,7 @@ std::span<const Model* const> allModels() {
       &abcSmooth(),
       &abc(),
       &sgd(),
+      &holzschuchPacanowski(),
       &beardMaxwell(),
       &weidlichWilkie(),
       &carPaint(),

@@ -31,6 +31,7 @@ const Model& ggx();
 const Model& abcSmooth();
 const Model& abc();
 const Model& sgd();
+const Model& holzschuchPacanowski();
 const Model& beardMaxwell();
 const Model& weidlichWilkie();
 const Model& carPaint();

@@ -74,9 +74,11 @@ std::vector<DirectionPair> makePairs() {
 /// much less and more of what rounds: the masking takes exp(ln c + k ln(theta - theta_0)), as if c were off by k times
 /// the error of theta; the Fresnel term is a difference of numbers about 1, as if F_0 were off by some units in the
 /// last place. The terms of spherical harmonics, up to some 100 times one in size, cancel each other; the steep
-/// parabola of DSBRDF's exponents stretches the rounding of theta_d.
+/// parabola of DSBRDF's exponents stretches the rounding of theta_d; the power under the exponential of Holzschuch and
+/// Pacanowski's facets multiplies that of the logarithm.
 struct Bounds {
-  static constexpr double relativeOfC = 5e-4, absoluteOfF0 = 1e-6, absoluteOfHarmonics = 5e-6, relativeOfDsbrdf = 1e-4;
+  static constexpr double relativeOfC = 5e-4, absoluteOfF0 = 1e-6, absoluteOfHarmonics = 5e-6, relativeOfDsbrdf = 1e-4,
+                          relativeOfFacets = 1e-4;
   double relative = 2e-5, absolute = 1e-7;
   std::vector<Rgb> low, high;
 
@@ -85,6 +87,7 @@ struct Bounds {
     ParameterValues lower = parameters, higher = parameters;
     if (&model == &sphericalHarmonics()) absolute = absoluteOfHarmonics;
     if (&model == &dsbrdf()) relative = relativeOfDsbrdf;
+    if (&model == &holzschuchPacanowski()) relative = relativeOfFacets;
     if (&model == &sgd()) {
       const std::size_t c = model.spec().find("c").value(), f0 = model.spec().find("f0").value();
       lower.values[c] *= 1 + relativeOfC;

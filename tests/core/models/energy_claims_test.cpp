@@ -46,11 +46,11 @@ class EnergyClaimsTest : public QObject {
     QFETCH(QString, id);
     const Model& model = findModel(id.toStdString());
     std::mt19937_64 random(17);
-    constexpr int draws = 9;
+    constexpr int draws = 6;
     for (int n = 0; n < draws; ++n) {
       const ParameterValues values = claimedParameters(model.spec(), n, random);
       const auto brdf = model.instantiate(values);
-      for (const double theta : {0.0, 50.0, 80.0, 89.0}) {
+      for (const double theta : {0.0, 60.0, 86.0}) {
         const double albedo = whiteFurnaceAlbedo(*brdf, direction(theta, 0), 0.005);
         if (albedo < 1 + 2e-3) continue;
         QString text = QString("draw %1, %2 degrees: %3 with").arg(n).arg(theta).arg(albedo);
