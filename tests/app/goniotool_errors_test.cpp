@@ -23,6 +23,13 @@ class GoniotoolErrorsTest : public QObject {
     QTest::newRow("unknown metric") << QStringList{"fit", plastic_, "--model", "ggx", "--metric", "taste"};
     QTest::newRow("model and all") << QStringList{"fit", plastic_, "--model", "ggx", "--all"};
     QTest::newRow("no model") << QStringList{"fit", plastic_};
+    QTest::newRow("metric that no fit minimises") << QStringList{"fit", plastic_, "--model", "ggx", "--metric", "lab"};
+    QTest::newRow("gamma of another metric") << QStringList{"fit", plastic_, "--model", "ggx", "--gamma", "2"};
+    for (const char* gamma : {"3.5", "two", "nan"})
+      QTest::addRow("gamma %s", gamma) << QStringList{"fit",      plastic_, "--model", "ggx",
+                                                      "--metric", "gamma",  "--gamma", gamma};
+    QTest::newRow("gamma of all") << QStringList{"fit", plastic_, "--all", "--metric", "gamma", "--gamma", "auto"};
+    QTest::newRow("order of one") << QStringList{"fit", plastic_, "--model", "ggx", "--sort", "snr"};
     QTest::newRow("no threads") << QStringList{"info", plastic_, "--threads", "0"};
     QTest::newRow("unknown parameter") << QStringList{"edit",  plastic_,  "--model", "ggx",
                                                       "--set", "gloss=1", "--out",   folder_.path("x.binary")};

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
 #include <cmath>
+#include <limits>
 
 #include "core/editing/differential_edit.h"
 #include "core/io/image_io.h"
@@ -107,14 +108,32 @@ class GoniotoolTest : public QObject {
     QVERIFY(metrics::brdfErrors(*readTable(plastic_), *readTable(out))[0] < 1e-5);
   }
 
-  void fitAllListsEveryModel() {
-    const ToolResult result = runJson({"fit", matte_, "--all", "--metric", "cube-root"});
+  void fitAllRanksEveryModel() {
+    const ToolResult result = runJson({"fit", matte_, "--all", "--metric", "cube-root", "--sort", "snr"});
     VERIFY_SUCCESS(result);
     QCOMPARE(result.json["fits"].size(), models::allModels().size());
     QCOMPARE(result.json["metric"].get<std::string>(), "cube-root");
-    // The body of Ashikhmin and Shirley is none of Lambert's.
-    for (const nlohmann::json& fit : result.json["fits"])
-      QVERIFY(fit["errors"]["cube-root"].get<double>() < (fit["model"] == "ashikhmin-shirley" ? 0.05 : 1e-3));
+    double last = std::numeric_limits<double>::infinity();
+    for (const nlohmann::json& fit : result.json["fits"]) {
+      const std::string model = fit["model"].get<std::string>();
+      // The body of Ashikhmin and Shirley is none of Lambert's.
+      const double most = model == "ashikhmin-shirley" ? 0.05 : 1e-3;
+      QVERIFY2(fit["errors"]["cube-root"].get<double>() < most, model.c_str());
+      QVERIFY(fit["parameterCount"].get<int>() >= 3);
+      const double snr = fit["renderedSnr"].is_null() ? last : fit["renderedSnr"].get<double>();
+      QVERIFY2(snr <= last, model.c_str());
+      last = snr;
+    }
+  }
+
+  void fitByTheGammaMetric() {
+    const ToolResult one = runJson({"fit", plastic_, "--model", "ward", "--metric", "gamma", "--gamma", "2.5"});
+    VERIFY_SUCCESS(one);
+    QCOMPARE(one.json["gamma"].get<double>(), 2.5);
+    const ToolResult chosen = runJson({"fit", plastic_, "--model", "ward", "--metric", "gamma", "--gamma", "auto"});
+    VERIFY_SUCCESS(chosen);
+    QCOMPARE(chosen.json["trials"].size(), std::size_t(9));
+    QCOMPARE(chosen.json["gamma"].get<double>(), chosen.json["trials"][0]["gamma"].get<double>());
   }
 
   void editOfNothingKeepsEveryByte() {
