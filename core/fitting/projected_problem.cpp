@@ -49,7 +49,7 @@ ProjectedProblem::ProjectedProblem(const models::Model& model, const FitTarget& 
       target_(target),
       base_(base),
       channels_(std::move(channels)),
-      sharesBases_(true),
+      sharesBases_(!model.spec().dependsOnWavelength),
       bestCost_(std::numeric_limits<double>::infinity()) {
   const std::span<const models::ParameterSpec> specs = model.spec().parameters;
   linear_ = parametersOf(model.spec(), base, FitRole::linear);

@@ -80,7 +80,7 @@ constexpr ModelSpec holzschuchPacanowskiSpec = {
                    "the facets is a closed form, its polarisation is the Fresnel term, its loss at the horizon stays; it gains up to "
                    "18 % of energy at grazing angles where the details are rough and the facets flat.",
     .formula = "k_d / pi + k_s F G (A D + (1 - A) S) / (4 cos theta_i cos theta_o)",
-    .reference = holzschuchPacanowski2017, .parameters = parameters};
+    .reference = holzschuchPacanowski2017, .parameters = parameters, .dependsOnWavelength = true};
 // clang-format on
 
 /// The glow of one colour: the paper's K-correlation lobe, convolved with the facets. Here the convolution is a lobe of

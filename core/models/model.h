@@ -29,6 +29,9 @@ struct ModelSpec {
   /// The white-furnace albedo is at most 1 at every angle and for all other parameters within their soft ranges, when
   /// the linear parameters are at most 1 and add up to 1 at most (choices at their defaults).
   bool conservesEnergy = false;
+  /// Whether the channels differ at equal parameters, because the formula knows their wavelengths. Such a model has no
+  /// parameter that is per channel and not linear.
+  bool dependsOnWavelength = false;
 
   /// Index of a parameter by its id, or nothing.
   std::optional<std::size_t> find(std::string_view parameterId) const;

@@ -90,6 +90,23 @@ class ModelSpecsTest : public QObject {
       }
   }
 
+  /// Fits take the channels of a model that is not told so for alike.
+  void channelsDifferOnlyWhereTheSpecSays() {
+    std::mt19937_64 random(6);
+    for (const Model* model : allModels()) {
+      const ModelSpec& spec = model->spec();
+      bool differ = false;
+      for (int n = 0; n < 20; ++n) {
+        ParameterValues values = randomParameters(spec, random);
+        for (Rgb& value : values.values) value = Rgb(value.x);
+        const Rgb found = model->instantiate(values)->evaluate(randomDirection(random), randomDirection(random));
+        differ = differ || found.x != found.y || found.y != found.z;
+      }
+      QVERIFY2(differ == spec.dependsOnWavelength, spec.id.data());
+      for (const ParameterSpec& p : spec.parameters) QVERIFY(!spec.dependsOnWavelength || p.linear || !p.perChannel);
+    }
+  }
+
   void valuesOutsideTheHardRangeAreClampedAndReported() {
     ParameterValues values = defaultParameters(ggx().spec());
     const std::size_t roughness = ggx().spec().find("roughness").value();
