@@ -3,16 +3,8 @@
 #include "app/gonio/dropped_files.h"
 
 #include <QCoreApplication>
-#include <QMimeData>
-#include <QUrl>
 
 namespace gonio::app {
-
-QString droppedFile(const QMimeData* data) {
-  for (const QUrl& url : data->urls())
-    if (url.isLocalFile()) return url.toLocalFile();
-  return {};
-}
 
 bool isPicture(const QString& path) {
   return path.endsWith(QStringLiteral(".hdr"), Qt::CaseInsensitive) ||

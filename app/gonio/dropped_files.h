@@ -4,12 +4,8 @@
 
 #include <QString>
 
-class QMimeData;
-
 namespace gonio::app {
 
-/// The local file that is dragged; empty when there is none.
-QString droppedFile(const QMimeData* data);
 /// Whether a file is meant as an environment, by its name.
 bool isPicture(const QString& path);
 /// What dropping a file will do; a material is taken as the reference of comparisons where `asReference` says so.

@@ -25,6 +25,7 @@
 #include "app/gonio/view_state.h"
 #include "core/io/image_io.h"
 #include "widgets/library/library_view.h"
+#include "widgets/library/material_drag.h"
 #include "widgets/panels/drop_overlay.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/progress_strip.h"
@@ -218,7 +219,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const QString file = droppedFile(event->mimeData());
+  const QString file = widgets::draggedMaterial(event->mimeData());
   if (file.isEmpty()) return;
   m_dropOverlay->announce(dropDescription(file, event->modifiers() & Qt::ControlModifier));
   event->acceptProposedAction();
@@ -228,7 +229,7 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { m_dropOverlay->hide(); }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   m_dropOverlay->hide();
-  const QString file = droppedFile(event->mimeData());
+  const QString file = widgets::draggedMaterial(event->mimeData());
   if (isPicture(file))
     setEnvironment(file);
   else if (!file.isEmpty() && event->modifiers() & Qt::ControlModifier)

@@ -2,11 +2,17 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/comparison_bar.h"
 
+#include <QApplication>
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDropEvent>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
+#include <QUrl>
+
+#include "widgets/library/material_drag.h"
 
 using namespace gonio::widgets;
 
@@ -67,6 +73,31 @@ class ComparisonBarTest : public QObject {
     choose("Second side", 4);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(list(*bar_, "Second side")->currentIndex(), int(ComparedSubject::measured));
+  }
+
+  /// A material dragged out of the library, and a file, are told when they are dropped here; other things are refused.
+  void aDroppedMaterialIsToldAsReference() {
+    QStringList dropped;
+    connect(bar_.get(), &ComparisonBar::referenceDropped, this, [&](const QString& path) { dropped << path; });
+    const auto drop = [&](QMimeData* data) {
+      const std::unique_ptr<QMimeData> owned(data);
+      const QPoint at = bar_->rect().center();
+      QDragEnterEvent enter(at, Qt::CopyAction, data, Qt::LeftButton, Qt::NoModifier);
+      enter.ignore();
+      QApplication::sendEvent(bar_.get(), &enter);
+      if (!enter.isAccepted()) return false;
+      QDropEvent event(at, Qt::CopyAction, data, Qt::LeftButton, Qt::NoModifier);
+      QApplication::sendEvent(bar_.get(), &event);
+      return true;
+    };
+    QVERIFY(drop(toDrag("library:sgd/nickel")));
+    auto* file = new QMimeData;
+    file->setUrls({QUrl::fromLocalFile("/tmp/a.binary")});
+    QVERIFY(drop(file));
+    auto* text = new QMimeData;
+    text->setText("hello");
+    QVERIFY(!drop(text));
+    QCOMPARE(dropped, (QStringList{"library:sgd/nickel", "/tmp/a.binary"}));
   }
 
   /// A range of its own is kept until the box for the automatic one is ticked again.

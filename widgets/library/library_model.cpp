@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "widgets/library/material_drag.h"
+
 namespace gonio::widgets {
 
 void LibraryModel::setItems(std::vector<LibraryItem> items) {
@@ -42,6 +44,14 @@ QStringList LibraryModel::pending() const {
 }
 
 int LibraryModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_entries.size()); }
+
+Qt::ItemFlags LibraryModel::flags(const QModelIndex& index) const {
+  return QAbstractListModel::flags(index) | Qt::ItemIsDragEnabled;
+}
+
+QMimeData* LibraryModel::mimeData(const QModelIndexList& indexes) const {
+  return indexes.isEmpty() ? nullptr : toDrag(indexes.front().data(IdRole).toString());
+}
 
 QVariant LibraryModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};

@@ -3,6 +3,7 @@
 #include "widgets/library/library_view.h"
 
 #include <QComboBox>
+#include <QDragEnterEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -39,6 +40,7 @@ LibraryView::LibraryView(LibraryModel* model, QWidget* parent)
   m_proxy->setSourceModel(model);
   m_proxy->setFilterCaseSensitivity(Qt::CaseInsensitive);
   m_proxy->setSortCaseSensitivity(Qt::CaseInsensitive);
+  setAcceptDrops(true);
   buildControls();
   connectList();
 
@@ -93,6 +95,8 @@ void LibraryView::connectList() {
   m_list->setViewMode(QListView::IconMode);
   m_list->setResizeMode(QListView::Adjust);
   m_list->setMovement(QListView::Static);
+  m_list->setDragEnabled(true);
+  m_list->setDragDropMode(QAbstractItemView::DragOnly);
   m_list->setUniformItemSizes(true);
   m_list->setSpacing(2);
   m_list->setMouseTracking(true);
@@ -118,6 +122,8 @@ void LibraryView::connectList() {
 void LibraryView::openIndex(const QModelIndex& index) {
   if (index.isValid()) Q_EMIT openRequested(index.data(LibraryModel::IdRole).toString());
 }
+
+void LibraryView::dragEnterEvent(QDragEnterEvent* event) { event->setAccepted(event->source() == m_list); }
 
 void LibraryView::showMenu(const QPoint& position) {
   const QModelIndex index = m_list->indexAt(position);

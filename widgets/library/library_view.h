@@ -47,6 +47,8 @@ class LibraryView : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  /// Takes its own materials without doing anything: a drag that ends where it began opens nothing.
+  void dragEnterEvent(QDragEnterEvent* event) override;
 
  private:
   void buildControls();

@@ -12,9 +12,9 @@
 #include <QPushButton>
 #include <QStandardItemModel>
 #include <QToolButton>
-#include <QUrl>
 
 #include "widgets/inputs/number_field.h"
+#include "widgets/library/material_drag.h"
 
 namespace gonio::widgets {
 
@@ -23,12 +23,6 @@ namespace {
 constexpr double smallestRange = 1e-6, largestRange = 1e6;
 /// The last entry of the lists: chooses a file.
 constexpr int otherMaterialEntry = 4;
-
-QString localFile(const QMimeData* data) {
-  for (const QUrl& url : data->urls())
-    if (url.isLocalFile()) return url.toLocalFile();
-  return {};
-}
 
 QHBoxLayout* rowLayout(QWidget* row) {
   auto* layout = new QHBoxLayout(row);
@@ -202,11 +196,11 @@ void ComparisonBar::refresh() {
 }
 
 void ComparisonBar::dragEnterEvent(QDragEnterEvent* event) {
-  if (!localFile(event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (!draggedMaterial(event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void ComparisonBar::dropEvent(QDropEvent* event) {
-  const QString file = localFile(event->mimeData());
+  const QString file = draggedMaterial(event->mimeData());
   if (file.isEmpty()) return;
   event->acceptProposedAction();
   Q_EMIT referenceDropped(file);

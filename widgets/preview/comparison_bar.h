@@ -37,7 +37,7 @@ class ComparisonBar : public QWidget {
   void sidesEdited(gonio::widgets::ComparedSubject first, gonio::widgets::ComparedSubject second);
   /// The user wants to choose another material as the reference.
   void referenceWanted();
-  /// A file was dropped here: it is to be the reference.
+  /// A file or a material of the library was dropped here: it is to be the reference.
   void referenceDropped(const QString& path);
   /// The button that shows the other side is held.
   void flickerHeld(bool held);
