@@ -5,10 +5,10 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <random>
 
 #include "core/brdf/brdf.h"
 #include "core/models/registry.h"
+#include "tests/support/random_directions.h"
 
 namespace gonio::testing {
 
@@ -43,13 +43,6 @@ inline std::unique_ptr<const Brdf> ggx(const Rgb& diffuse, const Rgb& specular, 
 
 inline FunctionBrdf lambert(const Rgb& albedo) {
   return FunctionBrdf([albedo](const Direction&, const Direction&) { return albedo / pi; });
-}
-
-/// Even over the hemisphere.
-inline Direction randomUpper(std::mt19937_64& random) {
-  std::uniform_real_distribution<double> uniform(0, 1);
-  const double z = uniform(random);
-  return fromSpherical(std::acos(z), 2 * pi * uniform(random));
 }
 
 }  // namespace gonio::testing

@@ -1,115 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include <QApplication>
-#include <QFile>
-#include <QLabel>
 #include <QSignalSpy>
-#include <QTemporaryDir>
-#include <QTest>
 #include <QWheelEvent>
-#include <QXmlStreamReader>
 #include <cmath>
 
-#include "core/plots/albedo_curve.h"
-#include "core/support/error.h"
-#include "tests/support/function_brdf.h"
-#include "widgets/plots/albedo_plot.h"
-#include "widgets/plots/cartesian_plot.h"
-#include "widgets/plots/lobe_plot.h"
-#include "widgets/plots/plot_export.h"
-#include "widgets/plots/polar_plot.h"
-#include "widgets/plots/slice_plot.h"
+#include "tests/widgets/plot_test_support.h"
 
 using namespace gonio;
 using namespace gonio::widgets;
-using plots::CosineFactor;
+using namespace gonio::widgets::test;
 
 namespace {
-
-const PlotSettings settings{.cosine = CosineFactor::outgoing, .thetaI = radians(30)};
-
-/// Lambert of reflectance 1 and 0.5, times cos theta_o.
-template <class Compute>
-auto twoSeries(Compute compute) {
-  PlotSeriesList<decltype(compute(testing::lambert(Rgb(1))))> list;
-  list.push_back({SeriesRole::measured, "measured", compute(testing::lambert(Rgb(1)))});
-  list.push_back({SeriesRole::edited, "edited", compute(testing::lambert(Rgb(0.5)))});
-  return list;
-}
-plots::Curve lobeCurve(const Brdf& brdf) { return plots::polarLobe(brdf, settings.thetaI, settings.cosine); }
-
-/// Shown with data and settings; the offscreen platform lays it out.
-template <class AnyPlot>
-std::unique_ptr<AnyPlot> shown(std::unique_ptr<AnyPlot> plot) {
-  plot->setSource("chalk");
-  plot->setSettings(settings);
-  plot->resize(600, 320);
-  plot->show();
-  QTest::qWait(20);
-  return plot;
-}
-std::unique_ptr<PolarPlot> polarPlot() {
-  auto plot = std::make_unique<PolarPlot>();
-  plot->setSeries(twoSeries(lobeCurve));
-  return shown(std::move(plot));
-}
-std::unique_ptr<CartesianPlot> cartesianPlot(plots::SectionAxis axis = plots::SectionAxis::thetaO) {
-  const plots::Section section{
-      .axis = axis, .thetaI = settings.thetaI, .thetaD = radians(20), .cosine = settings.cosine};
-  auto plot = std::make_unique<CartesianPlot>();
-  plot->setSection(section, twoSeries([&](const Brdf& brdf) { return plots::sectionCurve(brdf, section); }));
-  return shown(std::move(plot));
-}
-std::unique_ptr<SlicePlot> slicePlot() {
-  auto plot = std::make_unique<SlicePlot>();
-  plot->setSeries(twoSeries([](const Brdf& brdf) {
-    return plots::halfDifferenceSlice(brdf, 0.3, plots::ThetaHSpacing::squareRoot, settings.cosine);
-  }));
-  return shown(std::move(plot));
-}
-std::unique_ptr<AlbedoPlot> albedoPlot() {
-  auto plot = std::make_unique<AlbedoPlot>();
-  plot->setSeries(twoSeries([](const Brdf& brdf) { return plots::albedoCurve(brdf, 5, 64); }));
-  return shown(std::move(plot));
-}
-std::unique_ptr<LobePlot> lobePlot() {
-  auto plot = std::make_unique<LobePlot>();
-  plot->setSeries(
-      twoSeries([](const Brdf& brdf) { return plots::lobeSurface(brdf, settings.thetaI, settings.cosine); }));
-  return shown(std::move(plot));
-}
-
-std::vector<std::unique_ptr<Plot>> allPlots() {
-  std::vector<std::unique_ptr<Plot>> all;
-  all.push_back(polarPlot());
-  all.push_back(cartesianPlot());
-  all.push_back(slicePlot());
-  all.push_back(albedoPlot());
-  all.push_back(lobePlot());
-  return all;
-}
-
-/// The widget that gets the mouse: a chart inside the plot, or the plot itself.
-QWidget* target(Plot& plot) {
-  for (QWidget* child : plot.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
-    if (!qobject_cast<QLabel*>(child)) return child;
-  return &plot;
-}
-void moveTo(Plot& plot, const QPointF& position, Qt::MouseButtons buttons) {
-  QWidget* widget = target(plot);
-  QMouseEvent event(QEvent::MouseMove, position, widget->mapToGlobal(position), Qt::NoButton, buttons, Qt::NoModifier);
-  QApplication::sendEvent(widget, &event);
-}
-void drag(Plot& plot, const QPointF& from, const QPointF& to) {
-  QTest::mousePress(target(plot), Qt::LeftButton, {}, from.toPoint());
-  moveTo(plot, to, Qt::LeftButton);
-  QTest::mouseRelease(target(plot), Qt::LeftButton, {}, to.toPoint());
-}
-QString readout(Plot& plot) {
-  for (const QLabel* label : plot.findChildren<QLabel*>())
-    if (label->isVisible() && label->autoFillBackground()) return label->text();
-  return {};
-}
 
 /// Contrast of WCAG 2.1.
 double contrast(const QColor& a, const QColor& b) {
@@ -118,13 +19,6 @@ double contrast(const QColor& a, const QColor& b) {
     return luminance({linear(colour.redF()), linear(colour.greenF()), linear(colour.blueF())}) + 0.05;
   };
   return std::max(light(a), light(b)) / std::min(light(a), light(b));
-}
-
-QList<QByteArray> dataLines(const QByteArray& csv) {
-  QList<QByteArray> lines;
-  for (const QByteArray& line : csv.trimmed().split('\n'))
-    if (!line.startsWith('#')) lines << line;
-  return lines;
 }
 
 }  // namespace
@@ -149,95 +43,6 @@ class PlotsTest : public QObject {
       for (int y = 0; y < picture.height(); y += 2)
         for (int x = 0; x < picture.width(); x += 2) colours << picture.pixel(x, y);
       QVERIFY2(colours.size() > 8, qPrintable(plot->title()));
-    }
-  }
-
-  void exportedFilesAreReadBack() {
-    const QTemporaryDir folder;
-    for (const auto& plot : allPlots()) {
-      const QString stem = folder.filePath(plot->title());
-      for (const char* suffix : {".svg", ".png", ".csv"}) exportPlot(*plot, stem + suffix);
-      QFile svg(stem + ".svg");
-      QVERIFY(svg.open(QIODevice::ReadOnly));
-      QXmlStreamReader reader(&svg);
-      int shapes = 0;
-      QString texts;
-      while (!reader.atEnd()) {
-        reader.readNext();
-        if (!reader.isStartElement()) continue;
-        if (reader.name() == QLatin1String("text"))
-          texts += reader.readElementText() + '\n';
-        else if (QStringList{"polyline", "path", "image", "polygon"}.contains(reader.name()))
-          ++shapes;
-      }
-      QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
-      QVERIFY(shapes > 2);
-      QVERIFY2(texts.contains("measured") && texts.contains("edited"), qPrintable(texts));
-      const QImage png(stem + ".png");
-      QCOMPARE(png.size(), plot->size() * 2);
-      QCOMPARE(png.pixelColor(1, png.height() - 2), QColor(Qt::white));  // on paper, whatever the theme
-      const QByteArray csv = plotAsCsv(*plot);
-      QFile written(stem + ".csv");
-      QVERIFY(written.open(QIODevice::ReadOnly));
-      QCOMPARE(written.readAll(), csv);
-      QVERIFY(csv.contains("chalk") && csv.contains("convention: unit directions") && csv.contains("degrees"));
-    }
-  }
-
-  /// SVG files do not clip: every corner of a zoomed chart's curves lies between the axes.
-  void zoomedCurvesEndAtTheAxes() {
-    const auto plot = cartesianPlot();
-    const QPointF at = QRectF(plot->rect()).center();
-    QWidget* widget = target(*plot);
-    QWheelEvent wheel(at, widget->mapToGlobal(at), {}, {0, 600}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
-                      false);
-    QApplication::sendEvent(widget, &wheel);
-    QXmlStreamReader reader(plotAsSvg(*plot));
-    int corners = 0;
-    while (!reader.atEnd()) {
-      reader.readNext();
-      if (!reader.isStartElement() || reader.name() != QLatin1String("polyline")) continue;
-      for (const QString& point : reader.attributes().value("points").toString().split(' ', Qt::SkipEmptyParts)) {
-        const double x = point.section(',', 0, 0).toDouble(), y = point.section(',', 1, 1).toDouble();
-        QVERIFY2(x > -1 && y > -1 && x < 601 && y < 321, qPrintable(point));
-        ++corners;
-      }
-    }
-    QVERIFY(corners > 10);
-    QVERIFY(plot->series().front().data.angles.size() > 700);
-  }
-
-  /// A column a curve: the numbers of a Lambert lobe times cos theta_o.
-  void csvHoldsTheShownNumbers() {
-    const auto plot = polarPlot();
-    const QByteArray csv = plotAsCsv(*plot);
-    QVERIFY(csv.contains("luminance of f cos theta_o, 1/sr"));
-    QVERIFY(csv.contains("theta_i = 30 degrees"));
-    const QList<QByteArray> lines = dataLines(csv);
-    QCOMPARE(lines.first(), QByteArray("theta_o [degrees],measured [1/sr],edited [1/sr]"));
-    QVERIFY(lines.size() > 100);
-    for (qsizetype i = 1; i < lines.size(); ++i) {
-      const QList<QByteArray> fields = lines[i].split(',');
-      QCOMPARE(fields.size(), 3);
-      const double expected = std::cos(radians(fields[0].toDouble())) / pi;
-      QVERIFY(std::abs(fields[1].toDouble() - expected) < 1e-12);
-      QVERIFY(std::abs(fields[2].toDouble() - expected / 2) < 1e-12);
-    }
-    // Cells below the horizon are empty.
-    bool empty = false;
-    for (const QByteArray& line : dataLines(plotAsCsv(*slicePlot()))) empty = empty || line.endsWith(",,");
-    QVERIFY(empty);
-  }
-
-  void exportErrorsNameTheFile() {
-    const auto plot = polarPlot();
-    for (const QString path : {"/no/such/folder/lobe.svg", "/tmp/lobe.jpg"}) {
-      try {
-        exportPlot(*plot, path);
-        QFAIL("no error");
-      } catch (const Error& error) {
-        QVERIFY2(QString(error.what()).startsWith(path), error.what());
-      }
     }
   }
 

@@ -6,16 +6,15 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/random_directions.h"
+
 using namespace gonio;
+using testing::randomUpper;
+using testing::rotateZ;
 
 namespace {
-Direction randomUpper(std::mt19937_64& random) {
-  std::uniform_real_distribution<double> uniform(0, 1);
-  return fromSpherical(std::acos(uniform(random)), 2 * pi * uniform(random));
-}
-double angleBetween(const Direction& a, const Direction& b) { return 2 * std::atan2(glm::length(a - b), glm::length(a + b)); }
-Direction rotateZ(const Direction& w, double phi) {
-  return {std::cos(phi) * w.x - std::sin(phi) * w.y, std::sin(phi) * w.x + std::cos(phi) * w.y, w.z};
+double angleBetween(const Direction& a, const Direction& b) {
+  return 2 * std::atan2(glm::length(a - b), glm::length(a + b));
 }
 }  // namespace
 

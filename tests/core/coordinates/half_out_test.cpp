@@ -6,18 +6,14 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/random_directions.h"
+
 using namespace gonio;
+using testing::randomUpper;
+using testing::rotateZ;
 
 namespace {
 
-Direction randomUpper(std::mt19937_64& random) {
-  std::uniform_real_distribution<double> uniform(0, 1);
-  const double z = uniform(random), s = std::sqrt((1 - z) * (1 + z)), phi = 2 * pi * uniform(random);
-  return {s * std::cos(phi), s * std::sin(phi), z};
-}
-Direction rotateZ(const Direction& w, double phi) {
-  return {std::cos(phi) * w.x - std::sin(phi) * w.y, std::sin(phi) * w.x + std::cos(phi) * w.y, w.z};
-}
 bool roundTrips(const Direction& wi, const Direction& wo) {
   const HalfOutDirections back = fromHalfOut(toHalfOut(wi, wo));
   const double phi = wo.x == 0 && wo.y == 0 ? azimuth(wi) : azimuth(wo);

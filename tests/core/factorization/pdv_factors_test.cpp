@@ -11,9 +11,11 @@
 #include "core/math/parallel.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
+#include "tests/support/random_directions.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
+using testing::randomUpper;
 
 namespace {
 
@@ -23,12 +25,6 @@ std::shared_ptr<const TabulatedBrdf> glossyTable() {
   models::ParameterValues values = models::defaultParameters(models::ggx().spec());
   values.values[models::ggx().spec().find("roughness").value()] = Rgb(0.2);
   return bakeTable(*models::ggx().instantiate(values), smallGrid);
-}
-
-Direction randomUpper(std::mt19937_64& random) {
-  std::uniform_real_distribution<double> uniform(0, 1);
-  const double z = uniform(random), s = std::sqrt((1 - z) * (1 + z)), phi = 2 * pi * uniform(random);
-  return {s * std::cos(phi), s * std::sin(phi), z};
 }
 
 /// Three terms with curves of every kind.
