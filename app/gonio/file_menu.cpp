@@ -95,8 +95,8 @@ void FileMenu::fillRecent(QMenu* menu) {
 void FileMenu::openFile() {
   const QString path = QFileDialog::getOpenFileName(
       &m_window, tr("Open"), m_window.settings().value("folders/open").toString(),
-      tr("Materials and documents (*.binary *.bsdf *.gonio);;MERL tables (*.binary);;RGL materials (*.bsdf);;"
-         "Gonio documents (*.gonio);;All files (*)"));
+      tr("Materials and documents (*.binary *.bsdf *.pdv *.gonio);;MERL tables (*.binary);;RGL materials (*.bsdf);;"
+         "PDV factors (*.pdv);;Gonio documents (*.gonio);;All files (*)"));
   if (path.isEmpty()) return;
   m_window.settings().setValue("folders/open", QFileInfo(path).absolutePath());
   m_window.open(path);

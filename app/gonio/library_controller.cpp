@@ -28,8 +28,11 @@ void LibraryController::showBundled() {
 void LibraryController::showFolder(const QString& folder) {
   std::vector<widgets::LibraryItem> items;
   const QDir dir(folder);
-  for (const QFileInfo& file : dir.entryInfoList({"*.binary", "*.bsdf"}, QDir::Files | QDir::Readable, QDir::Name)) {
-    const QString kind = file.suffix() == "bsdf" ? tr("RGL file") : tr("MERL file");
+  for (const QFileInfo& file :
+       dir.entryInfoList({"*.binary", "*.bsdf", "*.pdv"}, QDir::Files | QDir::Readable, QDir::Name)) {
+    const QString kind = file.suffix() == "bsdf"  ? tr("RGL file")
+                         : file.suffix() == "pdv" ? tr("PDV factors")
+                                                  : tr("MERL file");
     items.push_back({file.absoluteFilePath(), file.completeBaseName(), tr("%1, %2").arg(kind, file.fileName())});
   }
   show(std::move(items), dir.dirName(), folder);

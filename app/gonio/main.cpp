@@ -32,7 +32,7 @@ Options readOptions(const QApplication& application) {
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument(
-      "file", QObject::tr("Measured materials (.binary, .bsdf) or documents (.gonio) to open."), "[FILE ...]");
+      "file", QObject::tr("Measured materials (.binary, .bsdf, .pdv) or documents (.gonio) to open."), "[FILE ...]");
   const auto hidden = [&parser](const char* name, const char* value) {
     QCommandLineOption option(name, {}, value);
     option.setFlags(QCommandLineOption::HiddenFromHelp);

@@ -58,7 +58,7 @@ void MainWindow::buildDocks() {
   const int em = fontMetrics().height();
   resizeDocks({library, inspector}, {em * 27, em * 28}, Qt::Horizontal);
   m_libraryView->setEmptyText(
-      tr("There are no .binary or .bsdf files in this folder.\nFile > Bundled Library shows the "
+      tr("There are no .binary, .bsdf or .pdv files in this folder.\nFile > Bundled Library shows the "
          "materials that come with Gonio."));
   connect(&m_libraryController, &LibraryController::titleChanged, m_libraryView, &widgets::LibraryView::setTitle);
   connect(m_libraryView, &widgets::LibraryView::visibleIdsChanged, &m_libraryController,

@@ -41,7 +41,7 @@ ReferenceDialog::ReferenceDialog(widgets::LibraryModel& library, QWidget* parent
 
 void ReferenceDialog::chooseFile() {
   const QString path = QFileDialog::getOpenFileName(this, tr("Compare with a File"), {},
-                                                    tr("Measured materials (*.binary *.bsdf);;All files (*)"));
+                                                    tr("Measured materials (*.binary *.bsdf *.pdv);;All files (*)"));
   if (path.isEmpty()) return;
   accept();
   Q_EMIT chosen(path);

@@ -33,7 +33,7 @@ int work(const tool::Tool& tool) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Measured materials (BRDFs) without a window: read, check, convert, fit, edit, render, compare.",
+  CLI::App app("Measured materials (BRDFs) without a window: read, check, convert, fit, edit, factor, render, compare.",
                "goniotool");
   tool::Tool tool;
   app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
@@ -43,10 +43,10 @@ int main(int argc, char** argv) {
   app.add_flag("--progress", tool.showProgress, "Progress on standard error even where that is no terminal");
   app.add_option("--threads", tool.threads, "Number of threads (all cores)")->check(CLI::Range(1, 4096));
   app.footer(
-      "A MATERIAL is a MERL .binary or an RGL .bsdf file (found by content), a .gonio document, or a bundled\n"
-      "material such as library:sgd/chrome. Exit code: 0 success, 1 failure, 2 wrong usage.");
+      "A MATERIAL is a MERL .binary, an RGL .bsdf or a .pdv file of factors (found by content), a .gonio document,\n"
+      "or a bundled material such as library:sgd/chrome. Exit code: 0 success, 1 failure, 2 wrong usage.");
   for (const auto add : {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit,
-                         tool::addEdit, tool::addRender, tool::addCompare})
+                         tool::addEdit, tool::addFactor, tool::addRender, tool::addCompare})
     add(app, tool);
   try {
     app.parse(argc, argv);

@@ -36,5 +36,6 @@ void addFit(CLI::App& app, Tool& tool);
 void addEdit(CLI::App& app, Tool& tool);
 void addRender(CLI::App& app, Tool& tool);
 void addCompare(CLI::App& app, Tool& tool);
+void addFactor(CLI::App& app, Tool& tool);
 
 }  // namespace gonio::tool

@@ -159,4 +159,11 @@ bool isPdv(const std::filesystem::path& path) {
   return stream.read(start, magicBytes) && std::memcmp(start, magic, magicBytes) == 0;
 }
 
+bool isPdv(const io::ByteSource& source) {
+  std::byte start[magicBytes];
+  if (source.size() < magicBytes) return false;
+  source.readAt(0, start);
+  return std::memcmp(start, magic, magicBytes) == 0;
+}
+
 }  // namespace gonio::factorization

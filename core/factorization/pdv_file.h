@@ -28,5 +28,6 @@ PdvFactors readPdv(const io::ByteSource& source);
 
 /// Whether a file begins like one. A file that cannot be read does not.
 bool isPdv(const std::filesystem::path& path);
+bool isPdv(const io::ByteSource& source);
 
 }  // namespace gonio::factorization

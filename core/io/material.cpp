@@ -4,6 +4,7 @@
 
 #include <future>
 
+#include "core/factorization/pdv_file.h"
 #include "core/io/atomic_file.h"
 #include "core/io/format_mismatch.h"
 #include "core/io/merl_file.h"
@@ -46,7 +47,20 @@ void readRglMaterial(const ByteSource& source, const TaskControl& control, Mater
                                     " negative values; where they make a reflectance negative it is set to 0");
 }
 
-constexpr MaterialReader readers[] = {{"MERL", readMerlMaterial}, {"RGL", readRglMaterial}};
+void readPdvMaterial(const ByteSource& source, const TaskControl&, Material& material) {
+  if (!factorization::isPdv(source)) throw FormatMismatch("another start", "GONIOPDV");
+  const factorization::PdvFactors factors = factorization::readPdv(source);
+  material.brdf = factorization::makePdvBrdf(factors);
+  material.source.grid = {int(factors.thetaNodes.size()), int(factors.deviationNodes.size()),
+                          int(factors.phiNodes.size())};
+  material.source.description = std::to_string(factors.terms()) + (factors.terms() == 1 ? " term of " : " terms of ") +
+                                (factors.form == factorization::PdvForm::twoFactors ? "two" : "three") +
+                                " factors, transform " +
+                                std::string(dataTransformNames[std::size_t(factors.transform)]);
+}
+
+constexpr MaterialReader readers[] = {
+    {"MERL", readMerlMaterial}, {"RGL", readRglMaterial}, {"PDV factors", readPdvMaterial}};
 
 Material readFormat(const ByteSource& source, const TaskControl& control) {
   std::string refusals;

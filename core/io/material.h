@@ -15,7 +15,7 @@ namespace gonio::io {
 /// Where a material comes from.
 struct MaterialSource {
   std::filesystem::path path;      ///< of the file, absolute; "library:sgd/chrome" for a bundled material
-  std::string format;              ///< "MERL", "RGL", "SGD fit"
+  std::string format;              ///< "MERL", "RGL", "PDV factors", "SGD fit"
   std::string sha256;              ///< of the file's bytes, or of a bundled material's parameters; lower-case hex
   std::string description;         ///< from the file or for people: "SGD fit of MERL chrome, Bagher et al. 2012"
   std::vector<int> grid;           ///< sizes of the stored data, e.g. 90 90 180
@@ -30,7 +30,7 @@ struct Material {
   std::shared_ptr<const TabulatedBrdf> table;  ///< the same object when the file is a table, else null;
                                                ///< of an anisotropic replayed edit its mean over the azimuths
 
-  /// The table for editing: `table`, or the reflectance sampled onto the MERL grid (about 1 s for an RGL file).
+  /// The table for editing: `table`, or the reflectance sampled onto the MERL grid (about 1 s for an RGL file or factors).
   std::shared_ptr<const TabulatedBrdf> tabulated(const TaskControl& control = {}) const;
 };
 

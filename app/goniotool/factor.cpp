@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <random>
+
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/factorization/pdv_file.h"
+#include "core/factorization/pdv_operations.h"
+#include "core/metrics/brdf_metrics.h"
+
+namespace gonio::tool {
+
+namespace {
+
+using namespace factorization;
+
+constexpr const char* factorsSuffix = ".pdv";
+constexpr std::array<const char*, 2> formNames{"2d", "3d"};  // in the order of PdvForm
+
+struct Options {
+  std::string material, form = formNames[1], transform{dataTransformNames[0]}, out, decode, swapF1, swapF2;
+  int terms = 10;
+  bool keepFurther = false, formGiven = false, transformGiven = false;
+
+  PdvOptions pdvOptions() const {
+    return {.form = static_cast<PdvForm>(std::find(formNames.begin(), formNames.end(), form) - formNames.begin()),
+            .transform =
+                static_cast<DataTransform>(std::find(dataTransformNames.begin(), dataTransformNames.end(), transform) -
+                                           dataTransformNames.begin()),
+            .terms = swaps() && !keepFurther ? 1 : terms};
+  }
+  bool swaps() const { return !swapF1.empty() || !swapF2.empty(); }
+};
+
+bool isFactorsFile(const std::string& path) { return std::filesystem::path(path).extension() == factorsSuffix; }
+
+/// The factors of FILE: its own, where it is a .pdv file.
+PdvFactorization factorsOf(const Options& options, const io::Material& material, const TabulatedBrdf& table,
+                           const Tool& tool) {
+  if (!isPdv(options.material))
+    return factorizePdv(table, options.pdvOptions(), tool.control("factorising " + material.name));
+  if (options.formGiven || options.transformGiven)
+    throw UsageError("factor: " + options.material + " holds factors already: --form and --transform are theirs");
+  return {.factors = readPdv(options.material).truncated(options.terms), .residuals = {}, .cells = 0, .seconds = 0};
+}
+
+/// The factors of another material for a swap: one term over the same nodes, where they are not given.
+PdvFactors otherFactors(const std::string& other, const PdvFactors& target, const Tool& tool) {
+  if (isPdv(other)) return readPdv(other);
+  const io::Material material = openMaterial(other, tool.control("reading " + other));
+  return factorizePdv(
+             *material.tabulated(tool.control("tabulating")),
+             {.form = target.form, .transform = target.transform, .terms = 1, .deviationNodes = target.deviationNodes},
+             tool.control("factorising " + material.name))
+      .factors;
+}
+
+PdvFactors swapped(const Options& options, PdvFactors factors, const Tool& tool) {
+  const FurtherTerms further = options.keepFurther ? FurtherTerms::keep : FurtherTerms::drop;
+  if (!options.swapF1.empty()) factors = takeF1(factors, otherFactors(options.swapF1, factors, tool), further);
+  if (!options.swapF2.empty()) factors = takeF2(factors, otherFactors(options.swapF2, factors, tool), further);
+  return factors;
+}
+
+/// Nanoseconds a pair on one core, in a long batch: the fastest of some.
+double evaluationNanoseconds(const Brdf& brdf) {
+  constexpr std::size_t count = 1 << 14;
+  constexpr int repetitions = 5;
+  std::vector<DirectionPair> pairs(count);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto direction = [&] { return fromSpherical(std::acos(uniform(random)), 2 * pi * uniform(random)); };
+  for (DirectionPair& pair : pairs) pair = {direction(), direction()};
+  std::vector<Rgb> values(count);
+  double best = 0;
+  for (int n = 0; n < repetitions; ++n) {
+    const auto start = std::chrono::steady_clock::now();
+    brdf.evaluate(pairs, values);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    best = n == 0 ? seconds : std::min(best, seconds);
+  }
+  return best * 1e9 / double(count);
+}
+
+void checkOptions(const Options& options) {
+  if (options.keepFurther && !options.swaps()) throw UsageError("factor: --keep-terms is for --swap-f1 and --swap-f2");
+  if (!options.out.empty() && !isFactorsFile(options.out)) checkOutput(options.out);
+  if (!options.decode.empty()) checkOutput(options.decode);
+}
+
+int factor(const Options& options, const Tool& tool) {
+  checkOptions(options);
+  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const auto table = material.tabulated(tool.control("tabulating"));
+  PdvFactorization result = factorsOf(options, material, *table, tool);
+  result.factors = swapped(options, std::move(result.factors), tool);
+  const auto brdf = makePdvBrdf(result.factors);
+  const std::vector<double> errors = metrics::brdfErrors(*table, *brdf);
+  const double snr = metrics::brdfSignalToNoiseRatio(*table, *brdf);
+  const double nanoseconds = evaluationNanoseconds(*brdf);
+  if (isFactorsFile(options.out)) writePdv(result.factors, options.out);
+  for (const std::string& path : {isFactorsFile(options.out) ? std::string() : options.out, options.decode})
+    if (!path.empty()) writeMaterial(*bakeTable(*brdf, table->grid(), tool.control("decoding")), path);
+
+  const PdvFactors& f = result.factors;
+  if (!result.residuals.empty()) result.residuals.erase(result.residuals.begin());
+  result.residuals.resize(std::min(result.residuals.size(), std::size_t(f.terms())));
+  Json json{{"terms", f.terms()},
+            {"form", formNames[std::size_t(f.form)]},
+            {"transform", dataTransformNames[std::size_t(f.transform)]},
+            {"grid", {f.thetaNodes.size(), f.deviationNodes.size(), f.phiNodes.size()}},
+            {"bytes", fileBytes(f)},
+            {"residuals", result.residuals},
+            {"seconds", result.seconds},
+            {"errors", errorsJson(errors)},
+            {"brdfSnr", decibelsJson(snr)},
+            {"evaluationNs", nanoseconds}};
+  if (!options.out.empty()) json["out"] = options.out;
+  if (!options.decode.empty()) json["decoded"] = options.decode;
+  print(tool, json,
+        std::to_string(f.terms()) + " terms, " + std::to_string(fileBytes(f)) + " bytes, residual " +
+            (result.residuals.empty() ? "not known" : number(result.residuals.back())) + ", BRDF SNR " + number(snr) +
+            " dB, " + number(result.seconds) + " s, " + number(nanoseconds) + " ns a value\n" + errorsText(errors));
+  return 0;
+}
+
+}  // namespace
+
+void addFactor(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("factor", "Factorises into curves of projected-deviation coordinates (PDV)");
+  command->add_option("MATERIAL", options->material, materialHelp)->required();
+  command->add_option("--terms", options->terms, "Products of curves that are summed (10)")
+      ->check(CLI::Range(1, mostPdvTerms));
+  auto* form = command->add_option("--form", options->form, "2d: two curves a term; 3d: three (3d)");
+  form->check(CLI::IsMember(std::vector<std::string>(formNames.begin(), formNames.end())));
+  auto* transform = command->add_option("--transform", options->transform, "Of the reflectance (log-plus)");
+  transform->check(CLI::IsMember(std::vector<std::string>(dataTransformNames.begin(), dataTransformNames.end())));
+  command->add_option("--out", options->out, "The factors (.pdv), or the material that they stand for (.binary)");
+  command->add_option("--decode", options->decode, "Bakes the material that the factors stand for to this .binary");
+  command->add_option("--swap-f1", options->swapF1, "Takes the first term's F1, strength by angle, from this material");
+  command->add_option("--swap-f2", options->swapF2, "Takes the first term's F2, shape of the highlight, from this");
+  command->add_flag("--keep-terms", options->keepFurther, "Swaps keep the terms behind the first");
+  command->callback([options, form, transform, &tool] {
+    options->formGiven = form->count() > 0;
+    options->transformGiven = transform->count() > 0;
+    tool.run = [options, &tool] { return factor(*options, tool); };
+  });
+}
+
+}  // namespace gonio::tool
