@@ -29,16 +29,16 @@ constexpr ParameterSpec specularParameter(double defaultValue, std::string_view 
 /// Roughness of microfacet models: small is glossy. Below 1e-4 a lobe is narrower than any light or measurement.
 constexpr ParameterSpec roughnessParameter(std::string_view symbol, std::string_view description,
                                            std::string_view formula, std::string_view reference,
-                                           double hardMax = 1) {
+                                           double hardMax = 1, double defaultValue = 0.3) {
   return {.id = "roughness", .label = "Roughness", .symbol = symbol, .unit = "",
-          .softMin = 0.005, .softMax = 1, .hardMin = 1e-4, .hardMax = hardMax, .defaultValue = 0.3,
+          .softMin = 0.005, .softMax = 1, .hardMin = 1e-4, .hardMax = hardMax, .defaultValue = defaultValue,
           .scale = ParameterScale::logarithmic,
           .description = description, .formula = formula, .reference = reference};
 }
 
-constexpr ParameterSpec normalReflectanceParameter() {
+constexpr ParameterSpec normalReflectanceParameter(double defaultValue = 0.04) {
   return {.id = "f0", .label = "Normal reflectance", .symbol = "F_0", .unit = "",
-          .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.04,
+          .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = defaultValue,
           .group = ParameterGroup::fresnel,
           .description = "How mirror-like the surface is when seen head-on; metals are high, plastics near 0.04.",
           .formula = "F = F(cos theta_d, eta), eta = (1 + sqrt F_0) / (1 - sqrt F_0)",

@@ -43,7 +43,7 @@ constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.1),
     specularParameter(1, "k_s F G (A D + (1 - A) S) / (4 cos theta_i cos theta_o)", holzschuchPacanowski2017),
     roughnessParameter("beta", "Width of the highlight: the slopes of the facets.", facetsFormula,
-                       holzschuchPacanowski2017, 5),
+                       holzschuchPacanowski2017, 5, 0.05),
     {.id = "power", .label = "Roundness", .symbol = "p", .unit = "",
      .softMin = 0.2, .softMax = 2, .hardMin = ExponentialPowerDistribution::minPower,
      .hardMax = ExponentialPowerDistribution::maxPower, .defaultValue = 0.7,
@@ -51,9 +51,9 @@ constexpr ParameterSpec parameters[] = {
      .description = "Shape of the highlight: small values give a sharp peak with wide tails, large ones a flat top; 1 "
                     "is Beckmann.",
      .formula = facetsFormula, .reference = holzschuchPacanowski2017},
-    normalReflectanceParameter(),
+    normalReflectanceParameter(0.5),
     {.id = "nano-roughness", .label = "Nano roughness", .symbol = "sigma_s", .unit = "nm",
-     .softMin = 0, .softMax = 100, .hardMin = 0, .hardMax = 1000, .defaultValue = 15,
+     .softMin = 0, .softMax = 100, .hardMin = 0, .hardMax = 1000, .defaultValue = 20,
      .group = ParameterGroup::layer,
      .description = "Height of the details smaller than a wavelength: moves light from the highlight to a bluish glow "
                     "around it.",
