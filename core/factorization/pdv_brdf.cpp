@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <optional>
 
-#include "core/brdf/sampling_lobe.h"
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/pdv_factors.h"
+#include "core/factorization/pdv_sampler.h"
 #include "core/math/monotone_cubic.h"
 
 namespace gonio::factorization {
@@ -52,7 +53,8 @@ class CurveBundle {
 class PdvBrdf final : public Brdf {
  public:
   explicit PdvBrdf(const PdvFactors& f)
-      : transform_(f.transform),
+      : first_(f.truncated(1)),
+        transform_(f.transform),
         highest_(f.highest),
         terms_(std::size_t(f.terms())),
         f1_(f.thetaNodes, 3 * terms_),
@@ -71,8 +73,8 @@ class PdvBrdf final : public Brdf {
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
     for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
   }
-  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return lobe().sample(wo, u); }
-  double pdf(const Direction& wi, const Direction& wo) const override { return lobe().pdf(wi, wo); }
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler().sample(wo, u); }
+  double pdf(const Direction& wi, const Direction& wo) const override { return sampler().pdf(wi, wo); }
 
  private:
   static constexpr double largest = double(std::numeric_limits<float>::max());
@@ -96,17 +98,23 @@ class PdvBrdf final : public Brdf {
     return result;
   }
 
-  const SamplingLobe& lobe() const {
-    std::call_once(lobeOnce_, [this] { lobe_ = estimateSamplingLobe(*this); });
-    return lobe_;
+  const PdvSampler& sampler() const {
+    std::call_once(samplerOnce_, [this] {
+      if (first_.terms() == int(terms_))
+        sampler_.emplace(*this, first_.thetaNodes, first_.deviationNodes);
+      else
+        sampler_.emplace(PdvBrdf(first_), first_.thetaNodes, first_.deviationNodes);
+    });
+    return *sampler_;
   }
 
+  PdvFactors first_;
   DataTransform transform_;
   double highest_;
   std::size_t terms_;
   CurveBundle f1_, f2_, f3_;
-  mutable std::once_flag lobeOnce_;
-  mutable SamplingLobe lobe_;
+  mutable std::once_flag samplerOnce_;
+  mutable std::optional<PdvSampler> sampler_;
 };
 
 }  // namespace

@@ -69,7 +69,7 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
                               const TaskControl& control = {});
 
 /// The reflectance that factors stand for, straight from the curves (monotone cubics between the nodes), no table.
-/// Importance sampling is that of a lobe fitted to it.
+/// Importance sampling is that of its first term (core/factorization/pdv_sampler.h), tabulated when it is first used.
 std::shared_ptr<const Brdf> makePdvBrdf(const PdvFactors& factors);
 
 }  // namespace gonio::factorization
