@@ -36,6 +36,24 @@ bool ChangeParameterCommand::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
+ChangeFactorsCommand::ChangeFactorsCommand(Document& document, const Factors& after, int interaction,
+                                           const QString& text)
+    : m_document(document), m_interaction(interaction), m_before(document.factors()), m_after(after) {
+  setText(text);
+}
+
+bool ChangeFactorsCommand::mergeWith(const QUndoCommand* other) {
+  const auto* next = static_cast<const ChangeFactorsCommand*>(other);
+  if (isForgotten() || next->m_interaction != m_interaction) return false;
+  m_after = next->m_after;
+  if (m_after == m_before) setObsolete(true);
+  return true;
+}
+
+std::size_t ChangeFactorsCommand::bytes() const {
+  return sizeof(*this) + (m_before ? m_before->bytes() : 0) + (m_after ? m_after->bytes() : 0);
+}
+
 ReplaceStateCommand::ReplaceStateCommand(Document& document, EditState after, const QString& text)
     : m_document(document), m_before(document.state()), m_after(std::move(after)) {
   setText(text);
@@ -46,6 +64,7 @@ std::size_t ReplaceStateCommand::bytes() const {
     std::size_t sum = 0;
     if (state.fit) sum += state.fit->parameters.values.size() * sizeof(Rgb) + state.fit->errors.size() * sizeof(double);
     if (state.edit) sum += (state.edit->fitted.values.size() + state.edit->edited.values.size()) * sizeof(Rgb);
+    if (state.factors) sum += state.factors->bytes();
     return sum;
   };
   return sizeof(*this) + of(m_before) + of(m_after);

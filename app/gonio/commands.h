@@ -30,6 +30,28 @@ class ChangeParameterCommand final : public Command {
   Rgb m_before, m_after;
 };
 
+/// Changes the edit of factors. Steps of one interaction (a drag of a curve) merge into one; a drag that ends where it
+/// began leaves no step.
+class ChangeFactorsCommand final : public Command {
+ public:
+  using Factors = std::optional<editing::FactorEdit>;
+  ChangeFactorsCommand(Document& document, const Factors& after, int interaction, const QString& text);
+
+  int id() const override { return 2; }
+  bool mergeWith(const QUndoCommand* other) override;
+  std::size_t bytes() const override;
+
+ protected:
+  void apply() override { m_document.replaceFactors(m_after); }
+  void revert() override { m_document.replaceFactors(m_before); }
+  void release() override { m_before = m_after = {}; }
+
+ private:
+  Document& m_document;
+  int m_interaction;
+  Factors m_before, m_after;
+};
+
 /// Replaces the whole edit state: choosing a fit, resetting everything, pasting.
 class ReplaceStateCommand final : public Command {
  public:

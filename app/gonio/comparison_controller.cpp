@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/comparison_controller.h"
 
+#include <algorithm>
+
 #include "widgets/parameters/parameter_text.h"
 #include "widgets/preview/comparison_bar.h"
 #include "widgets/preview/preview_widget.h"
@@ -68,7 +70,8 @@ void ComparisonController::setComparison(const widgets::PreviewComparison& compa
 }
 
 void ComparisonController::chooseUsualSides() {
-  const bool edited = m_document.edit() && !m_document.edit()->isIdentity();
+  const auto edits = m_document.edits();
+  const bool edited = !std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); });
   m_sides = {edited ? ComparedSubject::edited : ComparedSubject::fit, ComparedSubject::measured};
 }
 
@@ -82,7 +85,10 @@ widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) cons
   const LoadedMaterialPtr& material = side == ComparedSubject::reference ? m_reference : m_document.material();
   if (!material) return {.table = nullptr, .lobe = {}};
   widgets::PreviewSubject subject{.table = material->table, .lobe = material->lobe};
-  if (side == ComparedSubject::edited) subject.edit = m_document.edit();
+  if (side == ComparedSubject::edited) {
+    subject.edit = m_document.edit();
+    subject.factors = m_document.factors();
+  }
   if (side == ComparedSubject::fit) {
     const auto& edit = m_document.edit();
     if (!edit) return {.table = nullptr, .lobe = {}};

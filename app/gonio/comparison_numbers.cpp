@@ -19,8 +19,8 @@ constexpr int pictureSide = 256, pictureSamples = 64;
 QString tr(const char* text) { return QCoreApplication::translate("ComparisonNumbers", text); }
 
 std::shared_ptr<const TabulatedBrdf> tabulated(const widgets::PreviewSubject& subject, const TaskControl& control) {
-  if (!subject.model && !subject.hasActiveEdit()) return subject.table;
-  if (!subject.model) return editing::bakeEdits(subject.table, std::span(&*subject.edit, 1), control);
+  if (subject.isMeasured()) return subject.table;
+  if (!subject.model) return editing::bakeEdits(subject.table, subject.edits(), control);
   return bakeTable(*widgets::subjectBrdf(subject), subject.table ? subject.table->grid() : HalfDifferenceGrid{},
                    {control.stop, {}});
 }

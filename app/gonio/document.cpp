@@ -39,19 +39,25 @@ void Document::startAnew(LoadedMaterialPtr material, const EditState& state, con
 void Document::setMaterial(LoadedMaterialPtr material) { startAnew(std::move(material), {}, {}); }
 
 void Document::setMaterial(LoadedMaterialPtr material, const editing::EditDocument& stored, const QString& path) {
-  if (stored.edits.size() > 1)
-    throw Error(path.toStdString() + ": holds " + std::to_string(stored.edits.size()) +
-                " edits; this version of the editor opens documents with one");
   EditState state;
-  if (!stored.edits.empty()) state.edit = stored.edits.front();
+  for (const editing::Edit& edit : stored.edits) {
+    const auto* differential = std::get_if<editing::DifferentialEdit>(&edit);
+    if (differential ? state.edit.has_value() : state.factors || state.edit)
+      throw Error(path.toStdString() + ": holds " + std::to_string(stored.edits.size()) +
+                  " edits; this version of the editor opens documents with one of factors, then one of a model");
+    if (differential)
+      state.edit = *differential;
+    else
+      state.factors = std::get<editing::FactorEdit>(edit);
+  }
   startAnew(std::move(material), state, path);
 }
 
-void Document::adoptFit(const fitting::FitResult& fit) { setState({fit, identityEdit(fit)}); }
+void Document::adoptFit(const fitting::FitResult& fit) { setState({fit, identityEdit(fit), m_state.factors}); }
 
 void Document::chooseFit(const fitting::FitResult& fit) {
   const QString text = tr("Fit %1").arg(QString::fromUtf8(fit.model->spec().name.data()));
-  m_history.add(new ReplaceStateCommand(*this, {fit, identityEdit(fit)}, text));
+  m_history.add(new ReplaceStateCommand(*this, {fit, identityEdit(fit), m_state.factors}, text));
 }
 
 void Document::beginInteraction() {
@@ -78,18 +84,24 @@ void Document::resetAll() {
   if (!m_state.edit || m_state.edit->edited == m_state.edit->fitted) return;
   editing::DifferentialEdit edit = *m_state.edit;
   edit.edited = edit.fitted;
-  m_history.add(new ReplaceStateCommand(*this, {m_state.fit, edit}, tr("Reset all parameters")));
+  m_history.add(new ReplaceStateCommand(*this, {m_state.fit, edit, m_state.factors}, tr("Reset all parameters")));
 }
 
 void Document::pasteEdit(const models::ParameterValues& edited, const std::optional<fitting::FitResult>& fit) {
   EditState state;
   if (fit)
-    state = {fit, identityEdit(*fit)};
+    state = {fit, identityEdit(*fit), m_state.factors};
   else
     state = m_state;
   if (!state.edit || (!fit && state.edit->edited == edited)) return;
   state.edit->edited = edited;
   m_history.add(new ReplaceStateCommand(*this, state, tr("Paste edits")));
+}
+
+void Document::setFactors(const std::optional<editing::FactorEdit>& factors, const QString& text) {
+  if (factors == m_state.factors) return;
+  if (!m_interacting) ++m_interaction;
+  m_history.add(new ChangeFactorsCommand(*this, factors, m_interaction, text));
 }
 
 editing::EditDocument Document::toEditDocument() const {
@@ -98,7 +110,7 @@ editing::EditDocument Document::toEditDocument() const {
     document.sourcePath = m_material->material.source.path.string();
     document.sourceSha256 = m_material->material.source.sha256;
   }
-  if (m_state.edit) document.edits.push_back(*m_state.edit);
+  document.edits = edits();
   return document;
 }
 
@@ -115,6 +127,11 @@ void Document::setState(const EditState& state) {
 
 void Document::setEditedValue(int parameter, const Rgb& value) {
   m_state.edit->edited.values[std::size_t(parameter)] = value;
+  Q_EMIT editChanged();
+}
+
+void Document::replaceFactors(const std::optional<editing::FactorEdit>& factors) {
+  m_state.factors = factors;
   Q_EMIT editChanged();
 }
 

@@ -17,6 +17,7 @@ namespace gonio::app {
 struct EditState {
   std::optional<fitting::FitResult> fit;  ///< absent while the parameters come from a .gonio file
   std::optional<editing::DifferentialEdit> edit;
+  std::optional<editing::FactorEdit> factors;  ///< absent while nobody touched the factor curves
 };
 
 /// An open material and its edit. The material is immutable; every change of the edit by the user is an undo step.
@@ -30,6 +31,9 @@ class Document : public QObject {
   const LoadedMaterialPtr& material() const { return m_material; }
   const EditState& state() const { return m_state; }
   const std::optional<editing::DifferentialEdit>& edit() const { return m_state.edit; }
+  const std::optional<editing::FactorEdit>& factors() const { return m_state.factors; }
+  /// All edits in the order in which they are applied.
+  std::vector<editing::Edit> edits() const { return editing::editStack(m_state.factors, m_state.edit); }
   const History& history() const { return m_history; }
   History& history() { return m_history; }
   bool isModified() const { return !m_history.isClean(); }
@@ -55,6 +59,8 @@ class Document : public QObject {
   void setParameter(int parameter, const Rgb& value);
   void resetParameter(int parameter);
   void resetAll();
+  /// One undo step; of one interaction, all together. Absent: no edit of factors.
+  void setFactors(const std::optional<editing::FactorEdit>& factors, const QString& text);
   /// Replaces the edited values; `fit` too when the pasted edit needs another model.
   void pasteEdit(const models::ParameterValues& edited, const std::optional<fitting::FitResult>& fit = {});
 
@@ -65,6 +71,7 @@ class Document : public QObject {
   /// For commands only.
   void setState(const EditState& state);
   void setEditedValue(int parameter, const Rgb& value);
+  void replaceFactors(const std::optional<editing::FactorEdit>& factors);
 
  Q_SIGNALS:
   void materialChanged();

@@ -3,6 +3,7 @@
 #include "app/gonio/document_controller.h"
 
 #include <QFileInfo>
+#include <algorithm>
 
 #include "app/gonio/edit_transfer.h"
 #include "core/io/image_io.h"
@@ -155,20 +156,20 @@ bool DocumentController::save(const QString& path, const nlohmann::json& view) {
 void DocumentController::exportMerl(const QString& path) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
-  const auto edit = m_document.edit();
+  const std::vector<editing::Edit> edits = m_document.edits();
   m_tasks.run<bool>(
       {tr("Exporting %1").arg(shortName(path)), exportKey},
-      [material, edit, path](const TaskControl& control) {
+      [material, edits, path](const TaskControl& control) {
         const std::filesystem::path target = path.toStdString();
-        if (!edit || edit->isIdentity())
+        if (std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); }))
           io::writeMerl(material->material, target, control);
         else
-          io::writeMerl(*editing::bakeEdits(material->table, std::span(&*edit, 1), control), target);
+          io::writeMerl(*editing::bakeEdits(material->table, edits, control), target);
         return true;
       },
-      [this, path, edit](bool) {
+      [this, path, edits](bool) {
         Q_EMIT exported(path);
-        if (edit && editing::isAnisotropic(*edit))
+        if (std::any_of(edits.begin(), edits.end(), [](const auto& edit) { return isAnisotropic(edit); }))
           Q_EMIT warned(tr("%1 holds the mean over all azimuths: the edit is anisotropic, MERL files are not.")
                             .arg(shortName(path)));
       },
@@ -178,8 +179,7 @@ void DocumentController::exportMerl(const QString& path) {
 void DocumentController::exportExr(const QString& path, const SphereScene& scene) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
-  std::vector<editing::DifferentialEdit> edits;
-  if (m_document.edit()) edits.push_back(*m_document.edit());
+  const std::vector<editing::Edit> edits = m_document.edits();
   m_tasks.run<bool>(
       {tr("Rendering %1").arg(shortName(path)), exportKey},
       [material, edits, scene, path](const TaskControl& control) {

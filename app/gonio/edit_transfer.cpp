@@ -43,7 +43,8 @@ std::optional<editing::DifferentialEdit> editFromClipboard(const QMimeData* data
   const QByteArray text = data->hasFormat(mimeType) ? data->data(mimeType) : data->text().toUtf8();
   try {
     const auto document = editing::documentFromJson(nlohmann::json::parse(text.toStdString()));
-    if (document.edits.size() == 1) return document.edits.front();
+    for (const editing::Edit& edit : document.edits)
+      if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit)) return *differential;
   } catch (const std::exception&) {
     // Some other text: nothing to paste.
   }

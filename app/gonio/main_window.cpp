@@ -172,6 +172,8 @@ void MainWindow::showRepresentation() {
   QString text = tr("%1 table").arg(QString::fromStdString(material->material.source.format));
   if (const auto& edit = m_document.edit(); edit && !edit->isIdentity())
     text = tr("%1 + %2 edit").arg(text, widgets::fromView(edit->model->spec().name));
+  if (const auto& factors = m_document.factors(); factors && !factors->isIdentity())
+    text = tr("%1 + factor edit").arg(text);
   m_representation->setText(text);
 }
 

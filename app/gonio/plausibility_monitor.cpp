@@ -35,8 +35,7 @@ void PlausibilityMonitor::changed() {
 }
 
 void PlausibilityMonitor::check() {
-  std::vector<editing::DifferentialEdit> edits;
-  if (m_document.edit()) edits.push_back(*m_document.edit());
+  const std::vector<editing::Edit> edits = m_document.edits();
   m_tasks.run<std::vector<metrics::PlausibilityCheck>>(
       {tr("Checking"), plausibilityKey, false, true},
       [table = m_document.material()->table, edits](const TaskControl& control) {

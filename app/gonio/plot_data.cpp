@@ -3,6 +3,7 @@
 #include "app/gonio/plot_data.h"
 
 #include <QObject>
+#include <algorithm>
 
 #include "core/models/model.h"
 #include "widgets/parameters/parameter_text.h"
@@ -26,13 +27,14 @@ struct Source {
 std::vector<Source> sourcesOf(const PlotRequest& request) {
   const auto& table = request.material->table;
   std::vector<Source> sources{{SeriesRole::measured, QObject::tr("measured"), table, table.get()}};
-  if (!request.edit) return sources;
-  const models::Model& model = *request.edit->model;
-  sources.push_back({SeriesRole::fit, QObject::tr("fit (%1)").arg(widgets::fromView(model.spec().name)),
-                     model.instantiate(request.edit->fitted), nullptr});
-  if (!request.edit->isIdentity())
-    sources.push_back({SeriesRole::edited, QObject::tr("edited"),
-                       editing::applyEdits(table, std::span(&*request.edit, 1)), table.get()});
+  if (request.edit) {
+    const models::Model& model = *request.edit->model;
+    sources.push_back({SeriesRole::fit, QObject::tr("fit (%1)").arg(widgets::fromView(model.spec().name)),
+                       model.instantiate(request.edit->fitted), nullptr});
+  }
+  const std::vector<editing::Edit> edits = editing::editStack(request.factors, request.edit);
+  if (!std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); }))
+    sources.push_back({SeriesRole::edited, QObject::tr("edited"), editing::applyEdits(table, edits), table.get()});
   return sources;
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/gonio/loaded_material.h"
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 #include "core/plots/albedo_curve.h"
 #include "core/plots/lobe_surface.h"
 #include "core/plots/section.h"
@@ -33,6 +33,7 @@ struct PlotRequest {
   PlotKind kind = PlotKind::polar;
   LoadedMaterialPtr material;
   std::optional<editing::DifferentialEdit> edit;
+  std::optional<editing::FactorEdit> factors;
   plots::Section section;  ///< also the angle of incidence, phi_d and the cosine of the others
   plots::ThetaHSpacing spacing = plots::ThetaHSpacing::squareRoot;
   bool coarse = false;  ///< albedo: few samples, while something moves

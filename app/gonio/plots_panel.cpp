@@ -127,9 +127,8 @@ void PlotsPanel::request() {
 
 void PlotsPanel::start() {
   const PlotChoices& choices = m_controls->choices();
-  const PlotRequest request{
-      choices.kind, m_document.material(), m_document.edit(), choices.section(), choices.spacing, m_rest.isActive(),
-      m_known};
+  const PlotRequest request{choices.kind,      m_document.material(), m_document.edit(), m_document.factors(),
+                            choices.section(), choices.spacing,       m_rest.isActive(), m_known};
   m_running = true;
   m_again = false;
   m_tasks.run<PlotData>(

@@ -103,7 +103,8 @@ int replayDocument(const Options& options, const Tool& tool) {
     throw UsageError("edit: " + options.material + " is a document: it is replayed, without --model and --set");
   writeMaterial(openMaterial(options.material, tool.control("replaying")), options.out);
   const auto edits = editing::readDocument(options.material).edits;
-  const bool averaged = std::any_of(edits.begin(), edits.end(), editing::isAnisotropic);
+  const bool averaged =
+      std::any_of(edits.begin(), edits.end(), [](const auto& edit) { return editing::isAnisotropic(edit); });
   print(tool,
         {{"edits", edits.size()}, {"averagedAzimuths", averaged ? editing::bakedAzimuths : 0}, {"out", options.out}},
         options.out + ": " + std::to_string(edits.size()) + " edits\n" + (averaged ? averagedText() : ""));

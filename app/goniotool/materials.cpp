@@ -24,7 +24,8 @@ io::Material replay(const std::filesystem::path& path, const TaskControl& contro
   material.name = path.stem().string();
   material.table = edited;
   material.brdf = edited;
-  if (std::any_of(document.edits.begin(), document.edits.end(), editing::isAnisotropic)) {
+  if (std::any_of(document.edits.begin(), document.edits.end(),
+                  [](const auto& edit) { return editing::isAnisotropic(edit); })) {
     material.brdf = editing::applyEdits(base, document.edits);
     material.source.notes.push_back("the edits are anisotropic: tables hold the mean over " +
                                     std::to_string(editing::bakedAzimuths) + " azimuths");

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/coordinates/azimuth_rotation.h"
+#include "core/editing/edit.h"
 #include "core/math/parallel.h"
 
 namespace gonio::editing {
@@ -21,23 +22,39 @@ constexpr std::size_t chunkSize = 64;
 
 /// An edit that changes something, ready to evaluate.
 struct ActiveEdit {
-  std::unique_ptr<const Brdf> edited, fitted;
+  std::shared_ptr<const Brdf> edited;
+  std::shared_ptr<const Brdf> fitted;  ///< null: `edited` takes the place of the base
   double strength;
 
-  bool isIsotropic() const { return edited->isIsotropic() && fitted->isIsotropic(); }
+  bool isIsotropic() const { return edited->isIsotropic() && (!fitted || fitted->isIsotropic()); }
 };
 
 bool allIsotropic(std::span<const ActiveEdit> edits) {
   return std::all_of(edits.begin(), edits.end(), [](const ActiveEdit& edit) { return edit.isIsotropic(); });
 }
 
+ActiveEdit activated(const DifferentialEdit& edit) {
+  assert(edit.model);
+  return {edit.model->instantiate(edit.edited), edit.model->instantiate(edit.fitted), edit.strength};
+}
+
+ActiveEdit activated(const FactorEdit& edit) {
+  assert(edit.original && edit.edited);
+  return {factorization::makePdvBrdf(*edit.edited),
+          edit.keepDetail ? factorization::makePdvBrdf(*edit.original) : nullptr, edit.strength};
+}
+
 std::vector<ActiveEdit> activate(std::span<const DifferentialEdit> edits) {
   std::vector<ActiveEdit> active;
-  for (const DifferentialEdit& edit : edits) {
-    if (edit.isIdentity()) continue;
-    assert(edit.model);
-    active.push_back({edit.model->instantiate(edit.edited), edit.model->instantiate(edit.fitted), edit.strength});
-  }
+  for (const DifferentialEdit& edit : edits)
+    if (!edit.isIdentity()) active.push_back(activated(edit));
+  return active;
+}
+
+std::vector<ActiveEdit> activate(std::span<const Edit> edits) {
+  std::vector<ActiveEdit> active;
+  for (const Edit& edit : edits)
+    if (!isIdentity(edit)) active.push_back(std::visit([](const auto& one) { return activated(one); }, edit));
   return active;
 }
 
@@ -48,6 +65,11 @@ void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> 
   std::array<Rgb, chunkSize> edited, fitted;
   for (const ActiveEdit& edit : edits) {
     edit.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
+    if (!edit.fitted) {
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        values[i] = glm::max(floor, (1 - edit.strength) * values[i] + edit.strength * edited[i]);
+      continue;
+    }
     edit.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
     for (std::size_t i = 0; i < pairs.size(); ++i)
       values[i] = glm::max(floor, values[i] + edit.strength * (edited[i] - fitted[i]));
@@ -132,31 +154,15 @@ std::size_t store(const Rgb& value, TabulatedBrdf::Value& stored) {
   return capped;
 }
 
-std::shared_ptr<const Brdf> editedBrdf(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits,
-                                       double floor) {
-  std::vector<ActiveEdit> active = activate(edits);
+std::shared_ptr<const Brdf> editedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> active, double floor) {
   if (active.empty()) return base;
   return std::make_shared<const EditedBrdf>(std::move(base), std::move(active), floor);
 }
 
-}  // namespace
-
-bool isAnisotropic(const DifferentialEdit& edit) { return !allIsotropic(activate(std::span(&edit, 1))); }
-
-std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits) {
-  return editedBrdf(std::move(base), edits, 0);
-}
-
-std::shared_ptr<const Brdf> applyEditsUnclamped(std::shared_ptr<const Brdf> base,
-                                                std::span<const DifferentialEdit> edits) {
-  return editedBrdf(std::move(base), edits, std::numeric_limits<double>::lowest());
-}
-
-std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
-                                               std::span<const DifferentialEdit> edits, const TaskControl& control,
-                                               std::size_t* cappedCount) {
+std::shared_ptr<const TabulatedBrdf> bake(const std::shared_ptr<const TabulatedBrdf>& base,
+                                          const std::vector<ActiveEdit>& active, const TaskControl& control,
+                                          std::size_t* cappedCount) {
   if (cappedCount) *cappedCount = 0;
-  const std::vector<ActiveEdit> active = activate(edits);
   if (active.empty()) return base;
   const HalfDifferenceGrid& grid = base->grid();
   std::vector<TabulatedBrdf::Value> baked(base->values().begin(), base->values().end());
@@ -193,6 +199,39 @@ std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const Tabul
       control);
   if (cappedCount) *cappedCount = capped;
   return std::make_shared<const TabulatedBrdf>(grid, std::move(baked), std::move(valid));
+}
+
+}  // namespace
+
+bool isAnisotropic(const DifferentialEdit& edit) { return !allIsotropic(activate(std::span(&edit, 1))); }
+
+std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits) {
+  return editedBrdf(std::move(base), activate(edits), 0);
+}
+
+std::shared_ptr<const Brdf> applyEditsUnclamped(std::shared_ptr<const Brdf> base,
+                                                std::span<const DifferentialEdit> edits) {
+  return editedBrdf(std::move(base), activate(edits), std::numeric_limits<double>::lowest());
+}
+
+std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
+                                               std::span<const DifferentialEdit> edits, const TaskControl& control,
+                                               std::size_t* cappedCount) {
+  return bake(base, activate(edits), control, cappedCount);
+}
+
+std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const Edit> edits) {
+  return editedBrdf(std::move(base), activate(edits), 0);
+}
+
+std::shared_ptr<const Brdf> applyEditsUnclamped(std::shared_ptr<const Brdf> base, std::span<const Edit> edits) {
+  return editedBrdf(std::move(base), activate(edits), std::numeric_limits<double>::lowest());
+}
+
+std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
+                                               std::span<const Edit> edits, const TaskControl& control,
+                                               std::size_t* cappedCount) {
+  return bake(base, activate(edits), control, cappedCount);
 }
 
 }  // namespace gonio::editing

@@ -16,7 +16,7 @@ namespace gonio::editing {
 namespace {
 
 constexpr std::string_view formatName = "gonio document";
-constexpr std::string_view differentialType = "differential";
+constexpr std::string_view differentialType = "differential", factorsType = "factors";
 constexpr std::string_view libraryScheme = "library:";
 constexpr std::uint64_t maxDocumentBytes = std::uint64_t(1) << 26;
 constexpr int maxDepth = 64;
@@ -27,7 +27,7 @@ bool isSha256(const std::string& text) {
   return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-nlohmann::json editToJson(const DifferentialEdit& edit) {
+nlohmann::json toJson(const DifferentialEdit& edit) {
   if (!edit.model) throw Error("an edit without a model cannot be written");
   const models::ModelSpec& spec = edit.model->spec();
   return {{"type", differentialType},
@@ -46,9 +46,11 @@ const models::Model& modelFromJson(const JsonObject& object) {
   }
 }
 
-DifferentialEdit editFromJson(const nlohmann::json& json, const std::string& where) {
+Edit editFromJson(const nlohmann::json& json, const std::string& where) {
   const JsonObject object(json, where);
-  if (object.text("type") != differentialType) object.fail("type", "\"differential\"");
+  const std::string type = object.text("type");
+  if (type == factorsType) return factorEditFromJson(json, where);
+  if (type != differentialType) object.fail("type", "\"differential\" or \"factors\"");
   DifferentialEdit edit;
   edit.model = &modelFromJson(object);
   const auto values = [&](const char* key) {
@@ -84,7 +86,8 @@ std::string portableSource(const std::string& source, const std::filesystem::pat
 
 nlohmann::json toJson(const EditDocument& document) {
   nlohmann::json edits = nlohmann::json::array();
-  for (const DifferentialEdit& edit : document.edits) edits.push_back(editToJson(edit));
+  for (const Edit& edit : document.edits)
+    edits.push_back(std::visit([](const auto& one) { return toJson(one); }, edit));
   return {{"format", formatName},
           {"version", EditDocument::currentVersion},
           {"source", {{"path", document.sourcePath}, {"sha256", document.sourceSha256}}},

@@ -8,21 +8,22 @@
 #include <string_view>
 #include <vector>
 
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 
 namespace gonio::editing {
 
 /// What a .gonio file holds: which source, which edits; never measured data. JSON, versioned:
-///   {"format": "gonio document", "version": 2, "source": {"path": "a.binary", "sha256": "..."},
+///   {"format": "gonio document", "version": 3, "source": {"path": "a.binary", "sha256": "..."},
 ///    "edits": [{"type": "differential", "model": "ggx", "fitted": {..}, "edited": {..}, "strength": 1,
 ///               "enabled": true}], "view": {..}}
+/// Edits of factors are written by toJson(FactorEdit). Version 2 knew none of them: it refuses documents of version 3.
 struct EditDocument {
-  static constexpr int currentVersion = 2;
+  static constexpr int currentVersion = 3;
 
   /// Absolute, or relative to the folder of the document; "library:sgd/chrome" for a bundled material.
   std::string sourcePath;
   std::string sourceSha256;
-  std::vector<DifferentialEdit> edits;
+  std::vector<Edit> edits;
   nlohmann::json view = nlohmann::json::object();  ///< the editor's camera, light, exposure: opaque to core
 };
 

@@ -5,8 +5,7 @@
 namespace gonio::editing {
 
 std::vector<metrics::PlausibilityCheck> checkEditPlausibility(const std::shared_ptr<const TabulatedBrdf>& base,
-                                                              std::span<const DifferentialEdit> edits,
-                                                              const TaskControl& control) {
+                                                              std::span<const Edit> edits, const TaskControl& control) {
   auto checks = metrics::checkPlausibility(*applyEdits(base, edits), control);
   control.throwIfStopped();
   std::vector<metrics::PlausibilityCheck> ordered;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 #include "core/metrics/plausibility.h"
 
 namespace gonio::editing {
@@ -11,7 +11,7 @@ namespace gonio::editing {
 /// "extrapolated": as metrics::checkPlausibility(), but negative values are judged before they are clamped, and
 /// `base`'s coverage is told. Some 100 ms. @throws Cancelled.
 std::vector<metrics::PlausibilityCheck> checkEditPlausibility(const std::shared_ptr<const TabulatedBrdf>& base,
-                                                              std::span<const DifferentialEdit> edits,
+                                                              std::span<const Edit> edits,
                                                               const TaskControl& control = {});
 
 }  // namespace gonio::editing

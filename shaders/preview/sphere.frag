@@ -5,10 +5,14 @@
 //   LIGHT_ENVIRONMENT   environment light by multiple importance sampling (else one directional light)
 //   SHOW_ENVIRONMENT    the environment behind the sphere
 //   EDIT_MODEL          measured + strength (model(edited) - model(fitted)), with EVALUATE_MODEL and MODEL_PARAMETERS
+//   EDIT_FACTORS        the table changed by its factor curves, before EDIT_MODEL
 //   MODEL_ALONE         the model and no table, with EVALUATE_MODEL and MODEL_PARAMETERS
 #include "half_difference.glsl"
 #ifndef MODEL_ALONE
 #include "preview/table.glsl"
+#endif
+#ifdef EDIT_FACTORS
+#include "preview/factors.glsl"
 #endif
 #ifdef LIGHT_ENVIRONMENT
 #include "preview/environment.glsl"
@@ -37,6 +41,10 @@ uniform vec3 editedParameters[MODEL_PARAMETERS];
 uniform vec3 fittedParameters[MODEL_PARAMETERS];
 uniform float editStrength;
 #endif
+#ifdef EDIT_FACTORS
+uniform bool keepDetail;
+uniform float factorStrength;
+#endif
 #ifdef MODEL_ALONE
 uniform vec3 modelParameters[MODEL_PARAMETERS];
 #endif
@@ -48,6 +56,13 @@ vec3 evaluateBrdf(vec3 wi, vec3 wo) {
 #else
   bool valid;
   vec3 value = evaluateTable(wi, wo, valid);
+#ifdef EDIT_FACTORS
+  if (valid) {
+    vec3 edited = evaluateFactors(wi, wo, 0);
+    vec3 from = keepDetail ? evaluateFactors(wi, wo, 1) : value;
+    value = max(vec3(0.0), value + factorStrength * (edited - from));
+  }
+#endif
 #ifdef EDIT_MODEL
   if (valid) {
     vec3 change = EVALUATE_MODEL(wi, wo, editedParameters) - EVALUATE_MODEL(wi, wo, fittedParameters);

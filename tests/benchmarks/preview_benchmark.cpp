@@ -5,6 +5,7 @@
 
 #include <QGuiApplication>
 
+#include "core/factorization/pdv_operations.h"
 #include "core/models/model.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/preview/preview_renderer.h"
@@ -69,6 +70,33 @@ void directionalSliderStep(benchmark::State& state) { runFrames(state, false, tr
 void environmentFrame(benchmark::State& state) { runFrames(state, true, false); }
 void environmentSliderStep(benchmark::State& state) { runFrames(state, true, true); }
 
+/// The drag of a factor curve: new curves, their texels, the first frame.
+void runFactorDrag(benchmark::State& state, bool environment) {
+  PreviewFixture& fixture = PreviewFixture::instance();
+  static const auto table = bakeTable(*fixture.edit.model->instantiate(fixture.edit.fitted));
+  const auto factors =
+      factorization::factorizePdv(*table, {.form = factorization::PdvForm::twoFactors, .terms = int(state.range(0))})
+          .factors;
+  SphereScene scene;
+  if (environment) scene.environment = studioEnvironment();
+  fixture.renderer.setScene(scene);
+  fixture.renderer.setEdit({});
+  editing::FactorEdit edit{.original = std::make_shared<const factorization::PdvFactors>(factors), .edited = {}};
+  double factor = 1;
+  for (auto _ : state) {
+    factor = factor < 4 ? factor * 1.1 : 1.1;
+    edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, factor));
+    fixture.renderer.setFactors(edit);
+    fixture.renderer.restart();
+    fixture.renderer.accumulate(1);
+  }
+  fixture.renderer.setFactors({});
+}
+void directionalFactorDrag(benchmark::State& state) { runFactorDrag(state, false); }
+void environmentFactorDrag(benchmark::State& state) { runFactorDrag(state, true); }
+
+BENCHMARK(directionalFactorDrag)->Arg(1)->Arg(3)->Arg(10)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(environmentFactorDrag)->Arg(1)->Arg(3)->Arg(10)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(directionalFrame)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(directionalSliderStep)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(environmentFrame)->Arg(1)->Arg(16)->Unit(benchmark::kMillisecond)->UseRealTime();

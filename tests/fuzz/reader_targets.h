@@ -47,7 +47,12 @@ inline void readImageBytes(std::span<const std::byte> bytes) {
 
 inline void readDocumentBytes(std::span<const std::byte> bytes) {
   const auto document = editing::documentFromText({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  for (const editing::DifferentialEdit& edit : document.edits) edit.model->instantiate(edit.edited);
+  for (const editing::Edit& edit : document.edits) {
+    if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit))
+      differential->model->instantiate(differential->edited);
+    else
+      factorization::makePdvBrdf(*std::get<editing::FactorEdit>(edit).edited);
+  }
   editing::toJson(document).dump();
 }
 

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/factorization/pdv_operations.h"
 #include "core/metrics/image_metrics.h"
 #include "core/models/model.h"
 #include "core/rendering/sphere_renderer.h"
@@ -97,6 +98,53 @@ class PreviewRendererTest : public QObject {
       const double snr = agreement(*renderer_, table, edit, {});
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
+  }
+
+  /// Factor curves in the shader are those of the core, in both forms, for every transform, with and without the
+  /// measured detail and below another edit. Under one light; 40 dB as above.
+  void editedFactors() {
+    const auto table = bakedModel("ggx", {{"roughness", 0.15}, {"f0", 0.5}});
+    using factorization::PdvForm;
+    for (const PdvForm form : {PdvForm::twoFactors, PdvForm::threeFactors})
+      for (const DataTransform transform : {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root}) {
+        const auto found = factorization::factorizePdv(*table, {.form = form, .transform = transform, .terms = 2});
+        for (const bool keepDetail : {true, false}) {
+          editing::FactorEdit edit{
+              .original = std::make_shared<const factorization::PdvFactors>(found.factors.truncated(1)),
+              .edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(found.factors, 2)),
+              .keepDetail = keepDetail,
+              .strength = 0.8};
+          const double snr = agreement(*renderer_, {.table = table, .lobe = {}, .factors = edit}, {});
+          const auto what = QString("form %1, transform %2, detail %3: %4 dB")
+                                .arg(int(form))
+                                .arg(int(transform))
+                                .arg(keepDetail)
+                                .arg(snr);
+          qInfo("%s", qPrintable(what));
+          QVERIFY2(snr > 40, qPrintable(what));
+        }
+      }
+  }
+
+  /// A drag changes the texels in place: the picture is that of a renderer which knows the last curves alone.
+  void draggedFactorsLeaveNothingBehind() {
+    const auto table = bakedModel("ggx", {{"roughness", 0.15}});
+    auto factors =
+        factorization::factorizePdv(*table, {.form = factorization::PdvForm::twoFactors, .terms = 1}).factors;
+    editing::FactorEdit edit{.original = std::make_shared<const factorization::PdvFactors>(factors), .edited = {}};
+    const auto shown = [&](double scale) {
+      edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, scale));
+      renderer_->setFactors(edit);
+      renderer_->accumulate(4);
+      return renderer_->readPicture().pixels;
+    };
+    renderer_->setSubject({.table = table, .lobe = {}});
+    renderer_->setScene({});
+    renderer_->setSize({side, side});
+    const auto expected = shown(0.5);
+    QVERIFY(shown(2) != expected);
+    QVERIFY(shown(0.5) == expected);
+    renderer_->setFactors({});
   }
 
   /// An anisotropic edit has the tangents of the core: under one light and under the studio, from the side and over the

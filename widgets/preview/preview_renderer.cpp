@@ -39,6 +39,7 @@ void PreviewRenderer::release() {
   accumulation_.reset();
   tableTexture_.reset();
   uploadedTable_.reset();
+  if (resources_->isInitialized()) factorTexture_.release(*this);
   if (resources_.use_count() == 1) resources_->release();
   restart();
 }
@@ -54,6 +55,11 @@ void PreviewRenderer::setTable(std::shared_ptr<const TabulatedBrdf> table, const
 
 void PreviewRenderer::setEdit(std::optional<editing::DifferentialEdit> edit) {
   subject_.edit = std::move(edit);
+  restart();
+}
+
+void PreviewRenderer::setFactors(std::optional<editing::FactorEdit> factors) {
+  subject_.factors = std::move(factors);
   restart();
 }
 
@@ -86,6 +92,7 @@ QOpenGLShaderProgram& PreviewRenderer::sphereProgram() {
                 << QString("MODEL_PARAMETERS %1").arg(count);
     preamble << "models/" + shaderId(*model) + ".glsl";
   }
+  if (subject_.hasActiveFactors()) definitions << "EDIT_FACTORS";
   return resources_->program("preview/sphere.frag", definitions, preamble);
 }
 
@@ -120,6 +127,15 @@ void PreviewRenderer::setModelUniforms(QOpenGLShaderProgram& program) {
   set("editedParameters", *edit.model, edit.edited);
   set("fittedParameters", *edit.model, edit.fitted);
   program.setUniformValue("editStrength", float(edit.strength));
+}
+
+void PreviewRenderer::setFactorUniforms(QOpenGLShaderProgram& program) {
+  if (!subject_.hasActiveFactors()) return;
+  glActiveTexture(GL_TEXTURE0 + factorUnit);
+  factorTexture_.update(*this, *subject_.factors);
+  factorTexture_.setUniforms(program, factorUnit);
+  program.setUniformValue("keepDetail", subject_.factors->keepDetail);
+  program.setUniformValue("factorStrength", float(subject_.factors->strength));
 }
 
 void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count) {
@@ -187,6 +203,7 @@ void PreviewRenderer::accumulate(int count) {
   bindTextures(program);
   setCameraUniforms(program);
   setModelUniforms(program);
+  setFactorUniforms(program);
   prepareTarget();
   setSampleUniforms(program, count);
   resources_->drawFullscreen();

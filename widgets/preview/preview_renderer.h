@@ -6,6 +6,7 @@
 #include <QSize>
 
 #include "core/rendering/sphere_scene.h"
+#include "widgets/preview/factor_texture.h"
 #include "widgets/preview/preview_resources.h"
 #include "widgets/preview/preview_subject.h"
 
@@ -32,6 +33,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   void setTable(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe);
   /// Uniforms only. The shader of a model is compiled at its first use.
   void setEdit(std::optional<editing::DifferentialEdit> edit);
+  /// Small textures only: what a drag of a factor curve changes.
+  void setFactors(std::optional<editing::FactorEdit> factors);
   /// Density of the reflected samples under an environment. An edit that sharpens a highlight needs a new one, else the
   /// mirror is dark with sparkles.
   void setLobe(const SamplingLobe& lobe);
@@ -57,6 +60,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
  private:
   QOpenGLShaderProgram& sphereProgram();
   void setCameraUniforms(QOpenGLShaderProgram& program);
+  void setFactorUniforms(QOpenGLShaderProgram& program);
   void setModelUniforms(QOpenGLShaderProgram& program);
   void setSampleUniforms(QOpenGLShaderProgram& program, int count);
   void bindTextures(QOpenGLShaderProgram& program);
@@ -64,6 +68,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
 
   std::shared_ptr<PreviewResources> resources_;
   std::shared_ptr<const TableTexture> tableTexture_;
+  FactorTexture factorTexture_;
   std::unique_ptr<QOpenGLFramebufferObject> accumulation_;
   PreviewSubject subject_;
   std::shared_ptr<const TabulatedBrdf> uploadedTable_;

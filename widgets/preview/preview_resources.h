@@ -19,7 +19,8 @@ enum TextureUnit {
   lightPoolRadianceUnit,
   accumulationUnit,
   otherAccumulationUnit,
-  colourMapUnit
+  colourMapUnit,
+  factorUnit
 };
 
 /// A table on the graphics card; freed with its last user, in whose hands the context must be current.

@@ -7,6 +7,7 @@ namespace gonio::widgets {
 bool sameSubject(const PreviewSubject& a, const PreviewSubject& b) {
   if (a.model || b.model) return a.model == b.model && a.parameters == b.parameters;
   if (a.table != b.table || a.hasActiveEdit() != b.hasActiveEdit()) return false;
+  if (a.hasActiveFactors() != b.hasActiveFactors() || (a.hasActiveFactors() && a.factors != b.factors)) return false;
   if (a.lobe.roughness != b.lobe.roughness || a.lobe.specularShare != b.lobe.specularShare) return false;
   return !a.hasActiveEdit() || (a.edit->model == b.edit->model && a.edit->fitted == b.edit->fitted &&
                                 a.edit->edited == b.edit->edited && a.edit->strength == b.edit->strength);
@@ -14,8 +15,8 @@ bool sameSubject(const PreviewSubject& a, const PreviewSubject& b) {
 
 std::shared_ptr<const Brdf> subjectBrdf(const PreviewSubject& subject) {
   if (subject.model) return subject.model->instantiate(subject.parameters);
-  if (!subject.table || !subject.edit) return subject.table;
-  return editing::applyEdits(subject.table, std::span(&*subject.edit, 1));
+  if (!subject.table) return nullptr;
+  return editing::applyEdits(subject.table, subject.edits());
 }
 
 }  // namespace gonio::widgets

@@ -6,20 +6,25 @@
 
 #include "core/brdf/sampling_lobe.h"
 #include "core/brdf/tabulated_brdf.h"
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 
 namespace gonio::widgets {
 
-/// What a picture shows: a measured table, with or without an edit, or a model alone.
+/// What a picture shows: a measured table, with or without edits, or a model alone.
 struct PreviewSubject {
   std::shared_ptr<const TabulatedBrdf> table;          ///< null: nothing, or the model alone
   SamplingLobe lobe;                                   ///< density of the reflected samples
   std::optional<editing::DifferentialEdit> edit = {};  ///< on the table
+  std::optional<editing::FactorEdit> factors = {};     ///< on the table, before `edit`
   const models::Model* model = nullptr;                ///< alone: the table and the edit do not count
   models::ParameterValues parameters = {};             ///< of `model`
 
   bool isEmpty() const { return !table && !model; }
   bool hasActiveEdit() const { return !model && edit && !edit->isIdentity(); }
+  bool hasActiveFactors() const { return !model && factors && !factors->isIdentity(); }
+  /// Whether it is the table as it is.
+  bool isMeasured() const { return !model && !hasActiveEdit() && !hasActiveFactors(); }
+  std::vector<editing::Edit> edits() const { return editing::editStack(factors, edit); }
 };
 
 /// Whether two subjects look the same for certain: equal values on the same table.

@@ -84,10 +84,10 @@ void PreviewWidget::changeSubject(Side& side, const PreviewSubject& subject, con
   side.name = name;
   showOverlay();
   if (sameSubject(subject, side.subject)) return;
-  const bool wasPlain = !side.subject.hasActiveEdit() && !side.subject.model;
+  const bool wasPlain = side.subject.isMeasured();
   side.subject = subject;
   PreviewSubject drawn = subject;
-  if (subject.hasActiveEdit() || subject.model) {
+  if (!subject.isMeasured()) {
     // The lobe of the step before serves until the new one is known.
     if (!wasPlain) drawn.lobe = side.picture.subject().lobe;
     side.estimator.request(subject);

@@ -19,9 +19,9 @@ const metrics::PlausibilityCheck& find(const Checks& checks, const std::string& 
 }
 
 /// An edit of Lambert's albedo.
-DifferentialEdit lambertEdit(double fitted, double edited) {
+Edit lambertEdit(double fitted, double edited) {
   const models::Model& model = models::findModel("lambert");
-  return {.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}};
+  return DifferentialEdit{.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}};
 }
 
 std::shared_ptr<const TabulatedBrdf> constantTable(double albedo) { return bakeTable(testing::lambert(Rgb(albedo))); }
@@ -38,14 +38,14 @@ class EditPlausibilityTest : public QObject {
   }
 
   void aHarmlessEditPasses() {
-    const DifferentialEdit edit = lambertEdit(0.5, 0.6);
+    const Edit edit = lambertEdit(0.5, 0.6);
     for (const auto& check : checkEditPlausibility(constantTable(0.5), std::span(&edit, 1)))
       QVERIFY2(check.passed, check.name.c_str());
   }
 
   /// Albedo 0.9 + (1 - 0.5) = 1.4, at every angle alike.
   void energyOfTheEditedMaterial() {
-    const DifferentialEdit edit = lambertEdit(0.5, 1);
+    const Edit edit = lambertEdit(0.5, 1);
     const Checks checks = checkEditPlausibility(constantTable(0.9), std::span(&edit, 1));
     const auto& energy = find(checks, "energy");
     QVERIFY(!energy.passed && energy.at);
@@ -55,7 +55,7 @@ class EditPlausibilityTest : public QObject {
 
   /// The clamp hides nothing: 0.2 - 0.5 albedo is -0.3 / pi per sr everywhere, though 0 is shown.
   void negativeValuesBeforeTheClamp() {
-    const DifferentialEdit edit = lambertEdit(0.5, 0);
+    const Edit edit = lambertEdit(0.5, 0);
     const auto base = constantTable(0.2);
     const Checks checks = checkEditPlausibility(base, std::span(&edit, 1));
     const auto& negative = find(checks, "negative");
@@ -69,7 +69,7 @@ class EditPlausibilityTest : public QObject {
 
   /// An edit down to exactly the measured rest is no violation: rounding is not judged.
   void takingAwayAllThatIsThereIsNotNegative() {
-    const DifferentialEdit edit = lambertEdit(0.3, 0);
+    const Edit edit = lambertEdit(0.3, 0);
     QVERIFY(find(checkEditPlausibility(constantTable(0.3), std::span(&edit, 1)), "negative").passed);
   }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QOpenGLFunctions_4_1_Core>
+#include <QOpenGLShaderProgram>
+
+#include "core/editing/factor_edit.h"
+
+namespace gonio::widgets {
+
+/// The curves of a factor edit on the graphics card, for shaders/preview/factors.glsl. While curves are dragged only
+/// these texels change: some 20 kB a term, in place.
+class FactorTexture {
+ public:
+  /// Brings the curves to the texture at the active unit where they are others than before.
+  void update(QOpenGLFunctions_4_1_Core& gl, const editing::FactorEdit& edit);
+  /// The shader's uniforms. @param unit at which the texture is bound.
+  void setUniforms(QOpenGLShaderProgram& program, int unit) const;
+  /// Frees the texture.
+  void release(QOpenGLFunctions_4_1_Core& gl);
+
+ private:
+  editing::FactorEdit::Curves original_, edited_;
+  GLuint texture_ = 0;
+  int width_ = 0, height_ = 0, terms_ = 0;
+};
+
+}  // namespace gonio::widgets
