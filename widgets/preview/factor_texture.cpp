@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/factor_texture.h"
 
+#include <QVector3D>
 #include <algorithm>
 #include <glm/vec4.hpp>
 #include <vector>
@@ -79,9 +80,9 @@ void FactorTexture::setUniforms(QOpenGLShaderProgram& program, int unit) const {
   for (int i = 0; i < 2; ++i) {
     const QByteArray place = '[' + QByteArray::number(i) + ']';
     const PdvFactors& f = *sets[i];
-    const int counts[] = {int(f.thetaNodes.size()), int(f.deviationNodes.size()), int(f.phiNodes.size())};
-    QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
-    gl->glUniform3iv(program.uniformLocation("factorNodes" + place), 1, counts);
+    program.setUniformValue(
+        ("factorNodes" + place).constData(),
+        QVector3D(float(f.thetaNodes.size()), float(f.deviationNodes.size()), float(f.phiNodes.size())));
     program.setUniformValue(("factorHighest" + place).constData(), float(f.highest));
     program.setUniformValue(("factorTransform" + place).constData(), int(f.transform));
   }

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/curves/curve_editor.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <cmath>
+
+using namespace gonio;
+using widgets::ChannelCurves;
+using widgets::CurveEditor;
+
+namespace {
+
+std::vector<double> nodes() {
+  std::vector<double> result;
+  for (int i = 0; i <= 100; ++i) result.push_back(i / 50.0);
+  return result;
+}
+
+/// Gaussians of equal width, red strongest.
+ChannelCurves curves() {
+  ChannelCurves result;
+  for (int c = 0; c < 3; ++c)
+    for (const double x : nodes()) result[std::size_t(c)].push_back((3 - c) * std::exp(-4 * x * x));
+  return result;
+}
+
+}  // namespace
+
+class CurveEditorTest : public QObject {
+  Q_OBJECT
+ private:
+  std::unique_ptr<CurveEditor> m_editor;
+
+  QPoint at(std::size_t point) const { return m_editor->pointPosition(point).toPoint(); }
+
+ private Q_SLOTS:
+  void initTestCase() { qRegisterMetaType<ChannelCurves>(); }
+  void init() {
+    m_editor = std::make_unique<CurveEditor>();
+    m_editor->resize(500, 320);
+    m_editor->setAxis({.title = "F2", .label = "|Dp|", .valueLabel = "share", .tick = 0.5, .squareRoot = true});
+    m_editor->setCurves(nodes(), curves(), curves());
+    m_editor->show();
+    m_editor->setFocus();
+  }
+
+  /// The dragged point lies under the mouse, the channels keep their proportions, one interaction frames it.
+  void aDragPullsTheLinkedCurves() {
+    QSignalSpy started(m_editor.get(), &CurveEditor::interactionStarted);
+    QSignalSpy ended(m_editor.get(), &CurveEditor::interactionEnded);
+    QSignalSpy edited(m_editor.get(), &CurveEditor::curvesEdited);
+    QVERIFY(m_editor->points().size() >= 4);
+    const QPoint from = at(1), to = from + QPoint(0, -30);
+    QTest::mousePress(m_editor.get(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(m_editor.get(), from + QPoint(0, -10));
+    QTest::mouseMove(m_editor.get(), to);
+    QVERIFY((m_editor->pointPosition(1) - QPointF(to)).manhattanLength() < 3);
+    QTest::mouseRelease(m_editor.get(), Qt::LeftButton, {}, to);
+    QCOMPARE(started.count(), 1);
+    QCOMPARE(ended.count(), 1);
+    QVERIFY(edited.count() >= 2);
+    const ChannelCurves& now = m_editor->curves();
+    for (std::size_t i = 0; i < nodes().size(); ++i) {
+      QVERIFY(std::abs(now[0][i] - 1.5 * now[1][i]) < 1e-9);
+      QVERIFY(std::abs(now[0][i] - 3 * now[2][i]) < 1e-9);
+    }
+    QVERIFY(now != curves());
+    QVERIFY(std::abs(now[0][100] - curves()[0][100]) < 1e-9);
+  }
+
+  void oneChannelLeavesTheOthers() {
+    m_editor->setChannel(1);
+    const QPoint from = at(0);
+    QTest::mousePress(m_editor.get(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(m_editor.get(), from + QPoint(0, 20));
+    QTest::mouseRelease(m_editor.get(), Qt::LeftButton, {}, from + QPoint(0, 20));
+    QVERIFY(m_editor->curves()[0] == curves()[0] && m_editor->curves()[2] == curves()[2]);
+    QVERIFY(m_editor->curves()[1][0] < curves()[1][0]);
+  }
+
+  void pointsComeAndGo() {
+    const std::size_t before = m_editor->points().size();
+    const QPoint between = (at(1) + at(2)) / 2;
+    QTest::mouseDClick(m_editor.get(), Qt::LeftButton, {}, QPoint(between.x(), 60));
+    QCOMPARE(m_editor->points().size(), before + 1);
+    QVERIFY(m_editor->curves() == curves());
+    QTest::keyClick(m_editor.get(), Qt::Key_Delete);
+    QCOMPARE(m_editor->points().size(), before);
+    // The ends stay.
+    QTest::keyClick(m_editor.get(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(m_editor.get(), Qt::Key_Delete);
+    QCOMPARE(m_editor->points().size(), std::size_t(2));
+  }
+
+  void aBoxSelects() {
+    const QPoint corner = at(1) + QPoint(-12, -12), other = at(2) + QPoint(12, 12);
+    QTest::mousePress(m_editor.get(), Qt::LeftButton, {}, corner);
+    QTest::mouseMove(m_editor.get(), other);
+    QTest::mouseRelease(m_editor.get(), Qt::LeftButton, {}, other);
+    QVERIFY(m_editor->selected()[1] && m_editor->selected()[2]);
+    QVERIFY(!m_editor->selected()[0] && !m_editor->selected().back());
+    QVERIFY(m_editor->curves() == curves());
+  }
+
+  /// Every point by the keyboard alone, each key a step, its value announced.
+  void theKeyboardDoesItAll() {
+    QSignalSpy ended(m_editor.get(), &CurveEditor::interactionEnded);
+    QTest::mouseClick(m_editor.get(), Qt::LeftButton, {}, at(0));
+    QCOMPARE(ended.count(), 1);
+    QTest::keyClick(m_editor.get(), Qt::Key_Tab);
+    QVERIFY(m_editor->selected()[1] && !m_editor->selected()[0]);
+    QVERIFY(m_editor->accessibleDescription().startsWith("Point 2 of"));
+    const QPointF before = m_editor->pointPosition(1);
+    const QString told = m_editor->accessibleDescription();
+    QTest::keyClick(m_editor.get(), Qt::Key_Up, Qt::ShiftModifier);
+    const double fine = before.y() - m_editor->pointPosition(1).y();
+    QVERIFY(std::abs(fine - 1) < 0.2);
+    QVERIFY(m_editor->accessibleDescription() != told);
+    QTest::keyClick(m_editor.get(), Qt::Key_Right);
+    QVERIFY(std::abs(m_editor->pointPosition(1).x() - before.x() - 10) < 0.5);
+    QCOMPARE(ended.count(), 3);
+  }
+
+  /// What the owner sends back after each step of a drag does not take the points out of the hand.
+  void theOwnerMaySendTheCurvesBack() {
+    connect(m_editor.get(), &CurveEditor::curvesEdited, m_editor.get(),
+            [this](const ChannelCurves& now) { m_editor->setCurves(nodes(), now, curves()); });
+    const QPoint from = at(1);
+    const std::size_t count = m_editor->points().size();
+    QTest::mousePress(m_editor.get(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(m_editor.get(), from + QPoint(3 * i, -4 * i));
+    QTest::mouseRelease(m_editor.get(), Qt::LeftButton, {}, from + QPoint(15, -20));
+    QCOMPARE(m_editor->points().size(), count);
+    QVERIFY(m_editor->selected()[1]);
+  }
+
+  void operationsChangeTheShownChannels() {
+    QSignalSpy ended(m_editor.get(), &CurveEditor::interactionEnded);
+    const auto twice = [](const std::vector<double>& curve) {
+      std::vector<double> result = curve;
+      for (double& value : result) value *= 2;
+      return result;
+    };
+    m_editor->apply(twice);
+    QCOMPARE(ended.count(), 1);
+    for (std::size_t c = 0; c < 3; ++c) QVERIFY(m_editor->curves()[c][0] == 2 * curves()[c][0]);
+    m_editor->setChannel(2);
+    m_editor->apply(twice);
+    QVERIFY(m_editor->curves()[1][0] == 2 * curves()[1][0]);
+    QVERIFY(m_editor->curves()[2][0] == 4 * curves()[2][0]);
+  }
+
+  void nothingToShowIsNothingToDo() {
+    m_editor->clear();
+    m_editor->setHint("Nothing");
+    QTest::mouseClick(m_editor.get(), Qt::LeftButton, {}, QPoint(100, 100));
+    QTest::mouseDClick(m_editor.get(), Qt::LeftButton, {}, QPoint(100, 100));
+    QTest::keyClick(m_editor.get(), Qt::Key_Up);
+    m_editor->apply([](const auto& curve) { return curve; });
+    QVERIFY(m_editor->points().empty());
+    QVERIFY(!m_editor->grab().isNull());
+  }
+};
+
+QTEST_MAIN(CurveEditorTest)
+#include "curve_editor_test.moc"

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/curves/curve_editor.h"
+
+#include <QAccessible>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "core/editing/curve_drag.h"
+#include "core/math/monotone_cubic.h"
+
+namespace gonio::widgets {
+
+namespace {
+constexpr double pointShare = 0.02;
+constexpr int mostPoints = 9;
+constexpr double pointRadius = 4.5;
+}  // namespace
+
+CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(200, 120);
+  setAccessibleName(tr("Curve"));
+}
+
+QSize CurveEditor::sizeHint() const { return QSize(26, 14) * fontMetrics().height(); }
+
+void CurveEditor::setAxis(const CurveAxis& axis) {
+  m_view.axis = axis;
+  setAccessibleName(axis.title);
+  setToolTip(tr("%1\nAcross: %2. Up: %3.\nDrag the points, or a box around several. Double-click adds a point, Delete "
+                "removes it.\nTab goes from point to point, arrows move them (Shift: finely), Ctrl+A selects all.")
+                 .arg(axis.title, axis.label, axis.valueLabel));
+  layOut();
+}
+
+void CurveEditor::setCurves(const std::vector<double>& nodes, const ChannelCurves& curves, const ChannelCurves& ghost) {
+  const bool same = nodes == m_nodes && curves == m_curves;
+  const bool another = nodes != m_nodes || ghost != m_ghost;
+  m_nodes = nodes;
+  m_curves = curves;
+  m_ghost = ghost;
+  if (another || (!same && !m_dragging)) choosePoints();
+  layOut();
+}
+
+void CurveEditor::clear() {
+  m_dragging = m_boxing = false;
+  setCurves({}, {}, {});
+}
+
+void CurveEditor::setChannel(int channel) {
+  if (channel == m_channel) return;
+  m_channel = channel;
+  choosePoints();
+  update();
+}
+
+void CurveEditor::setLogarithmic(bool logarithmic) {
+  m_view.logarithmic = logarithmic;
+  layOut();
+}
+
+void CurveEditor::setHint(const QString& hint) {
+  m_hint = hint;
+  update();
+}
+
+void CurveEditor::layOut() {
+  const QFontMetrics metrics = fontMetrics();
+  const double left = metrics.horizontalAdvance(QStringLiteral("0.0001")) + 10, line = metrics.height();
+  m_view.area = QRectF(left, 1.4 * line, std::max(10.0, width() - left - line), std::max(10.0, height() - 4.2 * line));
+  if (!m_nodes.empty()) m_view.last = m_nodes.back();
+  if (!m_dragging) m_view.fitTo(m_curves, m_ghost);
+  update();
+}
+
+void CurveEditor::resizeEvent(QResizeEvent*) { layOut(); }
+
+std::vector<double> CurveEditor::shownCurve(const ChannelCurves& curves) const {
+  if (m_channel != allChannels) return curves[std::size_t(m_channel)];
+  std::vector<double> mean(m_nodes.size());
+  for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = (curves[0][i] + curves[1][i] + curves[2][i]) / 3;
+  return mean;
+}
+
+void CurveEditor::choosePoints() {
+  m_points = m_nodes.empty() ? std::vector<double>()
+                             : editing::controlPoints(m_nodes, shownCurve(m_curves), pointShare, mostPoints);
+  m_selected.assign(m_points.size(), false);
+  m_current = -1;
+}
+
+double CurveEditor::valueAt(double place) const {
+  const std::vector<double> curve = shownCurve(m_curves);
+  return evaluateMonotoneCubic(m_nodes, curve, monotoneSlopes(m_nodes, curve), place);
+}
+
+QPointF CurveEditor::pointPosition(std::size_t point) const {
+  const double y = m_view.toY(valueAt(m_points[point]));
+  return {m_view.toX(m_points[point]), std::clamp(y, m_view.area.top(), m_view.area.bottom())};
+}
+
+void CurveEditor::beginDrag() {
+  m_curvesBefore = m_curves;
+  m_pointsBefore = m_points;
+}
+
+void CurveEditor::dragBy(const QPointF& pixels) {
+  using editing::CurveDrag;
+  const std::vector<double> shown = shownCurve(m_curvesBefore), slopes = monotoneSlopes(m_nodes, shown);
+  CurveDrag drag{.from = m_pointsBefore, .to = m_pointsBefore, .amounts = {}};
+  std::vector<double> factors, differences;
+  const double nearly = 1e-3 * m_view.high;
+  bool reachable = true;  // by factors
+  for (std::size_t i = 0; i < drag.to.size(); ++i) {
+    const double before = evaluateMonotoneCubic(m_nodes, shown, slopes, m_pointsBefore[i]);
+    double after = before;
+    if (m_selected[i]) {
+      if (drag.to[i] > 0 && drag.to[i] < m_view.last)
+        drag.to[i] = m_view.toPlace(m_view.toX(m_pointsBefore[i]) + pixels.x());
+      if (pixels.y() != 0) after = m_view.toValue(m_view.toY(before) + pixels.y());
+      reachable = reachable && (after == before || before > (m_view.logarithmic ? m_view.low : nearly));
+    }
+    factors.push_back(before > 0 ? after / before : 1);
+    differences.push_back(after - before);
+  }
+  // Points keep their order: one that would pass its neighbour stops beside it.
+  const double gap = 1e-4 * m_view.last;
+  for (std::size_t i = 1; i < drag.to.size(); ++i) drag.to[i] = std::max(drag.to[i], drag.to[i - 1] + gap);
+  for (std::size_t i = drag.to.size() - 1; i-- > 0;) drag.to[i] = std::min(drag.to[i], drag.to[i + 1] - gap);
+  drag.mode =
+      reachable && (m_view.logarithmic || m_channel == allChannels) ? CurveDrag::Mode::multiply : CurveDrag::Mode::add;
+  drag.amounts = drag.mode == CurveDrag::Mode::multiply ? factors : differences;
+  for (int channel = 0; channel < 3; ++channel)
+    if (m_channel == allChannels || m_channel == channel)
+      m_curves[std::size_t(channel)] = editing::draggedCurve(m_nodes, m_curvesBefore[std::size_t(channel)], drag);
+  m_points = drag.to;
+  edited();
+}
+
+void CurveEditor::apply(const CurveFunction& change) {
+  if (m_nodes.empty()) return;
+  Q_EMIT interactionStarted();
+  for (int channel = 0; channel < 3; ++channel)
+    if (m_channel == allChannels || m_channel == channel)
+      m_curves[std::size_t(channel)] = change(m_curves[std::size_t(channel)]);
+  choosePoints();
+  edited();
+  Q_EMIT interactionEnded();
+  layOut();
+}
+
+void CurveEditor::edited() {
+  update();
+  Q_EMIT curvesEdited(m_curves);
+  announce();
+}
+
+void CurveEditor::announce() {
+  m_announced.clear();
+  if (m_current >= 0 && std::size_t(m_current) < m_points.size()) {
+    const double place = m_points[std::size_t(m_current)];
+    m_announced = tr("Point %1 of %2: %3 at %4 (%5)")
+                      .arg(m_current + 1)
+                      .arg(m_points.size())
+                      .arg(valueAt(place), 0, 'g', 4)
+                      .arg(place / m_view.axis.unit, 0, 'g', 4)
+                      .arg(m_view.axis.label);
+  }
+  setAccessibleDescription(m_announced);
+  QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
+  QAccessible::updateAccessibility(&changed);
+  Q_EMIT announced(m_announced);
+}
+
+void CurveEditor::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const PlotStyle style = PlotStyle::of(palette());
+  painter.fillRect(rect(), style.background);
+  if (m_nodes.empty()) {
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap, m_hint);
+    return;
+  }
+  const double line = fontMetrics().height();
+  m_view.drawFrame(painter, style);
+  painter.drawText(QRectF(4, 2, width() - 8.0, line), Qt::AlignLeft, m_view.axis.title);
+  painter.drawText(QRectF(4, 2, width() - 8.0, line), Qt::AlignRight, m_view.axis.valueLabel);
+  painter.drawText(QRectF(4, height() - 1.4 * line, width() - 8.0, line), Qt::AlignCenter,
+                   m_announced.isEmpty() || !hasFocus() ? m_view.axis.label : m_announced);
+  for (int channel = 0; channel < 3; ++channel) {
+    const bool shown = m_channel == allChannels || m_channel == channel;
+    QPen ghost = channelPen(channel, style);
+    QColor faint = ghost.color();
+    faint.setAlphaF(shown ? 0.4f : 0.2f);
+    ghost.setColor(faint);
+    ghost.setWidthF(1.2);
+    m_view.drawCurve(painter, m_nodes, m_ghost[std::size_t(channel)], ghost);
+    if (!shown) continue;
+    m_view.drawCurve(painter, m_nodes, m_curves[std::size_t(channel)], channelPen(channel, style));
+  }
+  for (std::size_t i = 0; i < m_points.size(); ++i) {
+    const QPointF at = pointPosition(i);
+    painter.setPen(QPen(style.text, 1.5));
+    painter.setBrush(m_selected[i] ? style.accent : style.background);
+    painter.drawEllipse(at, pointRadius, pointRadius);
+    if (int(i) == m_current && hasFocus()) {
+      painter.setPen(QPen(style.accent, 2));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawEllipse(at, pointRadius + 4, pointRadius + 4);
+    }
+  }
+  if (m_boxing) {
+    painter.setPen(QPen(style.accent, 1, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(m_pressed, m_boxEnd).normalized());
+  }
+  if (hasFocus()) {
+    painter.setPen(QPen(style.accent, 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+  }
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_curve_editor.cpp"

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/curves/curve_view.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/monotone_cubic.h"
+
+namespace gonio::widgets {
+
+namespace {
+constexpr double decades = 4;
+constexpr double stepPixels = 2;
+}  // namespace
+
+void CurveView::fitTo(const ChannelCurves& curves, const ChannelCurves& ghost) {
+  double largest = 0;
+  for (const ChannelCurves* set : {&curves, &ghost})
+    for (const std::vector<double>& curve : *set)
+      for (const double value : curve) largest = std::max(largest, value);
+  if (largest <= 0) largest = 1;
+  high = logarithmic ? largest * 2 : largest * 1.15;
+  low = logarithmic ? largest * std::pow(10.0, -decades) : 0;
+}
+
+double CurveView::toX(double place) const {
+  const double share = std::max(0.0, place / last);
+  return area.left() + area.width() * (axis.squareRoot ? std::sqrt(share) : share);
+}
+
+double CurveView::toPlace(double x) const {
+  const double share = std::clamp((x - area.left()) / area.width(), 0.0, 1.0);
+  return last * (axis.squareRoot ? share * share : share);
+}
+
+double CurveView::toY(double value) const {
+  const double share =
+      logarithmic ? std::log(std::max(value, low) / low) / std::log(high / low) : (value - low) / (high - low);
+  return area.bottom() - area.height() * share;
+}
+
+double CurveView::toValue(double y) const {
+  const double share = (area.bottom() - y) / area.height();
+  return logarithmic ? low * std::pow(high / low, share) : std::max(0.0, low + (high - low) * share);
+}
+
+void CurveView::drawFrame(QPainter& painter, const PlotStyle& style) const {
+  const QFontMetrics metrics = painter.fontMetrics();
+  const auto horizontal = [&](double value) {
+    const double y = toY(value);
+    painter.setPen(style.gridPen());
+    painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+    painter.setPen(style.text);
+    painter.drawText(QRectF(0, y - metrics.height(), area.left() - 4, 2 * metrics.height()),
+                     Qt::AlignRight | Qt::AlignVCenter, QString::number(value, 'g', 3));
+  };
+  if (logarithmic) {
+    for (double value = std::pow(10.0, std::ceil(std::log10(low))); value <= high; value *= 10) horizontal(value);
+  } else {
+    const double size = std::pow(10.0, std::floor(std::log10(high / 2)));
+    const double step = high / size > 10 ? 5 * size : high / size > 4 ? 2 * size : size;
+    for (double value = 0; value <= high; value += step) horizontal(value);
+  }
+  double freeFrom = 0;
+  const double units = last / axis.unit;
+  for (double at = 0; at <= units * 1.001; at += axis.tick) {
+    const double x = toX(at * axis.unit);
+    painter.setPen(style.gridPen());
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    const QString text = QString::number(at, 'g', 3);
+    const double width = metrics.horizontalAdvance(text);
+    if (x - width / 2 < freeFrom) continue;
+    painter.setPen(style.text);
+    painter.drawText(QRectF(x - width, area.bottom() + 2, 2 * width, metrics.height()), Qt::AlignCenter, text);
+    freeFrom = x + width;
+  }
+  for (const auto& [place, name] : axis.limits) {
+    const double x = toX(place);
+    painter.setPen(QPen(style.text, 1, Qt::DotLine));
+    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    painter.drawText(QRectF(x - 200, area.top() + 2, 196, metrics.height()), Qt::AlignRight, name);
+  }
+  painter.setPen(style.text);
+  painter.drawRect(area);
+}
+
+void CurveView::drawCurve(QPainter& painter, const std::vector<double>& nodes, const std::vector<double>& curve,
+                          const QPen& pen) const {
+  if (nodes.empty() || curve.size() != nodes.size()) return;
+  const std::vector<double> slopes = monotoneSlopes(nodes, curve);
+  QPainterPath path;
+  for (double x = area.left(); x <= area.right(); x += stepPixels) {
+    const QPointF point(
+        x, std::clamp(toY(evaluateMonotoneCubic(nodes, curve, slopes, toPlace(x))), area.top(), area.bottom()));
+    x == area.left() ? path.moveTo(point) : path.lineTo(point);
+  }
+  painter.setPen(pen);
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(path);
+}
+
+QPen channelPen(int channel, const PlotStyle& style) {
+  const QColor dark[] = {QColor(0xff, 0x7a, 0x6e), QColor(0x5f, 0xd0, 0x78), QColor(0x7d, 0xb0, 0xff)};
+  const QColor light[] = {QColor(0xb8, 0x1f, 0x1f), QColor(0x13, 0x70, 0x2c), QColor(0x1f, 0x4f, 0xc0)};
+  QPen pen((style.dark ? dark : light)[channel], 1.8, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+  if (channel == 1) pen.setDashPattern({7, 2.5});
+  if (channel == 2) pen.setDashPattern({2, 2});
+  return pen;
+}
+
+}  // namespace gonio::widgets

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QRectF>
+#include <QString>
+#include <array>
+#include <vector>
+
+#include "widgets/plots/plot_style.h"
+
+class QPainter;
+
+namespace gonio::widgets {
+
+/// One curve a colour channel, over shared nodes.
+using ChannelCurves = std::array<std::vector<double>, 3>;
+
+/// What a curve is drawn over, for people.
+struct CurveAxis {
+  QString title;            ///< above the chart: "F1: strength of the mirror"
+  QString label;            ///< with its unit: "θR in degrees"
+  QString valueLabel;       ///< with its unit
+  double unit = 1;          ///< one unit of the labels in units of the nodes (pi / 180 for degrees)
+  double tick = 1;          ///< distance of the labels, in those units
+  bool squareRoot = false;  ///< more room near 0
+  /// Vertical lines with a name: where the mirror direction ends.
+  std::vector<std::pair<double, QString>> limits = {};
+};
+
+/// Where values lie in a chart and how they look.
+class CurveView {
+ public:
+  CurveAxis axis;
+  double last = 1;           ///< of the nodes
+  double low = 0, high = 1;  ///< of the values
+  bool logarithmic = false;
+  QRectF area;  ///< in pixels
+
+  /// The range for curves: from 0, or four decades below the largest where it is logarithmic.
+  void fitTo(const ChannelCurves& curves, const ChannelCurves& ghost);
+  double toX(double place) const;
+  double toPlace(double x) const;
+  double toY(double value) const;
+  double toValue(double y) const;
+
+  void drawFrame(QPainter& painter, const PlotStyle& style) const;
+  void drawCurve(QPainter& painter, const std::vector<double>& nodes, const std::vector<double>& curve,
+                 const QPen& pen) const;
+};
+
+/// Of a channel (0 red, 1 green, 2 blue): told apart by its dashes too.
+QPen channelPen(int channel, const PlotStyle& style);
+
+}  // namespace gonio::widgets
