@@ -23,7 +23,7 @@ struct Options {
   QString theme;
   QString plot;
   QString compare;
-  bool models;
+  bool models, factors;
 };
 
 Options readOptions(const QApplication& application) {
@@ -48,6 +48,9 @@ Options readOptions(const QApplication& application) {
   QCommandLineOption models("models");  // ranks the fits of all models
   models.setFlags(QCommandLineOption::HiddenFromHelp);
   parser.addOption(models);
+  QCommandLineOption factors("factors");  // shows the factor curves
+  factors.setFlags(QCommandLineOption::HiddenFromHelp);
+  parser.addOption(factors);
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
   return {parser.positionalArguments(),
@@ -57,7 +60,8 @@ Options readOptions(const QApplication& application) {
           parser.value("theme"),
           parser.value("plot"),
           parser.value("compare"),
-          parser.isSet(models)};
+          parser.isSet(models),
+          parser.isSet(factors)};
 }
 
 QString asGiven(const QString& file) {
@@ -70,6 +74,7 @@ void prepare(MainWindow& window, const Options& options) {
   const QStringList modes{"off", "split", "flicker", "difference", "two-up"};
   if (modes.contains(options.compare))
     window.comparison().setComparison({.mode = gonio::widgets::CompareMode(modes.indexOf(options.compare))});
+  if (options.factors) window.showDock(QStringLiteral("factors"));
   if (!options.models) return;
   window.showDock(QStringLiteral("models"));
   // Once, when the material and its first fit are there.

@@ -16,6 +16,7 @@
 #include "app/gonio/comparison_panel.h"
 #include "app/gonio/dropped_files.h"
 #include "app/gonio/edit_menu.h"
+#include "app/gonio/factor_curves_panel.h"
 #include "app/gonio/file_menu.h"
 #include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/help_menu.h"
@@ -75,6 +76,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_comparison(new ComparisonController(m_document, m_tasks, *m_preview, *m_comparisonBar, this)),
       m_comparisonPanel(new ComparisonPanel(*m_comparison, m_tasks)),
       m_plots(new PlotsPanel(m_document, m_tasks)),
+      m_factors(new FactorCurvesPanel(m_document, m_tasks)),
       m_ranking(new FitRankingPanel(m_document, m_controller, m_tasks)),
       m_messages(new widgets::MessageBar),
       m_progress(new widgets::ProgressStrip),
@@ -134,6 +136,7 @@ void MainWindow::connectController() {
   });
   connect(&m_controller, &DocumentController::failed, this, &MainWindow::showFailure);
   connect(m_comparison, &ComparisonController::failed, this, &MainWindow::showFailure);
+  connect(m_factors, &FactorCurvesPanel::failed, this, &MainWindow::showFailure);
   connect(m_ranking, &FitRankingPanel::failed, this, &MainWindow::showFailure);
   connect(&m_controller, &DocumentController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_controller, &DocumentController::proposalOffered, m_messages, &widgets::MessageBar::showProposal);
@@ -210,7 +213,8 @@ bool MainWindow::mayDiscard() {
 bool MainWindow::isSettled() const {
   const auto task = m_tasks.topmost();
   return (!task || task->quiet) && m_inspector->isSettled() && m_comparisonPanel->isSettled() && m_plots->isSettled() &&
-         m_libraryController.isVisibleComplete() && (!m_preview->hasMaterial() || m_preview->converged());
+         m_factors->isSettled() && m_libraryController.isVisibleComplete() &&
+         (!m_preview->hasMaterial() || m_preview->converged());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -28,6 +28,7 @@ class QUndoView;
 namespace gonio::app {
 
 class ComparisonPanel;
+class FactorCurvesPanel;
 class FitRankingPanel;
 
 /// The editor's window: library left, preview in the middle, inspector right. It connects the parts; what they do lies
@@ -51,6 +52,7 @@ class MainWindow : public QMainWindow {
   Inspector& inspector() { return *m_inspector; }
   ComparisonController& comparison() { return *m_comparison; }
   PlotsPanel& plots() { return *m_plots; }
+  FactorCurvesPanel& factors() { return *m_factors; }
   FitRankingPanel& ranking() { return *m_ranking; }
   QList<QDockWidget*> docks() const { return m_docks; }
 
@@ -106,6 +108,7 @@ class MainWindow : public QMainWindow {
   ComparisonController* m_comparison;
   ComparisonPanel* m_comparisonPanel;
   PlotsPanel* m_plots;
+  FactorCurvesPanel* m_factors;
   FitRankingPanel* m_ranking;
   widgets::MessageBar* m_messages;
   widgets::ProgressStrip* m_progress;

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "app/gonio/comparison_panel.h"
+#include "app/gonio/factor_curves_panel.h"
 #include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/main_window.h"
 #include "widgets/library/library_view.h"
@@ -71,9 +72,11 @@ void MainWindow::buildBottomDocks() {
   QDockWidget* plots = addDock(tr("Plots"), "plots", m_plots, Qt::BottomDockWidgetArea);
   QDockWidget* comparison = addDock(tr("Comparison"), "comparison", m_comparisonPanel, Qt::BottomDockWidgetArea);
   QDockWidget* models = addDock(tr("Models"), "models", m_ranking, Qt::BottomDockWidgetArea);
+  QDockWidget* factors = addDock(tr("Factor curves"), "factors", m_factors, Qt::BottomDockWidgetArea);
   tabifyDockWidget(plots, comparison);
   tabifyDockWidget(comparison, models);
-  for (QDockWidget* dock : {plots, comparison, models}) dock->hide();
+  tabifyDockWidget(models, factors);
+  for (QDockWidget* dock : {plots, comparison, models, factors}) dock->hide();
   connect(m_plots, &PlotsPanel::pickingToggled, m_preview, &widgets::PreviewWidget::setPicking);
   connect(m_preview, &widgets::PreviewWidget::polarAnglePicked, m_plots, &PlotsPanel::setThetaI);
   connect(m_inspector->plausibility(), &widgets::PlausibilityBadges::showRequested, m_plots,

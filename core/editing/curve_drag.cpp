@@ -40,14 +40,18 @@ Cubic inverseStretch(const CurveDrag& drag, double first, double last) {
 std::vector<double> draggedCurve(std::span<const double> nodes, std::span<const double> curve, const CurveDrag& drag) {
   std::vector<double> result(curve.begin(), curve.end());
   if (nodes.size() < 2 || drag.to.empty()) return result;
-  const Cubic amount(drag.to, drag.amounts);
+  const bool adds = drag.mode == CurveDrag::Mode::add;
+  // Factors about 1, so that where nothing changes every bit stays.
+  std::vector<double> amounts = drag.amounts;
+  for (double& one : amounts) one -= adds ? 0 : 1;
+  const Cubic amount(drag.to, amounts);
   if (drag.from != drag.to) {
     const Cubic before({nodes.begin(), nodes.end()}, result), place = inverseStretch(drag, nodes.front(), nodes.back());
     for (std::size_t i = 0; i < nodes.size(); ++i) result[i] = before(place(nodes[i]));
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const double change = amount(nodes[i]);
-    result[i] = std::max(0.0, drag.mode == CurveDrag::Mode::add ? result[i] + change : result[i] * change);
+    result[i] = std::max(0.0, adds ? result[i] + change : result[i] * (1 + change));
   }
   return result;
 }

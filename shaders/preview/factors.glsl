@@ -7,7 +7,7 @@
 
 uniform sampler2D factorCurves;
 uniform int factorTerms;
-uniform ivec3 factorNodes[2];      // nodes of the three axes: edited, original
+uniform vec3 factorNodes[2];       // count of nodes of the three axes: edited, original
 uniform float factorHighest[2];
 uniform int factorTransform[2];    // DataTransform
 
@@ -65,7 +65,7 @@ vec3 projectedDeviation(vec3 wi, vec3 wo) {
 // Linear RGB in 1/sr of the edited (0) or the original (1) curves.
 vec3 evaluateFactors(vec3 wi, vec3 wo, int which) {
   vec3 at = projectedDeviation(wi, wo);
-  ivec3 counts = factorNodes[which];
+  ivec3 counts = ivec3(factorNodes[which]);
   int row = which * 6 * factorTerms;
   FactorPlace f1 = factorPlace(row, counts.x, at.x);
   FactorPlace f2 = factorPlace(row + 2 * factorTerms, counts.y, at.y);

@@ -136,29 +136,12 @@ class CurveEditorTest : public QObject {
     QVERIFY(m_editor->selected()[1]);
   }
 
-  void operationsChangeTheShownChannels() {
-    QSignalSpy ended(m_editor.get(), &CurveEditor::interactionEnded);
-    const auto twice = [](const std::vector<double>& curve) {
-      std::vector<double> result = curve;
-      for (double& value : result) value *= 2;
-      return result;
-    };
-    m_editor->apply(twice);
-    QCOMPARE(ended.count(), 1);
-    for (std::size_t c = 0; c < 3; ++c) QVERIFY(m_editor->curves()[c][0] == 2 * curves()[c][0]);
-    m_editor->setChannel(2);
-    m_editor->apply(twice);
-    QVERIFY(m_editor->curves()[1][0] == 2 * curves()[1][0]);
-    QVERIFY(m_editor->curves()[2][0] == 4 * curves()[2][0]);
-  }
-
   void nothingToShowIsNothingToDo() {
     m_editor->clear();
     m_editor->setHint("Nothing");
     QTest::mouseClick(m_editor.get(), Qt::LeftButton, {}, QPoint(100, 100));
     QTest::mouseDClick(m_editor.get(), Qt::LeftButton, {}, QPoint(100, 100));
     QTest::keyClick(m_editor.get(), Qt::Key_Up);
-    m_editor->apply([](const auto& curve) { return curve; });
     QVERIFY(m_editor->points().empty());
     QVERIFY(!m_editor->grab().isNull());
   }

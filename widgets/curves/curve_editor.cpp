@@ -140,18 +140,6 @@ void CurveEditor::dragBy(const QPointF& pixels) {
   edited();
 }
 
-void CurveEditor::apply(const CurveFunction& change) {
-  if (m_nodes.empty()) return;
-  Q_EMIT interactionStarted();
-  for (int channel = 0; channel < 3; ++channel)
-    if (m_channel == allChannels || m_channel == channel)
-      m_curves[std::size_t(channel)] = change(m_curves[std::size_t(channel)]);
-  choosePoints();
-  edited();
-  Q_EMIT interactionEnded();
-  layOut();
-}
-
 void CurveEditor::edited() {
   update();
   Q_EMIT curvesEdited(m_curves);

@@ -4,7 +4,6 @@
 
 #include <QPointF>
 #include <QWidget>
-#include <functional>
 
 #include "widgets/curves/curve_view.h"
 
@@ -36,10 +35,6 @@ class CurveEditor : public QWidget {
   void setLogarithmic(bool logarithmic);
   /// Shown instead of the curves while there are none.
   void setHint(const QString& hint);
-
-  /// Changes every curve of the shown channels, as one interaction.
-  using CurveFunction = std::function<std::vector<double>(const std::vector<double>&)>;
-  void apply(const CurveFunction& change);
 
   /// Places of the control points, increasing, and which of them are selected.
   const std::vector<double>& points() const { return m_points; }

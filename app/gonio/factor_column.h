@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+#include "core/factorization/pdv_factors.h"
+
+namespace gonio::widgets {
+class CurveEditor;
+}
+
+namespace gonio::app {
+
+/// The factors of the model, by what they run over.
+enum class FactorAxis { theta, deviation, phi };
+
+const std::vector<double>& nodesOf(const factorization::PdvFactors& factors, FactorAxis axis);
+std::vector<double>& curveOf(factorization::PdvTerm& term, FactorAxis axis);
+const std::vector<double>& curveOf(const factorization::PdvTerm& term, FactorAxis axis);
+
+/// What a button does to the curves of a factor.
+enum class FactorOperation { stronger, weaker, wider, narrower, tiltUp, tiltDown, smooth, reset };
+
+/// The factors with an operation on one axis, on all terms of a channel (or of all, -1). `reset` takes the curves of
+/// `original` back where there are as many terms.
+factorization::PdvFactors operated(const factorization::PdvFactors& factors, const factorization::PdvFactors& original,
+                                   FactorAxis axis, FactorOperation operation, int channel);
+QString operationText(FactorOperation operation, FactorAxis axis);
+
+/// One factor: its curve editor, the buttons of its operations, and a place where a material's thumbnail can be
+/// dropped.
+class FactorColumn : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FactorColumn(FactorAxis axis, QWidget* parent = nullptr);
+
+  widgets::CurveEditor& editor() const { return *m_editor; }
+  FactorAxis axis() const { return m_axis; }
+  void setButtonsEnabled(bool enabled);
+
+ Q_SIGNALS:
+  void operationChosen(gonio::app::FactorOperation operation);
+  /// A material's thumbnail was dropped: an id as the library has it.
+  void materialDropped(const QString& id);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  FactorAxis m_axis;
+  widgets::CurveEditor* m_editor;
+  QWidget* m_buttons;
+  QWidget* m_dropNote;
+};
+
+}  // namespace gonio::app

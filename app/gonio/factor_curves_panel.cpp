@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/factor_curves_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+#include "app/gonio/factor_terms_view.h"
+#include "core/factorization/pdv_operations.h"
+#include "widgets/curves/curve_editor.h"
+
+namespace gonio::app {
+
+namespace {
+
+using editing::FactorEdit;
+using factorization::PdvFactors;
+using factorization::PdvForm;
+
+const QString factorKey = QStringLiteral("factors"), swapKey = QStringLiteral("factor-swap");
+constexpr int usualTerms = 3;
+
+widgets::ChannelCurves firstCurves(const PdvFactors& factors, FactorAxis axis) {
+  widgets::ChannelCurves curves;
+  for (std::size_t c = 0; c < 3; ++c) curves[c] = curveOf(factors.channels[c][0], axis);
+  return curves;
+}
+
+FactorEdit::Curves shared(PdvFactors factors) { return std::make_shared<const PdvFactors>(std::move(factors)); }
+
+}  // namespace
+
+FactorCurvesPanel::FactorCurvesPanel(Document& document, BackgroundTasks& tasks, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_tasks(tasks),
+      m_channel(new QComboBox),
+      m_form(new QComboBox),
+      m_logarithmic(new QCheckBox(tr("&Logarithmic"))),
+      m_keepDetail(new QCheckBox(tr("&Keep measured detail"))),
+      m_factorise(new QPushButton(tr("&Factorise"))),
+      m_resetAll(new QPushButton(tr("&Reset All"))),
+      m_columns{new FactorColumn(FactorAxis::theta), new FactorColumn(FactorAxis::deviation),
+                new FactorColumn(FactorAxis::phi)},
+      m_terms(new FactorTermsView) {
+  buildControls();
+  connectColumns();
+  connectDocument();
+  m_terms->setTerms(usualTerms);
+  refresh();
+}
+
+QSize FactorCurvesPanel::sizeHint() const { return QSize(80, 22) * fontMetrics().height(); }
+
+void FactorCurvesPanel::buildControls() {
+  m_channel->addItems({tr("All channels together"), tr("Red"), tr("Green"), tr("Blue")});
+  m_channel->setAccessibleName(tr("Channel"));
+  m_channel->setToolTip(tr("Which curves the points move: all three in proportion, or one"));
+  m_form->addItems({tr("Two curves: F1 F2"), tr("Three curves: F1 F2 F3")});
+  m_form->setAccessibleName(tr("Form of the factors"));
+  m_form->setToolTip(
+      tr("Round highlights, or also their change with the azimuth about the mirror direction.\n"
+         "Another form factorises the measurement anew and drops the edit of its curves."));
+  m_logarithmic->setToolTip(tr("The axis of the values: logarithmic over four decades, or linear from 0"));
+  m_keepDetail->setToolTip(
+      tr("On: the change of the curves is added to the measurement, so that what they do not explain stays.\n"
+         "Off: the curves alone are the material."));
+  m_keepDetail->setChecked(true);
+  m_factorise->setToolTip(tr("Finds the factor curves of the open material"));
+  m_resetAll->setToolTip(tr("All curves as the measurement gave them, with its detail"));
+  auto* top = new QHBoxLayout;
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{m_channel, m_form, m_logarithmic, m_keepDetail, m_resetAll, m_factorise})
+    top->addWidget(widget);
+  top->addStretch();
+  auto* columns = new QHBoxLayout;
+  for (FactorColumn* column : m_columns) columns->addWidget(column, 3);
+  columns->addWidget(m_terms, 2);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addLayout(top);
+  layout->addLayout(columns, 1);
+}
+
+void FactorCurvesPanel::connectColumns() {
+  for (FactorColumn* column : m_columns) {
+    widgets::CurveEditor* editor = &column->editor();
+    const FactorAxis axis = column->axis();
+    connect(editor, &widgets::CurveEditor::interactionStarted, this, [this] { m_document.beginInteraction(); });
+    connect(editor, &widgets::CurveEditor::interactionEnded, this, [this] { m_document.endInteraction(); });
+    connect(editor, &widgets::CurveEditor::curvesEdited, this,
+            [this, axis](const widgets::ChannelCurves& curves) { curvesEdited(axis, curves); });
+    connect(column, &FactorColumn::operationChosen, this,
+            [this, axis](FactorOperation operation) { operate(axis, operation); });
+    connect(column, &FactorColumn::materialDropped, this, [this, axis](const QString& id) { takeOver(axis, id); });
+    connect(m_logarithmic, &QCheckBox::toggled, editor, &widgets::CurveEditor::setLogarithmic);
+    connect(m_channel, &QComboBox::currentIndexChanged, editor, [this, editor] { editor->setChannel(channel()); });
+  }
+}
+
+void FactorCurvesPanel::connectDocument() {
+  connect(m_terms, &FactorTermsView::termsChosen, this, &FactorCurvesPanel::chooseTerms);
+  connect(m_form, &QComboBox::activated, this, &FactorCurvesPanel::chooseForm);
+  connect(m_resetAll, &QPushButton::clicked, this, &FactorCurvesPanel::resetAll);
+  connect(m_factorise, &QPushButton::clicked, this, [this] {
+    m_refused = false;
+    request();
+  });
+  connect(m_keepDetail, &QCheckBox::clicked, this, [this](bool keep) {
+    FactorEdit edit = current();
+    if (!edit.original) return;
+    edit.keepDetail = keep;
+    m_document.setFactors(edit, keep ? tr("Keep measured detail") : tr("Leave measured detail out"));
+  });
+  connect(&m_document, &Document::materialChanged, this, [this] {
+    m_tasks.drop(factorKey);
+    m_tasks.drop(swapKey);
+    m_running = m_refused = false;
+    m_measured.reset();
+    m_original.reset();
+    request();
+  });
+  connect(&m_document, &Document::stateChanged, this, &FactorCurvesPanel::refresh);
+  connect(&m_document, &Document::editChanged, this, &FactorCurvesPanel::refresh);
+}
+
+bool FactorCurvesPanel::isSettled() const { return !isVisible() || (!m_running && !m_tasks.isRunning(swapKey)); }
+
+PdvForm FactorCurvesPanel::form() const {
+  return m_form->currentIndex() == 0 ? PdvForm::twoFactors : PdvForm::threeFactors;
+}
+
+int FactorCurvesPanel::channel() const { return m_channel->currentIndex() - 1; }
+
+FactorEdit FactorCurvesPanel::current() const {
+  if (m_document.factors()) return *m_document.factors();
+  FactorEdit edit;
+  edit.original = edit.edited = m_original;
+  return edit;
+}
+
+void FactorCurvesPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  request();
+}
+
+void FactorCurvesPanel::request() {
+  const LoadedMaterialPtr material = m_document.material();
+  if (material && isVisible() && !m_running && !m_refused && !m_measured) {
+    m_running = true;
+    m_tasks.run<MeasuredFactors>(
+        {tr("Factorising %1").arg(QString::fromStdString(material->material.name)), factorKey},
+        [material, form = form()](const TaskControl& control) { return measureFactors(material, form, control); },
+        [this](const MeasuredFactors& measured) { adopt(measured); },
+        [this](const QString& error) {
+          m_running = false;
+          m_refused = true;
+          refresh();
+          Q_EMIT failed(tr("Cannot factorise"), error);
+        },
+        [this] {
+          m_running = false;
+          m_refused = true;
+          refresh();
+        });
+  }
+  refresh();
+}
+
+void FactorCurvesPanel::adopt(const MeasuredFactors& measured) {
+  m_running = false;
+  m_measured = std::make_shared<const MeasuredFactors>(measured);
+  m_original = shared(m_measured->factorization.factors.truncated(m_terms->terms()));
+  refresh();
+}
+
+void FactorCurvesPanel::refresh() {
+  const FactorEdit edit = current();
+  const bool known = edit.original != nullptr;
+  const bool flat = known ? edit.edited->form == PdvForm::twoFactors : form() == PdvForm::twoFactors;
+  m_factorise->setVisible(m_refused && !m_measured);
+  m_terms->setMeasured(m_measured);
+  m_columns[2]->setVisible(!flat);
+  m_keepDetail->setChecked(edit.keepDetail);
+  m_keepDetail->setEnabled(known);
+  m_resetAll->setEnabled(m_document.factors().has_value());
+  m_form->setEnabled(m_document.material() != nullptr);
+  for (FactorColumn* column : m_columns) {
+    widgets::CurveEditor& editor = column->editor();
+    column->setButtonsEnabled(known);
+    if (known)
+      editor.setCurves(nodesOf(*edit.edited, column->axis()), firstCurves(*edit.edited, column->axis()),
+                       firstCurves(*edit.original, column->axis()));
+    else
+      editor.clear();
+    editor.setHint(!m_document.material() ? tr("Open a material to see its factor curves.")
+                   : m_running            ? tr("The factors are being computed.")
+                                          : tr("Factorise finds the curves of this material."));
+  }
+  if (known) {
+    m_form->setCurrentIndex(flat ? 0 : 1);
+    m_terms->setTerms(edit.original->terms());
+  }
+}
+
+void FactorCurvesPanel::change(const PdvFactors& edited, const QString& text) {
+  FactorEdit edit = current();
+  edit.edited = shared(edited);
+  m_document.setFactors(edit, text);
+}
+
+void FactorCurvesPanel::curvesEdited(FactorAxis axis, const widgets::ChannelCurves& curves) {
+  const FactorEdit edit = current();
+  if (!edit.edited) return;
+  PdvFactors changed = *edit.edited;
+  for (std::size_t c = 0; c < 3; ++c) curveOf(changed.channels[c][0], axis) = curves[c];
+  change(factorization::withRoomForEdits(changed), tr("Change F%1").arg(int(axis) + 1));
+}
+
+void FactorCurvesPanel::operate(FactorAxis axis, FactorOperation operation) {
+  const FactorEdit edit = current();
+  if (!edit.edited) return;
+  change(operated(*edit.edited, *edit.original, axis, operation, channel()), operationText(operation, axis));
+}
+
+void FactorCurvesPanel::chooseTerms(int terms) {
+  if (!m_measured) return;
+  m_original = shared(m_measured->factorization.factors.truncated(terms));
+  if (!m_document.factors()) return refresh();
+  FactorEdit edit = *m_document.factors();
+  PdvFactors edited = edit.edited->truncated(terms);
+  // Terms that the edit did not have yet come as they were found.
+  if (edited.form == m_original->form && edited.deviationNodes == m_original->deviationNodes)
+    for (std::size_t c = 0; c < 3; ++c)
+      for (auto i = edited.channels[c].size(); i < m_original->channels[c].size(); ++i)
+        edited.channels[c].push_back(m_original->channels[c][i]);
+  edit.original = m_original;
+  edit.edited = shared(factorization::withRoomForEdits(edited));
+  m_document.setFactors(edit, tr("Use %n terms", nullptr, terms));
+}
+
+void FactorCurvesPanel::chooseForm() {
+  m_tasks.drop(factorKey);
+  m_running = m_refused = false;
+  m_measured.reset();
+  m_original.reset();
+  m_document.setFactors({}, tr("Drop the edit of the factor curves"));
+  request();
+}
+
+void FactorCurvesPanel::resetAll() { m_document.setFactors({}, tr("Reset the factor curves")); }
+
+void FactorCurvesPanel::takeOver(FactorAxis axis, const QString& id) {
+  const FactorEdit edit = current();
+  if (!edit.edited) return;
+  m_tasks.run<PdvFactors>(
+      {tr("Taking F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)), swapKey},
+      [id, edited = edit.edited](const TaskControl& control) {
+        const auto table = io::readMaterial(id.toStdString(), {control.stop, {}}).tabulated({control.stop, {}});
+        factorization::PdvOptions options{.form = edited->form, .transform = edited->transform, .terms = 1};
+        options.deviationNodes = edited->deviationNodes;
+        return factorizePdv(*table, options, control).factors;
+      },
+      [this, axis, id](const PdvFactors& other) {
+        const FactorEdit now = current();
+        if (!now.edited) return;
+        change(axis == FactorAxis::theta ? takeF1(*now.edited, other) : takeF2(*now.edited, other),
+               tr("Take F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)));
+      },
+      [this](const QString& error) { Q_EMIT failed(tr("Cannot take the curve over"), error); });
+}
+
+}  // namespace gonio::app
+
+#include "moc_factor_curves_panel.cpp"

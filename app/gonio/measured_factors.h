@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "app/gonio/loaded_material.h"
+#include "core/factorization/pdv_factors.h"
+
+namespace gonio::app {
+
+/// The factors of a material with what each count of terms costs: index 0 is one term.
+struct MeasuredFactors {
+  LoadedMaterialPtr material;
+  factorization::PdvFactorization factorization;
+  std::vector<std::size_t> bytes;   ///< of a file with the factors
+  std::vector<double> nanoseconds;  ///< of one evaluation on one core, the fastest of some runs on this machine
+
+  /// The share of the transformed reflectance that so many terms leave unexplained, in [0, 1].
+  double residual(int terms) const { return factorization.residuals[std::size_t(terms)]; }
+};
+
+inline constexpr int mostEditedTerms = 10;
+
+/// Factorises and measures: some seconds in the 3-D form. @throws Cancelled.
+MeasuredFactors measureFactors(const LoadedMaterialPtr& material, factorization::PdvForm form,
+                               const TaskControl& control = {});
+
+}  // namespace gonio::app
