@@ -190,6 +190,8 @@ void CurveEditor::paintEvent(QPaintEvent*) {
     if (!shown) continue;
     m_view.drawCurve(painter, m_nodes, m_curves[std::size_t(channel)], channelPen(channel, style));
   }
+  // The points of linked channels lie on their mean.
+  if (m_channel == allChannels) m_view.drawCurve(painter, m_nodes, shownCurve(m_curves), QPen(style.text, 0.8));
   for (std::size_t i = 0; i < m_points.size(); ++i) {
     const QPointF at = pointPosition(i);
     painter.setPen(QPen(style.text, 1.5));
