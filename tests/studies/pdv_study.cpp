@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+//
+// pdv_study MERL_FILE ...: two tables of docs/factors.md. Noise at equal samples: the standard deviation of the light
+// that the material sends to a viewer under the studio environment, relative to its mean and averaged over viewers, for
+// directions drawn by four densities. And factor measurement: BRDF SNR of the prediction from two curves, over three
+// pairs of axes, at the best of several fixed angles.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <random>
+
+#include "core/acquisition/factor_measurement.h"
+#include "core/brdf/lobe_mixture.h"
+#include "core/factorization/pdv_factors.h"
+#include "core/factorization/pdv_sampler.h"
+#include "core/fitting/fit.h"
+#include "core/io/material.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/models/registry.h"
+#include "core/rendering/environment.h"
+
+using namespace gonio;
+
+namespace {
+
+using Draw = std::function<DirectionSample(const Direction& wo, const glm::dvec3& u)>;
+
+/// Viewers every 10 degrees, turned about the normal: the environment's up is the normal.
+double noise(const Brdf& brdf, const EnvironmentMap& environment, const Draw& draw) {
+  constexpr int samples = 40000;
+  double sum = 0;
+  int viewers = 0;
+  for (double degrees = 5; degrees < 90; degrees += 10, ++viewers) {
+    const Direction wo = fromSpherical(radians(degrees), radians(37 * degrees));
+    std::mt19937_64 random{std::uint64_t(degrees)};
+    std::uniform_real_distribution<double> uniform(0, 1);
+    double mean = 0, squares = 0;
+    for (int n = 0; n < samples; ++n) {
+      const double a = uniform(random), b = uniform(random), c = uniform(random);
+      const DirectionSample s = draw(wo, {a, b, c});
+      if (!(s.pdf > 0)) continue;
+      const Rgb light = environment.radiance({s.wi.x, s.wi.z, -s.wi.y}) * brdf.evaluate(s.wi, wo) * s.wi.z / s.pdf;
+      const double value = (light.x + light.y + light.z) / 3;
+      mean += value / samples;
+      squares += value * value / samples;
+    }
+    sum += std::sqrt(std::max(0.0, squares - mean * mean)) / mean;
+  }
+  return sum / viewers;
+}
+
+void printNoise(const std::string& name, const TabulatedBrdf& table) {
+  const auto environment = studioEnvironment();
+  const factorization::PdvFactors factors = factorization::factorizePdv(table, {.terms = 1}).factors;
+  const auto first = factorization::makePdvBrdf(factors);
+  const factorization::PdvSampler exact(*first, factors.thetaNodes, factors.deviationNodes);
+  const factorization::PrintedPdvSampler printed(*first, factors.thetaNodes, factors.deviationNodes);
+  const fitting::FitResult fit = fitting::fit(table, models::ggx(), {});
+  const auto ggx = models::ggx().instantiate(fit.parameters);
+  const auto cosine = cosineSampler();
+  const Draw draws[] = {[&](const Direction& wo, const glm::dvec3& u) { return cosine.sample(wo, u); },
+                        [&](const Direction& wo, const glm::dvec3& u) { return printed.sample(wo, u); },
+                        [&](const Direction& wo, const glm::dvec3& u) { return exact.sample(wo, u); },
+                        [&](const Direction& wo, const glm::dvec3& u) { return ggx->sample(wo, u); }};
+  std::printf("| %s |", name.c_str());
+  for (const Draw& draw : draws) std::printf(" %.3f |", noise(table, *environment, draw));
+  std::printf("\n");
+}
+
+void printMeasurement(const std::string& name, const TabulatedBrdf& table) {
+  std::printf("| %s |", name.c_str());
+  for (const auto axes : {acquisition::FactorAxes::projectedDeviation, acquisition::FactorAxes::halfDifference,
+                          acquisition::FactorAxes::halfOut}) {
+    double best = -1e9, at = 0;
+    for (double degrees = 10; degrees < 80; degrees += 10) {
+      const auto m = acquisition::measureFactors(table, {.axes = axes, .fixedAngle = radians(degrees)});
+      const double snr = metrics::brdfSignalToNoiseRatio(table, *acquisition::predictFromFactors(m));
+      if (snr > best) best = snr, at = degrees;
+    }
+    std::printf(" %.2f (%.0f) |", best, at);
+  }
+  std::printf("\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::pair<std::string, std::shared_ptr<const TabulatedBrdf>>> materials;
+  for (int i = 1; i < argc; ++i)
+    materials.emplace_back(std::filesystem::path(argv[i]).stem().string(), io::readMaterial(argv[i]).tabulated());
+  std::printf("| material | cosine | printed | exact | GGX fit |\n|---|---|---|---|---|\n");
+  for (const auto& [name, table] : materials) printNoise(name, *table);
+  std::printf("\n| material | PDV | half-difference | half-out |\n|---|---|---|---|\n");
+  for (const auto& [name, table] : materials) printMeasurement(name, *table);
+  return 0;
+}
