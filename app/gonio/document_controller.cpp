@@ -99,13 +99,16 @@ void DocumentController::automaticFit() {
 
 bool DocumentController::isFitting() const { return m_tasks.isRunning(fitKey); }
 
-void DocumentController::runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done) {
+void DocumentController::runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
+                                const models::ParameterValues& choices) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const QString name = widgets::fromView(model.spec().name);
   m_tasks.run<fitting::FitResult>(
       {tr("Fitting %1").arg(name), fitKey},
-      [material, &model](const TaskControl& control) { return fitting::fit(*material->table, model, {}, control); },
+      [material, &model, choices](const TaskControl& control) {
+        return fitting::fit(*material->table, model, {}, control, choices);
+      },
       [this, name, done = std::move(done)](const fitting::FitResult& fit) {
         if (!fit.cancelled) {
           m_fits[fit.model] = fit;
@@ -130,8 +133,11 @@ void DocumentController::chooseModel(const models::Model& model) {
 }
 
 void DocumentController::fit() {
-  const models::Model& model = m_document.edit() ? *m_document.edit()->model : defaultModel();
-  runFit(model, [this](const fitting::FitResult& fit) { m_document.chooseFit(fit); });
+  const auto use = [this](const fitting::FitResult& fit) { m_document.chooseFit(fit); };
+  if (const auto& edit = m_document.edit())
+    runFit(*edit->model, use, edit->edited);
+  else
+    runFit(defaultModel(), use);
 }
 
 void DocumentController::applyProposal() {

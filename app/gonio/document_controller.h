@@ -30,7 +30,7 @@ class DocumentController : public QObject {
   void chooseModel(const models::Model& model);
   /// A fit of the open material that is known from now on: choosing its model costs nothing.
   void rememberFit(const fitting::FitResult& fit) { m_fits[fit.model] = fit; }
-  /// Fits the current model again.
+  /// Fits the current model again, with the conventions that are chosen in the edit.
   void fit();
   void applyProposal();
   void discardProposal() { m_proposal.reset(); }
@@ -67,7 +67,9 @@ class DocumentController : public QObject {
   };
   void start(const QString& path, const QString& documentPath, bool recovered);
   void install(const Opened& opened, const QString& path, const QString& documentPath, bool recovered);
-  void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done);
+  /// @param choices the conventions to keep, as fitting::fit() takes them.
+  void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
+              const models::ParameterValues& choices = {});
   void automaticFit();
 
   Document& m_document;

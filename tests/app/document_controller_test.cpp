@@ -117,6 +117,20 @@ class DocumentControllerTest : public QObject {
   }
 
   /// A newer load wins; a fit that is stopped offers its best so far, and applying that is one step.
+  void aFitKeepsTheChosenConventions() {
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    const std::size_t masking = *editor.document.edit()->model->spec().find("masking");
+    const Rgb heightCorrelated(1);
+    QVERIFY(editor.document.edit()->fitted.values[masking] != heightCorrelated);
+    editor.document.setParameter(int(masking), heightCorrelated);
+    editor.controller.fit();
+    QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle(), patienceMilliseconds);
+    QCOMPARE(editor.document.edit()->fitted.values[masking], heightCorrelated);
+    QVERIFY(editor.document.edit()->isIdentity());
+  }
+
   void aNewerLoadWinsAndAStoppedFitIsAProposal() {
     Editor editor;
     QSignalSpy offered(&editor.controller, &DocumentController::proposalOffered);
