@@ -5,7 +5,7 @@
 //   LIGHT_ENVIRONMENT   environment light by multiple importance sampling (else one directional light)
 //   SHOW_ENVIRONMENT    the environment behind the sphere
 //   EDIT_MODEL          measured + strength (model(edited) - model(fitted)), with EVALUATE_MODEL and MODEL_PARAMETERS
-//   EDIT_FACTORS        the table changed by its factor curves, before EDIT_MODEL
+//   EDIT_FACTORS        the table changed by its factor curves, before EDIT_MODEL; KEEP_DETAIL: by their difference
 //   MODEL_ALONE         the model and no table, with EVALUATE_MODEL and MODEL_PARAMETERS
 #include "half_difference.glsl"
 #ifndef MODEL_ALONE
@@ -42,7 +42,6 @@ uniform vec3 fittedParameters[MODEL_PARAMETERS];
 uniform float editStrength;
 #endif
 #ifdef EDIT_FACTORS
-uniform bool keepDetail;
 uniform float factorStrength;
 #endif
 #ifdef MODEL_ALONE
@@ -58,8 +57,14 @@ vec3 evaluateBrdf(vec3 wi, vec3 wo) {
   vec3 value = evaluateTable(wi, wo, valid);
 #ifdef EDIT_FACTORS
   if (valid) {
-    vec3 edited = evaluateFactors(wi, wo, 0);
-    vec3 from = keepDetail ? evaluateFactors(wi, wo, 1) : value;
+    vec3 places = factorPlaces(wi, wo);
+    float cosines = wi.z * wo.z;
+    vec3 edited = evaluateFactors(places, cosines, 0);
+#ifdef KEEP_DETAIL
+    vec3 from = evaluateFactors(places, cosines, 1);
+#else
+    vec3 from = value;
+#endif
     value = max(vec3(0.0), value + factorStrength * (edited - from));
   }
 #endif

@@ -9,10 +9,13 @@
 
 namespace gonio::widgets {
 
-/// The curves of a factor edit on the graphics card, for shaders/preview/factors.glsl. While curves are dragged only
-/// these texels change: some 20 kB a term, in place.
+/// The curves of a factor edit on the graphics card, for shaders/preview/factors.glsl: resampled to 1,024 texels, even
+/// in theta_R, in the root of |Dp| (where sharp highlights have their nodes) and in |phi|. While curves are dragged
+/// only these texels change, in place: 64 kB a term in the form with two factors.
 class FactorTexture {
  public:
+  /// What the shader is compiled for.
+  static QStringList definitions(const editing::FactorEdit& edit);
   /// Brings the curves to the texture at the active unit where they are others than before.
   void update(QOpenGLFunctions_4_1_Core& gl, const editing::FactorEdit& edit);
   /// The shader's uniforms. @param unit at which the texture is bound.
@@ -23,7 +26,7 @@ class FactorTexture {
  private:
   editing::FactorEdit::Curves original_, edited_;
   GLuint texture_ = 0;
-  int width_ = 0, height_ = 0, terms_ = 0;
+  int height_ = 0;
 };
 
 }  // namespace gonio::widgets

@@ -92,7 +92,7 @@ QOpenGLShaderProgram& PreviewRenderer::sphereProgram() {
                 << QString("MODEL_PARAMETERS %1").arg(count);
     preamble << "models/" + shaderId(*model) + ".glsl";
   }
-  if (subject_.hasActiveFactors()) definitions << "EDIT_FACTORS";
+  if (subject_.hasActiveFactors()) definitions << FactorTexture::definitions(*subject_.factors);
   return resources_->program("preview/sphere.frag", definitions, preamble);
 }
 
@@ -134,7 +134,6 @@ void PreviewRenderer::setFactorUniforms(QOpenGLShaderProgram& program) {
   glActiveTexture(GL_TEXTURE0 + factorUnit);
   factorTexture_.update(*this, *subject_.factors);
   factorTexture_.setUniforms(program, factorUnit);
-  program.setUniformValue("keepDetail", subject_.factors->keepDetail);
   program.setUniformValue("factorStrength", float(subject_.factors->strength));
 }
 
@@ -203,8 +202,9 @@ void PreviewRenderer::accumulate(int count) {
   bindTextures(program);
   setCameraUniforms(program);
   setModelUniforms(program);
-  setFactorUniforms(program);
+  // Creating the target unbinds the texture of the active unit: the factors come after it.
   prepareTarget();
+  setFactorUniforms(program);
   setSampleUniforms(program, count);
   resources_->drawFullscreen();
   glDisable(GL_BLEND);
