@@ -25,3 +25,4 @@ picture editor-chrome dark library:sgd/nickel
 picture editor-fabric light library:sgd/red-fabric
 picture editor-comparison dark library:sgd/gold-metallic-paint --compare difference
 picture editor-models light library:sgd/gold-metallic-paint --models
+picture editor-factors light library:sgd/gold-metallic-paint --factors
