@@ -22,8 +22,8 @@ struct LawrenceRanks {
 ///
 /// Reduced and derived here: isotropic materials alone, so F has no azimuth, and phi_h is folded; colour lies in F
 /// alone (the channels stand side by side in the matrix); theta_h is sampled as in MERL tables, where even steps of
-/// 1 - cos theta_h miss narrow highlights; cells weigh by their solid angle, which the paper does not do and which helps
-/// much (docs/factors.md); the divisor cos theta_i is at least that of largestPolarAngle.
+/// 1 - cos theta_h miss narrow highlights; cells weigh by their solid angle, which the paper does not do and which
+/// helps much (docs/factors.md); the divisor cos theta_i is at least that of largestPolarAngle.
 struct LawrenceFactors {
   HalfOutAxes axes;
   LawrenceRanks ranks;
