@@ -46,7 +46,7 @@ void FitRankingModel::clear() {
   endResetModel();
 }
 
-void FitRankingModel::add(const fitting::RankedFit& ranked) {
+void FitRankingModel::add(const study::RankedFit& ranked) {
   Row row{ranked, thumbnailOf(ranked.picture)};
   row.ranked.picture = {};
   const auto known = std::find_if(m_rows.begin(), m_rows.end(),

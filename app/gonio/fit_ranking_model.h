@@ -6,7 +6,7 @@
 #include <QIcon>
 #include <vector>
 
-#include "core/fitting/fit_ranking.h"
+#include "core/study/fit_ranking.h"
 
 namespace gonio::app {
 
@@ -22,8 +22,8 @@ class FitRankingModel : public QAbstractTableModel {
 
   void clear();
   /// Replaces the row of the same model.
-  void add(const fitting::RankedFit& ranked);
-  const fitting::RankedFit& ranked(int row) const { return m_rows[std::size_t(row)].ranked; }
+  void add(const study::RankedFit& ranked);
+  const study::RankedFit& ranked(int row) const { return m_rows[std::size_t(row)].ranked; }
   /// Which error the error column shows.
   void setMetric(metrics::BrdfMetric metric);
   metrics::BrdfMetric metric() const { return m_metric; }
@@ -37,7 +37,7 @@ class FitRankingModel : public QAbstractTableModel {
 
  private:
   struct Row {
-    fitting::RankedFit ranked;
+    study::RankedFit ranked;
     QIcon thumbnail;
   };
   double error(const Row& row) const;

@@ -97,7 +97,7 @@ void FitRankingPanel::fitAll() {
   if (!material) return;
   m_model.clear();
   // A row is told as it is done: through the tasks' thread, to a panel that may be gone by then.
-  const auto tell = [panel = QPointer(this), tasks = &m_tasks, material](const fitting::RankedFit& ranked) {
+  const auto tell = [panel = QPointer(this), tasks = &m_tasks, material](const study::RankedFit& ranked) {
     QMetaObject::invokeMethod(
         tasks,
         [panel, material, ranked] {
@@ -108,16 +108,16 @@ void FitRankingPanel::fitAll() {
   m_tasks.run<bool>(
       {tr("Fitting all models"), rankingKey},
       [material, tell](const TaskControl& control) {
-        fitting::RankingOptions options;
+        study::RankingOptions options;
         options.modelDone = tell;
-        fitting::rankFits(*material->table, *material->material.brdf, options, control);
+        study::rankFits(*material->table, *material->material.brdf, options, control);
         return true;
       },
       [this](bool) { refresh(); }, [this](const QString& error) { Q_EMIT failed(tr("Cannot fit all models"), error); });
   refresh();
 }
 
-void FitRankingPanel::take(const fitting::RankedFit& ranked) {
+void FitRankingPanel::take(const study::RankedFit& ranked) {
   if (ranked.fit.cancelled) return;
   m_controller.rememberFit(ranked.fit);
   m_model.add(ranked);

@@ -37,7 +37,7 @@ class FitRankingPanel : public QWidget {
  private:
   void buildView();
   void materialChanged();
-  void take(const fitting::RankedFit& ranked);
+  void take(const study::RankedFit& ranked);
   void use(const QModelIndex& index);
   void refresh();
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/factorization/pdv_file.h"
+#include "core/io/pdv_file.h"
 
 namespace gonio::app {
 
@@ -49,7 +49,7 @@ MeasuredFactors measureFactors(const LoadedMaterialPtr& material, factorization:
   for (int terms = 1; terms <= measured.factorization.factors.terms(); ++terms) {
     control.throwIfStopped();
     const auto factors = measured.factorization.factors.truncated(terms);
-    measured.bytes.push_back(factorization::fileBytes(factors));
+    measured.bytes.push_back(io::pdvFileBytes(factors));
     measured.nanoseconds.push_back(nanosecondsOf(*factorization::makePdvBrdf(factors)));
   }
   return measured;

@@ -8,8 +8,8 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/factorization/pdv_file.h"
 #include "core/factorization/pdv_operations.h"
+#include "core/io/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
 
 namespace gonio::tool {
@@ -41,16 +41,16 @@ bool isFactorsFile(const std::string& path) { return std::filesystem::path(path)
 /// The factors of FILE: its own, where it is a .pdv file.
 PdvFactorization factorsOf(const Options& options, const io::Material& material, const TabulatedBrdf& table,
                            const Tool& tool) {
-  if (!isPdv(options.material))
+  if (!io::isPdv(options.material))
     return factorizePdv(table, options.pdvOptions(), tool.control("factorising " + material.name));
   if (options.formGiven || options.transformGiven)
     throw UsageError("factor: " + options.material + " holds factors already: --form and --transform are theirs");
-  return {.factors = readPdv(options.material).truncated(options.terms), .residuals = {}, .cells = 0, .seconds = 0};
+  return {.factors = io::readPdv(options.material).truncated(options.terms), .residuals = {}, .cells = 0, .seconds = 0};
 }
 
 /// The factors of another material for a swap: one term over the same nodes, where they are not given.
 PdvFactors otherFactors(const std::string& other, const PdvFactors& target, const Tool& tool) {
-  if (isPdv(other)) return readPdv(other);
+  if (io::isPdv(other)) return io::readPdv(other);
   const io::Material material = openMaterial(other, tool.control("reading " + other));
   return factorizePdv(
              *material.tabulated(tool.control("tabulating")),
@@ -102,7 +102,7 @@ int factor(const Options& options, const Tool& tool) {
   const std::vector<double> errors = metrics::brdfErrors(*table, *brdf);
   const double snr = metrics::brdfSignalToNoiseRatio(*table, *brdf);
   const double nanoseconds = evaluationNanoseconds(*brdf);
-  if (isFactorsFile(options.out)) writePdv(result.factors, options.out);
+  if (isFactorsFile(options.out)) io::writePdv(result.factors, options.out);
   for (const std::string& path : {isFactorsFile(options.out) ? std::string() : options.out, options.decode})
     if (!path.empty()) writeMaterial(*bakeTable(*brdf, table->grid(), tool.control("decoding")), path);
 
@@ -113,7 +113,7 @@ int factor(const Options& options, const Tool& tool) {
             {"form", formNames[std::size_t(f.form)]},
             {"transform", dataTransformNames[std::size_t(f.transform)]},
             {"grid", {f.thetaNodes.size(), f.deviationNodes.size(), f.phiNodes.size()}},
-            {"bytes", fileBytes(f)},
+            {"bytes", io::pdvFileBytes(f)},
             {"residuals", result.residuals},
             {"seconds", result.seconds},
             {"errors", errorsJson(errors)},
@@ -122,7 +122,7 @@ int factor(const Options& options, const Tool& tool) {
   if (!options.out.empty()) json["out"] = options.out;
   if (!options.decode.empty()) json["decoded"] = options.decode;
   print(tool, json,
-        std::to_string(f.terms()) + " terms, " + std::to_string(fileBytes(f)) + " bytes, residual " +
+        std::to_string(f.terms()) + " terms, " + std::to_string(io::pdvFileBytes(f)) + " bytes, residual " +
             (result.residuals.empty() ? "not known" : number(result.residuals.back())) + ", BRDF SNR " + number(snr) +
             " dB, " + number(result.seconds) + " s, " + number(nanoseconds) + " ns a value\n" + errorsText(errors));
   return 0;

@@ -6,8 +6,8 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/fitting/fit_ranking.h"
-#include "core/fitting/gamma_selection.h"
+#include "core/study/fit_ranking.h"
+#include "core/study/gamma_selection.h"
 
 namespace gonio::tool {
 
@@ -46,10 +46,10 @@ fitting::FitResult fitModel(const Options& options, const io::Material& material
                             const models::Model& model, const Tool& tool, Json& trials) {
   const TaskControl control = tool.control("fitting " + options.model);
   if (options.gamma != chooseGamma) return fitting::fit(table, model, options.fitOptions(), control);
-  const std::vector<fitting::GammaTrial> tried =
-      fitting::selectGamma(table, *material.brdf, model, options.fitOptions(),
-                           {.width = 128, .height = 128, .samples = 32, .lobe = {}}, control);
-  for (const fitting::GammaTrial& trial : tried)
+  const std::vector<study::GammaTrial> tried =
+      study::selectGamma(table, *material.brdf, model, options.fitOptions(),
+                         {.width = 128, .height = 128, .samples = 32, .lobe = {}}, control);
+  for (const study::GammaTrial& trial : tried)
     trials.push_back({{"gamma", trial.gamma}, {"renderedSnr", decibelsJson(trial.renderedSnr)}});
   return tried.front().fit;
 }
@@ -76,13 +76,13 @@ int fitOne(const Options& options, const io::Material& material, const Tool& too
   return 0;
 }
 
-std::string rankingText(const std::vector<fitting::RankedFit>& ranking, metrics::BrdfMetric metric) {
+std::string rankingText(const std::vector<study::RankedFit>& ranking, metrics::BrdfMetric metric) {
   char line[160];
   std::snprintf(line, sizeof line, "%4s  %-34s %14s %12s %11s %9s\n", "", "model",
                 std::string(metrics::metricName(metric)).c_str(), "SNR, dB", "parameters", "seconds");
   std::string text = line;
   for (std::size_t i = 0; i < ranking.size(); ++i) {
-    const fitting::RankedFit& row = ranking[i];
+    const study::RankedFit& row = ranking[i];
     std::snprintf(line, sizeof line, "%4zu  %-34s %14.6g %12.2f %11zu %9.2f\n", i + 1,
                   std::string(row.fit.model->spec().id).c_str(), row.fit.errors[static_cast<std::size_t>(metric)],
                   row.renderedSnr, row.parameterCount, row.fit.seconds);
@@ -94,15 +94,15 @@ std::string rankingText(const std::vector<fitting::RankedFit>& ranking, metrics:
 int fitAll(const Options& options, const io::Material& material, const Tool& tool) {
   const auto table = material.tabulated(tool.control("tabulating"));
   const metrics::BrdfMetric metric = metrics::metricByName(options.metric);
-  fitting::RankingOptions rankingOptions;
+  study::RankingOptions rankingOptions;
   rankingOptions.fit = options.fitOptions();
-  std::vector<fitting::RankedFit> ranking =
-      fitting::rankFits(*table, *material.brdf, rankingOptions, tool.control("fitting all models"));
+  std::vector<study::RankedFit> ranking =
+      study::rankFits(*table, *material.brdf, rankingOptions, tool.control("fitting all models"));
   const bool isBySnr = options.sort == bySnr;
   const metrics::BrdfMetric sortMetric = options.sort.empty() || isBySnr ? metric : metrics::metricByName(options.sort);
   sortRanking(ranking, isBySnr ? std::nullopt : std::optional(sortMetric));
   Json fits = Json::array();
-  for (const fitting::RankedFit& row : ranking) fits.push_back(rankedFitJson(row));
+  for (const study::RankedFit& row : ranking) fits.push_back(rankedFitJson(row));
   const Json json{{"fits", fits}, {"metric", options.metric}, {"scene", comparisonSceneName}};
   print(tool, json, rankingText(ranking, sortMetric));
   return 0;

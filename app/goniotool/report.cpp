@@ -91,7 +91,7 @@ Json fitJson(const fitting::FitResult& result) {
           {"warnings", result.warnings}};
 }
 
-Json rankedFitJson(const fitting::RankedFit& row) {
+Json rankedFitJson(const study::RankedFit& row) {
   Json json = fitJson(row.fit);
   json["renderedSnr"] = decibelsJson(row.renderedSnr);
   json["parameterCount"] = row.parameterCount;

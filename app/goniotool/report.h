@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/goniotool/tool.h"
-#include "core/fitting/fit_ranking.h"
+#include "core/study/fit_ranking.h"
 #include "core/math/types.h"
 
 /// What subcommands print. JSON keys keep the order in which they are documented (docs/command-line.md).
@@ -40,7 +40,7 @@ std::string parametersText(const models::ModelSpec& spec, const models::Paramete
 /// Keys of the design: model, parameters, errors, seconds; and the cells that were used and left out.
 Json fitJson(const fitting::FitResult& result);
 /// The same of a row of a ranking, with renderedSnr and parameterCount.
-Json rankedFitJson(const fitting::RankedFit& row);
+Json rankedFitJson(const study::RankedFit& row);
 
 /// Decibels as JSON: null where they are not a finite number (equal materials, a black reference).
 Json decibelsJson(double value);

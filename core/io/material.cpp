@@ -4,7 +4,7 @@
 
 #include <future>
 
-#include "core/factorization/pdv_file.h"
+#include "core/io/pdv_file.h"
 #include "core/io/atomic_file.h"
 #include "core/io/format_mismatch.h"
 #include "core/io/merl_file.h"
@@ -48,8 +48,8 @@ void readRglMaterial(const ByteSource& source, const TaskControl& control, Mater
 }
 
 void readPdvMaterial(const ByteSource& source, const TaskControl&, Material& material) {
-  if (!factorization::isPdv(source)) throw FormatMismatch("another start", "GONIOPDV");
-  const factorization::PdvFactors factors = factorization::readPdv(source);
+  if (!isPdv(source)) throw FormatMismatch("another start", "GONIOPDV");
+  const factorization::PdvFactors factors = readPdv(source);
   material.brdf = factorization::makePdvBrdf(factors);
   material.source.grid = {int(factors.thetaNodes.size()), int(factors.deviationNodes.size()),
                           int(factors.phiNodes.size())};

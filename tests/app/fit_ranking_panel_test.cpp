@@ -30,8 +30,8 @@ LoadedMaterialPtr greyMaterial() {
   return loaded;
 }
 
-fitting::RankedFit ranked(const char* id, double error, double snr) {
-  fitting::RankedFit row;
+study::RankedFit ranked(const char* id, double error, double snr) {
+  study::RankedFit row;
   row.fit.model = &models::findModel(id);
   row.fit.parameters = models::defaultParameters(row.fit.model->spec());
   row.fit.errors.assign(metrics::allBrdfMetrics().size(), error);

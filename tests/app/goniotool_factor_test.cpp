@@ -3,7 +3,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/factorization/pdv_file.h"
+#include "core/io/pdv_file.h"
 #include "core/factorization/pdv_operations.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool_runner.h"
@@ -16,7 +16,7 @@ using namespace gonio::factorization;
 class GoniotoolFactorTest : public QObject {
   Q_OBJECT
  private:
-  PdvFactors readFactors(const char* name) const { return readPdv(folder_.path(name).toStdString()); }
+  PdvFactors readFactors(const char* name) const { return io::readPdv(folder_.path(name).toStdString()); }
 
  private Q_SLOTS:
   void initTestCase() {

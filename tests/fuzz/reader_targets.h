@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/editing/edit_document.h"
-#include "core/factorization/pdv_file.h"
+#include "core/io/pdv_file.h"
 #include "core/io/image_io.h"
 #include "core/io/material.h"
 
@@ -29,7 +29,7 @@ inline void readMaterialBytes(std::span<const std::byte> bytes) {
 }
 
 inline void readPdvBytes(std::span<const std::byte> bytes) {
-  const auto brdf = factorization::makePdvBrdf(factorization::readPdv(io::MemorySource(bytes)));
+  const auto brdf = factorization::makePdvBrdf(io::readPdv(io::MemorySource(bytes)));
   for (const double thetaI : {0.0, 0.3, 1.2, 1.57})
     for (const double phi : {0.0, 1.0, 3.0, -2.0}) {
       const Rgb value = brdf->evaluate(fromSpherical(thetaI, 0.5), fromSpherical(0.9, phi));

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/factorization/pdv_factors.h"
-#include "core/factorization/pdv_file.h"
+#include "core/io/pdv_file.h"
 #include "core/factorization/rivals/rivals.h"
 #include "core/io/material.h"
 #include "core/metrics/brdf_metrics.h"
@@ -90,7 +90,7 @@ void addPdv(Judge& judge, const TabulatedBrdf& table, const std::string& name, P
   const PdvFactorization all = factorizePdv(table, {.form = form});
   for (const int terms : {1, 2, 5, 10}) {
     const PdvFactors factors = all.factors.truncated(terms);
-    judge.add(name + " L=" + std::to_string(terms), *makePdvBrdf(factors), fileBytes(factors), all.seconds);
+    judge.add(name + " L=" + std::to_string(terms), *makePdvBrdf(factors), io::pdvFileBytes(factors), all.seconds);
   }
 }
 

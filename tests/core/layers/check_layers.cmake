@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-# cmake -DROOT=FOLDER -P check_layers.cmake: fails where a layer includes from a layer above it. Lists every offence.
+# cmake -DROOT=FOLDER -DROOMS=A,B,.. -P check_layers.cmake: fails where a layer includes from a layer above it, or a room
+# of core from a room behind it in ROOMS. Lists every offence.
 cmake_minimum_required(VERSION 3.22)
 
 set(qt "[<\"](Q[A-Z][A-Za-z0-9]*|Qt[A-Z][A-Za-z0-9]*/.*)(\\.h)?[>\"]")
@@ -23,3 +24,12 @@ layer_must_not_include(core Qt "${qt}")
 layer_must_not_include(core OpenGL "${opengl}")
 layer_must_not_include(core "the layers above it" "[<\"](widgets|app)/")
 layer_must_not_include(widgets "the layer above it" "[<\"]app/")
+
+string(REPLACE "," ";" rooms "${ROOMS}")
+while(rooms)
+  list(POP_FRONT rooms room)
+  if(rooms)
+    list(JOIN rooms "|" above)
+    layer_must_not_include(core/${room} "a room above it" "[<\"]core/(${above})/")
+  endif()
+endwhile()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/factorization/pdv_file.h"
+#include "core/io/pdv_file.h"
 
 #include <QTest>
 #include <cmath>
@@ -10,6 +10,7 @@
 
 using namespace gonio;
 using namespace gonio::factorization;
+using namespace gonio::io;
 
 namespace {
 
@@ -53,7 +54,7 @@ class PdvFileTest : public QObject {
       writePdv(f, path);
       QVERIFY(isPdv(path));
       QVERIFY(readPdv(path) == f);
-      QCOMPARE(std::filesystem::file_size(path), fileBytes(f));
+      QCOMPARE(std::filesystem::file_size(path), pdvFileBytes(f));
     }
   }
 
@@ -63,7 +64,7 @@ class PdvFileTest : public QObject {
                  .deviationNodes = std::vector<double>(90),
                  .phiNodes = std::vector<double>(180)};
     for (auto& channel : f.channels) channel.resize(10);
-    QVERIFY(fileBytes(f) < 45000);
+    QVERIFY(pdvFileBytes(f) < 45000);
   }
 
   void wrongHeadersAreToldWithWhatWasFound() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/fitting/fit_ranking.h"
+#include "core/study/fit_ranking.h"
 
 #include <QTest>
 #include <cmath>
@@ -12,6 +12,7 @@
 
 using namespace gonio;
 using namespace gonio::fitting;
+using namespace gonio::study;
 
 namespace {
 

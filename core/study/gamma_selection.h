@@ -7,11 +7,11 @@
 #include "core/fitting/fit.h"
 #include "core/rendering/sphere_renderer.h"
 
-namespace gonio::fitting {
+namespace gonio::study {
 
 struct GammaTrial {
   double gamma;
-  FitResult fit;
+  fitting::FitResult fit;
   double renderedSnr;  ///< dB in comparisonScene()
 };
 
@@ -23,8 +23,9 @@ struct GammaTrial {
 /// @return the best first, the others in the order of their gammas. A stop request leaves the trials that are done;
 /// none are left when it came before the first. It never throws Cancelled.
 std::vector<GammaTrial> selectGamma(
-    const TabulatedBrdf& table, const Brdf& reference, const models::Model& model, const FitOptions& options = {},
+    const TabulatedBrdf& table, const Brdf& reference, const models::Model& model,
+    const fitting::FitOptions& options = {},
     const SphereRenderOptions& picture = {.width = 128, .height = 128, .samples = 32, .lobe = {}},
     const TaskControl& control = {});
 
-}  // namespace gonio::fitting
+}  // namespace gonio::study

@@ -12,22 +12,22 @@
 /// two factors, 1 three), transform (in the order of dataTransformNames), counts of nodes of theta_R, |Dp| and |phi| (1
 /// in the form with two factors), count of terms, float32 highest y; the nodes of the three axes; then for red, green
 /// and blue, for each term, F1, F2, F3: all float32. 45 KB for ten terms of three factors.
-namespace gonio::factorization {
+namespace gonio::io {
 
 /// Bytes of the file.
-std::size_t fileBytes(const PdvFactors& factors);
+std::size_t pdvFileBytes(const factorization::PdvFactors& factors);
 
 /// Atomic. Curves are rounded to single precision.
 /// @throws Error naming the file.
-void writePdv(const PdvFactors& factors, const std::filesystem::path& path);
+void writePdv(const factorization::PdvFactors& factors, const std::filesystem::path& path);
 
 /// @throws Error naming the file: what was found, what was expected.
-PdvFactors readPdv(const std::filesystem::path& path);
+factorization::PdvFactors readPdv(const std::filesystem::path& path);
 /// The same of bytes; an error names no file. Nothing is allocated that the source's size does not bear out.
-PdvFactors readPdv(const io::ByteSource& source);
+factorization::PdvFactors readPdv(const ByteSource& source);
 
 /// Whether a file begins like one. A file that cannot be read does not.
 bool isPdv(const std::filesystem::path& path);
-bool isPdv(const io::ByteSource& source);
+bool isPdv(const ByteSource& source);
 
-}  // namespace gonio::factorization
+}  // namespace gonio::io

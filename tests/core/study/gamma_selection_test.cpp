@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/fitting/gamma_selection.h"
+#include "core/study/gamma_selection.h"
 
 #include <QTest>
 #include <algorithm>
@@ -12,6 +12,7 @@
 
 using namespace gonio;
 using namespace gonio::fitting;
+using namespace gonio::study;
 
 namespace {
 

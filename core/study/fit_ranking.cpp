@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/fitting/fit_ranking.h"
+#include "core/study/fit_ranking.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "core/models/registry.h"
 #include "core/rendering/rendered_comparison.h"
 
-namespace gonio::fitting {
+namespace gonio::study {
 
 namespace {
 
@@ -24,15 +24,15 @@ TaskControl part(const TaskControl& control, double begin, double end) {
   return {control.stop, [&control, begin, end](double share) { control.report(begin + share * (end - begin)); }};
 }
 
-RankedFit rankOne(const FitData& data, const models::Model& model, const RenderedComparison& comparison,
+RankedFit rankOne(const fitting::FitData& data, const models::Model& model, const RenderedComparison& comparison,
                   const TaskControl& control, double begin, double end) {
   const double fitEnd = begin + fitShare * (end - begin);
   RankedFit row;
-  row.fit = fit(data, model, part(control, begin, fitEnd));
+  row.fit = fitting::fit(data, model, part(control, begin, fitEnd));
   control.throwIfStopped();
   row.picture = comparison.render(*model.instantiate(row.fit.parameters), part(control, fitEnd, end));
   row.renderedSnr = comparison.signalToNoiseRatio(row.picture);
-  row.parameterCount = fittedParameterCount(model.spec());
+  row.parameterCount = fitting::fittedParameterCount(model.spec());
   return row;
 }
 
@@ -45,7 +45,7 @@ std::vector<RankedFit> rankFits(const TabulatedBrdf& table, const Brdf& referenc
   std::vector<RankedFit> ranking;
   try {
     const RenderedComparison comparison(reference, options.picture, part(control, 0, referenceShare));
-    const FitData data(table, options.fit);
+    const fitting::FitData data(table, options.fit);
     const double share = (1 - referenceShare) / double(models.size());
     for (std::size_t m = 0; m < models.size(); ++m) {
       control.throwIfStopped();
@@ -67,4 +67,4 @@ void sortRanking(std::vector<RankedFit>& ranking, std::optional<metrics::BrdfMet
   std::ranges::stable_sort(ranking, {}, key);
 }
 
-}  // namespace gonio::fitting
+}  // namespace gonio::study

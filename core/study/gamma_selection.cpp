@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/fitting/gamma_selection.h"
+#include "core/study/gamma_selection.h"
 
 #include <algorithm>
 
 #include "core/rendering/rendered_comparison.h"
 
-namespace gonio::fitting {
+namespace gonio::study {
 
 namespace {
 
@@ -16,16 +16,16 @@ constexpr int gammaCount = int((metrics::largestGamma - metrics::smallestGamma) 
 }  // namespace
 
 std::vector<GammaTrial> selectGamma(const TabulatedBrdf& table, const Brdf& reference, const models::Model& model,
-                                    const FitOptions& options, const SphereRenderOptions& picture,
+                                    const fitting::FitOptions& options, const SphereRenderOptions& picture,
                                     const TaskControl& control) {
   std::vector<GammaTrial> trials;
   try {
     const RenderedComparison comparison(reference, picture, {control.stop, {}});
     for (int i = 0; i < gammaCount; ++i) {
-      FitOptions gammaOptions = options;
+      fitting::FitOptions gammaOptions = options;
       gammaOptions.metric = metrics::BrdfMetric::gamma;
       gammaOptions.gamma = metrics::smallestGamma + i * gammaStep;
-      FitResult result = fit(table, model, gammaOptions, {control.stop, {}});
+      fitting::FitResult result = fitting::fit(table, model, gammaOptions, {control.stop, {}});
       control.throwIfStopped();
       const Image image = comparison.render(*model.instantiate(result.parameters), {control.stop, {}});
       trials.push_back({gammaOptions.gamma, std::move(result), comparison.signalToNoiseRatio(image)});
@@ -40,4 +40,4 @@ std::vector<GammaTrial> selectGamma(const TabulatedBrdf& table, const Brdf& refe
   return trials;
 }
 
-}  // namespace gonio::fitting
+}  // namespace gonio::study

@@ -10,18 +10,18 @@
 #include "core/math/image.h"
 #include "core/rendering/sphere_renderer.h"
 
-namespace gonio::fitting {
+namespace gonio::study {
 
 /// One row of the ranking of models: what a fit of it gives, and costs.
 struct RankedFit {
-  FitResult fit;
+  fitting::FitResult fit;
   double renderedSnr = 0;          ///< dB in comparisonScene(); +infinity for equal pictures, NaN for a black reference
   Image picture;                   ///< the fitted model in that scene, linear RGB
-  std::size_t parameterCount = 0;  ///< numbers that the fit finds, see fittedParameterCount()
+  std::size_t parameterCount = 0;  ///< numbers that the fit finds, see fitting::fittedParameterCount()
 };
 
 struct RankingOptions {
-  FitOptions fit;
+  fitting::FitOptions fit;
   std::vector<const models::Model*> models;  ///< none: all registered ones, in their order
   /// Of each row; the lobe is the reference's. A quarter of the pixels of `goniotool compare`: the SNR differs by 0.1
   /// dB.
@@ -40,4 +40,4 @@ std::vector<RankedFit> rankFits(const TabulatedBrdf& table, const Brdf& referenc
 /// Best first, by the error of a metric or, with none, by the rendered SNR; what is not a number comes last.
 void sortRanking(std::vector<RankedFit>& ranking, std::optional<metrics::BrdfMetric> metric);
 
-}  // namespace gonio::fitting
+}  // namespace gonio::study

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/factorization/pdv_file.h"
+#include "core/io/pdv_file.h"
 
 #include <cmath>
 #include <cstring>
@@ -9,9 +9,14 @@
 #include "core/io/atomic_file.h"
 #include "core/support/naming_file.h"
 
-namespace gonio::factorization {
+namespace gonio::io {
 
 namespace {
+
+using factorization::mostPdvTerms;
+using factorization::PdvFactors;
+using factorization::PdvForm;
+using factorization::PdvTerm;
 
 constexpr char magic[] = "GONIOPDV";
 constexpr std::size_t magicBytes = 8;
@@ -84,7 +89,7 @@ void checkHeader(const std::uint32_t* header, float highest, std::uint64_t bytes
 
 }  // namespace
 
-std::size_t fileBytes(const PdvFactors& f) {
+std::size_t pdvFileBytes(const PdvFactors& f) {
   return headerBytes + sizeof(float) * floatCount(f.thetaNodes.size() + f.deviationNodes.size() + f.phiNodes.size(),
                                                   std::size_t(f.terms()));
 }
@@ -99,7 +104,7 @@ void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {
                                                std::uint32_t(f.phiNodes.size()),
                                                std::uint32_t(f.terms())};
   const float highest = float(f.highest);
-  std::vector<std::byte> bytes(fileBytes(f));
+  std::vector<std::byte> bytes(pdvFileBytes(f));
   std::byte* at = bytes.data();
   const auto put = [&](const void* from, std::size_t count) {
     std::memcpy(at, from, count);
@@ -114,10 +119,10 @@ void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {
       put(&single, sizeof single);
     }
   });
-  io::writeFileAtomically(path, bytes);
+  writeFileAtomically(path, bytes);
 }
 
-PdvFactors readPdv(const io::ByteSource& source) {
+PdvFactors readPdv(const ByteSource& source) {
   std::byte start[headerBytes];
   if (source.size() < headerBytes)
     fail("the size of the file", std::to_string(source.size()) + " bytes", "at least " + std::to_string(headerBytes));
@@ -150,7 +155,7 @@ PdvFactors readPdv(const io::ByteSource& source) {
 }
 
 PdvFactors readPdv(const std::filesystem::path& path) {
-  return namingFile(path, [&] { return readPdv(io::FileSource(path)); });
+  return namingFile(path, [&] { return readPdv(FileSource(path)); });
 }
 
 bool isPdv(const std::filesystem::path& path) {
@@ -159,11 +164,11 @@ bool isPdv(const std::filesystem::path& path) {
   return stream.read(start, magicBytes) && std::memcmp(start, magic, magicBytes) == 0;
 }
 
-bool isPdv(const io::ByteSource& source) {
+bool isPdv(const ByteSource& source) {
   std::byte start[magicBytes];
   if (source.size() < magicBytes) return false;
   source.readAt(0, start);
   return std::memcmp(start, magic, magicBytes) == 0;
 }
 
-}  // namespace gonio::factorization
+}  // namespace gonio::io
