@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 namespace gonio {
@@ -37,19 +38,35 @@ inline double transformed(DataTransform transform, double rho, double weight) {
   }
 }
 
-/// The reflectance again, 1/sr; values of y that no reflectance has give 0.
+/// What inverses give at most, 1/sr: beyond y = 89 a logarithm's inverse leaves the range of the tables' floats.
+/// Whoever fills a table with inverses counts those that reach it.
+inline constexpr double largestReflectance = std::numeric_limits<float>::max();
+
+/// The reflectance again, 1/sr, in [0, largestReflectance]; values of y that no reflectance has give 0.
 inline double inverseTransformed(DataTransform transform, double y, double weight) {
   if (!(y > 0)) return 0;
   switch (transform) {
     case DataTransform::logPlus:
-      return std::expm1(y);
+      return std::min(std::expm1(y), largestReflectance);
     case DataTransform::cosineLog:
-      return std::expm1(y) / weight;
+      return std::min(std::expm1(y) / weight, largestReflectance);
     case DataTransform::root:
-      return y * y;
+      return std::min(y * y, largestReflectance);
     default:
-      return y;
+      return std::min(y, largestReflectance);
   }
+}
+
+/// y = rho^(1/gamma), gamma in [1, 3] (eq. 2.31 with the factor 1): what reconstructions are compared in. Negative
+/// values, which a reconstruction may have, count as 0.
+inline double gammaTransformed(double rho, double gamma) {
+  if (!(rho > 0)) return 0;
+  return gamma == 2 ? std::sqrt(rho) : std::pow(rho, 1 / gamma);
+}
+/// The reflectance again, in [0, largestReflectance].
+inline double inverseGammaTransformed(double y, double gamma) {
+  if (!(y > 0)) return 0;
+  return std::min(gamma == 2 ? y * y : std::pow(y, gamma), largestReflectance);
 }
 
 }  // namespace gonio

@@ -32,7 +32,7 @@ class MetricTransform {
       case metrics::MetricDomain::log:
         return x < 0 ? x : std::log1p(x);
       case metrics::MetricDomain::gamma:
-        return x < 0 ? -metrics::gammaRoot(-x, gamma_) : metrics::gammaRoot(x, gamma_);
+        return x < 0 ? -gammaTransformed(-x, gamma_) : gammaTransformed(x, gamma_);
       case metrics::MetricDomain::logRelative:
         return x < 0 ? logOffset() + x / offset : std::log(x + offset);
       default:
@@ -50,7 +50,7 @@ class MetricTransform {
         return 1 / (1 + std::max(x, 0.0));
       case metrics::MetricDomain::gamma: {
         const double bounded = std::max(std::abs(x), smallest);
-        return metrics::gammaRoot(bounded, gamma_) / (gamma_ * bounded);
+        return gammaTransformed(bounded, gamma_) / (gamma_ * bounded);
       }
       case metrics::MetricDomain::logRelative:
         return 1 / (std::max(x, 0.0) + offset);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/brdf/data_transform.h"
 #include "core/math/types.h"
 #include "core/metrics/brdf_metric.h"
 
@@ -34,9 +35,6 @@ inline double metricWeight(MetricWeight weight, double cosI, double cosO) {
   }
 }
 
-/// x^(1/gamma).
-inline double gammaRoot(double x, double gamma) { return gamma == 2 ? std::sqrt(x) : std::pow(x, 1 / gamma); }
-
 /// Calls `visitor` with the function (r, t) -> d of one domain that treats each channel alone; r, t >= 0.
 template <typename Visitor>
 void visitDifference(MetricDomain domain, double gamma, Visitor&& visitor) {
@@ -47,7 +45,7 @@ void visitDifference(MetricDomain domain, double gamma, Visitor&& visitor) {
     case MetricDomain::cubeRoot:
       return visitor([](double r, double t) { return std::cbrt(r) - std::cbrt(t); });
     case MetricDomain::gamma:
-      return visitor([gamma](double r, double t) { return gammaRoot(r, gamma) - gammaRoot(t, gamma); });
+      return visitor([gamma](double r, double t) { return gammaTransformed(r, gamma) - gammaTransformed(t, gamma); });
     case MetricDomain::logRelative:
       return visitor([](double r, double t) { return std::log1p((r - t) / (t + logRelativeOffset)); });
     default:
