@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+/// Greedy sparse approximation: a signal as a sum of few columns of a matrix, its atoms. In double, on one thread:
+/// callers run many signals in parallel.
+namespace gonio {
+
+/// The columns among which pursuits choose, of any lengths; those of length 0 are never chosen.
+class AtomSet {
+ public:
+  /// @throws Error naming the first atom that is not finite.
+  explicit AtomSet(Eigen::MatrixXd atoms);
+
+  const Eigen::MatrixXd& matrix() const { return atoms_; }
+  Eigen::Index count() const { return atoms_.cols(); }
+  Eigen::Index length() const { return atoms_.rows(); }
+  /// 1 / |atom|; 0 of a zero atom.
+  double inverseNorm(Eigen::Index atom) const { return inverseNorms_[atom]; }
+
+ private:
+  Eigen::MatrixXd atoms_;
+  Eigen::VectorXd inverseNorms_;
+};
+
+struct PursuitOptions {
+  int steps = 1;            ///< atoms that are chosen at most, one a step
+  double residual = 1e-10;  ///< the share of the signal's norm at which enough is explained
+};
+
+enum class PursuitEnd {
+  steps,     ///< all steps were made
+  residual,  ///< the residual is small enough; a signal of 0 needs no atom
+  exhausted  ///< no atom is left that explains anything of the residual, which is not small
+};
+
+struct SparseCode {
+  std::vector<int> atoms;            ///< distinct, in the order in which they were first chosen
+  std::vector<double> coefficients;  ///< one an atom: of the atom as it is, not of unit length
+  double residualNorm = 0;           ///< |signal - sum of coefficient times atom|
+  PursuitEnd end = PursuitEnd::residual;
+};
+
+/// Matching pursuit (Mallat and Zhang 1993, "Matching pursuits with time-frequency dictionaries"): each step takes the
+/// atom of the largest |<residual, atom>| / |atom|, the lowest index among equals, and subtracts its projection. An
+/// atom may be chosen again. The residual never grows. O(atoms x length) a step.
+/// @throws Error when the signal's length is not that of the atoms, or it is not finite.
+SparseCode matchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
+                           const PursuitOptions& options);
+
+/// Orthogonal matching pursuit (Pati et al. 1993): the same choice among the atoms that are not in the span of those
+/// chosen, and after each step the coefficients of all are those of least squares (core/math/incremental_qr.h). Ends at
+/// the latest with as many atoms as their length. @throws Error as matchingPursuit().
+SparseCode orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
+                                     const PursuitOptions& options);
+
+}  // namespace gonio
