@@ -7,6 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/factorization/pdv_operations.h"
+
 using namespace gonio;
 using namespace gonio::app;
 
@@ -85,6 +87,51 @@ class DocumentControllerTest : public QObject {
         worst = std::max(worst, std::abs(a - b) / std::max(a, 1e-6));
       }
     QVERIFY(worst < 1e-6);
+  }
+
+  /// With factor curves: every field comes back from the file, and the export holds what the curves make of it.
+  void factorsAreSavedOpenedAndBaked() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("pulled.gonio"), exported = folder.filePath("pulled.binary");
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.material(), patienceMilliseconds);
+    const auto factors = factorization::factorizePdv(*editor.document.material()->table, {.terms = 2}).factors;
+    editing::FactorEdit edit;
+    edit.original = std::make_shared<const factorization::PdvFactors>(factors);
+    edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
+    edit.keepDetail = false;
+    edit.strength = 0.75;
+    editor.document.setFactors(edit, "Wider");
+    QVERIFY(editor.document.isModified());
+    QVERIFY(editor.controller.save(path, nlohmann::json::object()));
+    QVERIFY(!editor.document.isModified());
+
+    Editor again;
+    again.controller.open(path);
+    QTRY_VERIFY_WITH_TIMEOUT(again.document.factors().has_value(), patienceMilliseconds);
+    const editing::FactorEdit& back = *again.document.factors();
+    QVERIFY(*back.original == *edit.original && *back.edited == *edit.edited);
+    QVERIFY(!back.keepDetail && back.enabled);
+    QCOMPARE(back.strength, 0.75);
+
+    QSignalSpy done(&again.controller, &DocumentController::exported);
+    again.controller.exportMerl(exported);
+    QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
+    const auto reopened = loadMaterial(exported.toStdString())->table;
+    const TabulatedBrdf& measured = *editor.document.material()->table;
+    const auto pdv = factorization::makePdvBrdf(*edit.edited);
+    double worst = 0, largestChange = 0;
+    for (std::size_t cell = 0; cell < measured.values().size(); cell += 4999) {
+      if (!measured.valid()[cell]) continue;
+      const DirectionPair pair = measured.grid().directions(cell);
+      const Rgb before(measured.values()[cell]), model = pdv->evaluate(pair.wi, pair.wo);
+      const Rgb expected = glm::max(Rgb(0), 0.25 * before + 0.75 * model), found(reopened->values()[cell]);
+      worst = std::max(worst, glm::length(found - expected) / std::max(1e-6, glm::length(expected)));
+      largestChange = std::max(largestChange, glm::length(found - before) / std::max(1e-6, glm::length(before)));
+    }
+    QVERIFY(worst < 1e-5);
+    QVERIFY(largestChange > 0.1);
   }
 
   void aChangedSourceIsTold() {

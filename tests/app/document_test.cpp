@@ -35,6 +35,19 @@ fitting::FitResult fitOf(const models::Model& model) {
   return fit;
 }
 
+/// An edit of factors whose F1 is `strength`.
+editing::FactorEdit factorEdit(double strength) {
+  factorization::PdvFactors factors{.form = factorization::PdvForm::twoFactors};
+  factors.thetaNodes = factors.deviationNodes = {0, 1};
+  factors.phiNodes = {0};
+  factors.highest = 10;
+  for (auto& channel : factors.channels) channel = {{{1, 1}, {1, 0}, {1}}};
+  editing::FactorEdit edit{.original = std::make_shared<const factorization::PdvFactors>(factors), .edited = {}};
+  for (auto& channel : factors.channels) channel[0].f1 = {strength, strength};
+  edit.edited = std::make_shared<const factorization::PdvFactors>(factors);
+  return edit;
+}
+
 /// Equal bits, not equal numbers.
 bool sameBits(const models::ParameterValues& a, const models::ParameterValues& b) {
   return a.values.size() == b.values.size() &&
@@ -116,6 +129,37 @@ class DocumentTest : public QObject {
     QVERIFY(!m_document->isModified());
   }
 
+  /// Of factor curves too: what one drag did is one step, what two did are two.
+  void oneDragOfFactorsIsOneStep() {
+    for (const double end : {1.5, 2.5}) {
+      m_document->beginInteraction();
+      for (double strength = end - 0.4; strength <= end + 1e-9; strength += 0.1)
+        m_document->setFactors(factorEdit(strength), "Change F1");
+      m_document->endInteraction();
+    }
+    QCOMPARE(m_document->history().count(), 2);
+    QVERIFY(std::abs(m_document->factors()->edited->channels[0][0].f1[0] - 2.5) < 1e-9);
+    m_document->history().undo();
+    QVERIFY(std::abs(m_document->factors()->edited->channels[0][0].f1[0] - 1.5) < 1e-9);
+    m_document->history().undo();
+    QVERIFY(!m_document->factors());
+    m_document->setFactors(factorEdit(2), "Stronger");
+    m_document->setFactors(factorEdit(3), "Stronger");
+    QCOMPARE(m_document->history().count(), 2);  // two presses of a button
+  }
+
+  /// Without a step: the edit is as it was when the drag began.
+  void aDragOfFactorsThatReturnsLeavesNoStep() {
+    m_document->setFactors(factorEdit(2), "Change F1");
+    const auto before = m_document->factors();
+    m_document->beginInteraction();
+    m_document->setFactors(factorEdit(3), "Change F1");
+    m_document->setFactors(factorEdit(2), "Change F1");  // equal numbers, another owner
+    m_document->endInteraction();
+    QCOMPARE(m_document->history().count(), 1);
+    QVERIFY(m_document->factors() == before);
+  }
+
   void keysOutsideAnInteractionAreStepsOfTheirOwn() {
     m_document->setParameter(index("f0"), Rgb(0.5));
     m_document->setParameter(index("f0"), Rgb(0.6));
@@ -140,6 +184,35 @@ class DocumentTest : public QObject {
     m_document->history().undo();
     QVERIFY(m_document->isModified());
     QVERIFY(title.count() >= 3);
+  }
+
+  /// Every step of factors and of a model, in turn, and all of it in the stored form.
+  void factorsLiveBesideTheModel() {
+    m_document->setFactors(factorEdit(2), "Change F1");
+    m_document->setParameter(index("roughness"), Rgb(0.4));
+    m_document->chooseFit(fitOf(models::lambert()));
+    QVERIFY(m_document->factors() == factorEdit(2));
+    m_document->setFactors({}, "Reset");
+    m_document->history().setIndex(2);
+    const editing::EditDocument stored = m_document->toEditDocument();
+    QCOMPARE(stored.edits.size(), std::size_t(2));
+    Document other;
+    other.setMaterial(smallMaterial(), stored, "/tmp/mine.gonio");
+    QVERIFY(other.factors() == factorEdit(2));
+    QVERIFY(sameBits(other.edit()->edited, m_document->edit()->edited));
+    // What the editor does not keep it does not open: two edits of factors.
+    editing::EditDocument two = stored;
+    two.edits = {factorEdit(2), factorEdit(3)};
+    QVERIFY_THROWS_EXCEPTION(Error, other.setMaterial(smallMaterial(), two, "/tmp/two.gonio"));
+  }
+
+  /// Curves are what the history's bound counts.
+  void factorsCountInTheHistory() {
+    m_document->history().setByteLimit(3 * factorEdit(1).bytes());
+    for (int i = 2; i < 12; ++i) m_document->setFactors(factorEdit(i), "Change F1");
+    while (m_document->history().canUndo()) m_document->history().undo();
+    QVERIFY(m_document->factors().has_value());  // the first steps were forgotten
+    QVERIFY(m_document->history().text(0).contains("too old"));
   }
 
   void storedFormHoldsSourceAndEdit() {
