@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/brdf/pairwise_brdf.h"
 #include "core/math/parallel.h"
 
 namespace gonio::factorization {
@@ -34,33 +35,16 @@ bool average(const TabulatedBrdf& table, const HalfDifference& node, glm::vec3& 
   return count > 0;
 }
 
-class BivariateBrdf final : public Brdf {
- public:
-  explicit BivariateBrdf(BivariateTable table) : table_(std::move(table)), grid_(gridOf(table_.side)) {}
-
-  using Brdf::evaluate;
-  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
-    for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
-  }
-
- private:
-  Rgb evaluatePair(const DirectionPair& pair) const {
-    if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return Rgb(0);
-    const HalfDifference at = toHalfDifference(pair.wi, pair.wo);
-    if (!at.valid) return Rgb(0);
-    const HalfDifferenceGrid::Position position = grid_.position(at);
-    const double last = table_.side - 1;
-    const double x = std::min(position.thetaH, last), y = std::min(position.thetaD, last);
-    const int i = std::min(int(x), table_.side - 2), j = std::min(int(y), table_.side - 2);
-    const double s = x - i, t = y - j;
-    return (1 - s) * ((1 - t) * node(i, j) + t * node(i, j + 1)) +
-           s * ((1 - t) * node(i + 1, j) + t * node(i + 1, j + 1));
-  }
-  Rgb node(int i, int j) const { return Rgb(table_.values[grid_.index(i, j, 0)]); }
-
-  BivariateTable table_;
-  HalfDifferenceGrid grid_;
-};
+Rgb valueAt(const BivariateTable& table, const HalfDifferenceGrid& grid, const HalfDifference& at) {
+  const HalfDifferenceGrid::Position position = grid.position(at);
+  const double last = table.side - 1;
+  const double x = std::min(position.thetaH, last), y = std::min(position.thetaD, last);
+  const int i = std::min(int(x), table.side - 2), j = std::min(int(y), table.side - 2);
+  const double s = x - i, t = y - j;
+  const auto node = [&](int h, int d) { return Rgb(table.values[grid.index(h, d, 0)]); };
+  return (1 - s) * ((1 - t) * node(i, j) + t * node(i, j + 1)) +
+         s * ((1 - t) * node(i + 1, j) + t * node(i + 1, j + 1));
+}
 
 }  // namespace
 
@@ -86,7 +70,11 @@ BivariateTable averageBivariate(const TabulatedBrdf& table, int side, const Task
 }
 
 std::shared_ptr<const Brdf> makeBivariateBrdf(BivariateTable table) {
-  return std::make_shared<const BivariateBrdf>(std::move(table));
+  const HalfDifferenceGrid grid = gridOf(table.side);
+  return makePairwiseBrdf([table = std::move(table), grid](const Direction& wi, const Direction& wo) {
+    const HalfDifference at = toHalfDifference(wi, wo);
+    return at.valid ? valueAt(table, grid, at) : Rgb(0);
+  });
 }
 
 }  // namespace gonio::factorization

@@ -7,6 +7,7 @@
 
 #include "core/coordinates/half_out.h"
 #include "core/factorization/deviation_grid.h"
+#include "core/factorization/rivals/node_spacing.h"
 #include "core/math/parallel.h"
 
 namespace gonio::factorization {
@@ -38,11 +39,6 @@ bool sampleNode(const TabulatedBrdf& table, const HalfOut& node, Rgb& value, dou
   value /= count;
   cosI = at.pair.wi.z;
   return true;
-}
-
-/// Half of the distance between the neighbours of a node.
-double spacing(const std::vector<double>& nodes, std::size_t i) {
-  return (nodes[std::min(i + 1, nodes.size() - 1)] - nodes[i == 0 ? 0 : i - 1]) / 2;
 }
 
 }  // namespace
@@ -78,7 +74,7 @@ double projectedMeasure(const HalfOutSamples& samples, std::size_t h, std::size_
   const double thetaO = axes.thetaO[o], thetaH = axes.thetaH[h];
   const double cosD = glm::dot(fromSpherical(thetaO, 0), fromSpherical(thetaH, axes.phiH[p]));
   return samples.cosI[i] * std::cos(thetaO) * std::sin(thetaO) * std::sin(thetaH) * halfOutMeasure(cosD) *
-         spacing(axes.thetaH, h) * spacing(axes.phiH, p) * spacing(axes.thetaO, o);
+         nodeSpacing(axes.thetaH, h) * nodeSpacing(axes.phiH, p) * nodeSpacing(axes.thetaO, o);
 }
 
 }  // namespace gonio::factorization

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/brdf/pairwise_brdf.h"
 #include "core/coordinates/half_out.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/factorization/nonnegative_matrix.h"
+#include "core/factorization/rivals/node_spacing.h"
 #include "core/math/monotone_cubic.h"
 
 namespace gonio::factorization {
@@ -17,13 +19,6 @@ namespace {
 using Eigen::Index;
 
 const NonnegativeOptions updates{.maxIterations = 1000, .tolerance = 1e-7};
-
-/// Where the cell of a node begins and ends: half way to its neighbours.
-double solidAngle(const std::vector<double>& nodes, std::size_t i) {
-  const double begin = i == 0 ? nodes[0] : (nodes[i - 1] + nodes[i]) / 2;
-  const double end = i + 1 == nodes.size() ? nodes[i] : (nodes[i] + nodes[i + 1]) / 2;
-  return std::cos(begin) - std::cos(end);
-}
 
 /// Roots of the solid angles of rows and of the projected ones of columns: a cell's error counts by its share of
 /// the light.
@@ -55,40 +50,25 @@ Eigen::MatrixXd cosineWeighted(const HalfOutSamples& s) {
   return matrix;
 }
 
-class LawrenceBrdf final : public Brdf {
- public:
-  explicit LawrenceBrdf(LawrenceFactors factors) : f_(std::move(factors)) {}
+double between(const Eigen::MatrixXd::ConstColXpr& curve, const NodePlace& at) {
+  return (1 - at.share) * curve[Index(at.index)] + at.share * curve[Index(at.index + 1)];
+}
 
-  using Brdf::evaluate;
-  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
-    for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
+/// Times the cosine of the light.
+Rgb cosineWeightedAt(const LawrenceFactors& f, const HalfOut& at) {
+  const NodePlace o = placeBetween(f.axes.thetaO, at.thetaO), h = placeBetween(f.axes.thetaH, at.thetaH),
+                  p = placeBetween(f.axes.phiH, std::abs(at.phiH));
+  Rgb sum(0);
+  for (int j = 0, product = 0; j < f.ranks.terms; ++j) {
+    double strength = 0;
+    for (int k = 0; k < f.ranks.products; ++k, ++product)
+      strength += between(f.polar.col(product), h) * between(f.azimuth.col(product), p);
+    for (int channel = 0; channel < 3; ++channel)
+      sum[channel] += strength * ((1 - o.share) * f.viewer(j, 3 * Index(o.index) + channel) +
+                                  o.share * f.viewer(j, 3 * Index(o.index + 1) + channel));
   }
-
- private:
-  Rgb evaluatePair(const DirectionPair& pair) const {
-    if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return Rgb(0);
-    const HalfOut at = toHalfOut(pair.wi, pair.wo);
-    if (!at.valid) return Rgb(0);
-    const NodePlace o = placeBetween(f_.axes.thetaO, at.thetaO), h = placeBetween(f_.axes.thetaH, at.thetaH),
-                    p = placeBetween(f_.axes.phiH, std::abs(at.phiH));
-    Rgb sum(0);
-    for (int j = 0, product = 0; j < f_.ranks.terms; ++j) {
-      double strength = 0;
-      for (int k = 0; k < f_.ranks.products; ++k, ++product)
-        strength += between(f_.polar.col(product), h) * between(f_.azimuth.col(product), p);
-      for (int channel = 0; channel < 3; ++channel)
-        sum[channel] += strength * ((1 - o.share) * f_.viewer(j, 3 * Index(o.index) + channel) +
-                                    o.share * f_.viewer(j, 3 * Index(o.index + 1) + channel));
-    }
-    return sum / std::max(pair.wi.z, std::cos(largestPolarAngle));
-  }
-
-  static double between(const Eigen::MatrixXd::ConstColXpr& curve, const NodePlace& at) {
-    return (1 - at.share) * curve[Index(at.index)] + at.share * curve[Index(at.index + 1)];
-  }
-
-  LawrenceFactors f_;
-};
+  return sum;
+}
 
 }  // namespace
 
@@ -131,7 +111,10 @@ LawrenceFactors factorizeLawrence(const HalfOutSamples& samples, const LawrenceR
 }
 
 std::shared_ptr<const Brdf> makeLawrenceBrdf(LawrenceFactors factors) {
-  return std::make_shared<const LawrenceBrdf>(std::move(factors));
+  return makePairwiseBrdf([f = std::move(factors)](const Direction& wi, const Direction& wo) {
+    const HalfOut at = toHalfOut(wi, wo);
+    return at.valid ? cosineWeightedAt(f, at) / std::max(wi.z, std::cos(largestPolarAngle)) : Rgb(0);
+  });
 }
 
 }  // namespace gonio::factorization

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "core/brdf/brdf.h"
+
+namespace gonio {
+
+/// An isotropic BRDF by a function of one pair, which is asked only for pairs with no direction below the horizon.
+/// @tparam Reflectance callable as Rgb(const Direction& wi, const Direction& wo), const, from any number of threads:
+/// linear RGB in 1/sr without the cosine, never non-finite.
+template <typename Reflectance>
+class PairwiseBrdf final : public Brdf {
+ public:
+  explicit PairwiseBrdf(Reflectance reflectance) : reflectance_(std::move(reflectance)) {}
+
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto& [wi, wo] = pairs[i];
+      values[i] = isBelowHorizon(wi) || isBelowHorizon(wo) ? Rgb(0) : reflectance_(wi, wo);
+    }
+  }
+
+ private:
+  Reflectance reflectance_;
+};
+
+template <typename Reflectance>
+std::shared_ptr<const Brdf> makePairwiseBrdf(Reflectance reflectance) {
+  return std::make_shared<const PairwiseBrdf<Reflectance>>(std::move(reflectance));
+}
+
+}  // namespace gonio
