@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/brdf/pairwise_brdf.h"
 #include "core/coordinates/half_out.h"
 #include "core/factorization/masked_rank_one.h"
 #include "core/math/monotone_cubic.h"
@@ -13,15 +14,20 @@ namespace gonio::factorization {
 
 namespace {
 
+/// All cells count: a hole takes the value of the theta_h before. Left free, products grow without bounds there, and
+/// pairs between a hole and a measured node would read them.
 MaskedTensor logLuminance(const HalfOutSamples& s) {
+  const HalfOutAxes& axes = s.axes;
+  const std::size_t slice = axes.phiH.size() * axes.thetaO.size();
   MaskedTensor tensor;
-  tensor.sizes[0] = int(s.axes.thetaH.size());
-  tensor.sizes[1] = int(s.axes.phiH.size());
-  tensor.sizes[2] = int(s.axes.thetaO.size());
-  for (std::size_t i = 0; i < s.values.size(); ++i) {
-    tensor.mask.push_back(s.valid[i] ? 1.0f : 0.0f);
-    tensor.values.push_back(s.valid[i] ? float(std::log1p(luminance(s.values[i]))) : 0.0f);
-  }
+  tensor.sizes[0] = int(axes.thetaH.size());
+  tensor.sizes[1] = int(axes.phiH.size());
+  tensor.sizes[2] = int(axes.thetaO.size());
+  tensor.mask.assign(s.values.size(), 1.0f);
+  for (std::size_t i = 0; i < s.values.size(); ++i)
+    tensor.values.push_back(s.valid[i]   ? float(std::log1p(luminance(s.values[i])))
+                            : i >= slice ? tensor.values[i - slice]
+                                         : 0.0f);
   return tensor;
 }
 
@@ -39,6 +45,7 @@ double luminanceAt(const BilgiliFactors& f, const HalfOut& at) {
 
 /// kd and ks of each channel: the line rho = kd + ks Y of least weighted squares. A constant Y keeps ks alone.
 void fitColours(const HalfOutSamples& s, BilgiliFactors& f) {
+  f.kd = f.ks = Rgb(0);
   double weights = 0, y = 0, yy = 0;
   Rgb rho(0), rhoY(0);
   const HalfOutAxes& axes = s.axes;
@@ -62,25 +69,6 @@ void fitColours(const HalfOutSamples& s, BilgiliFactors& f) {
     f.ks = rhoY / yy;
   }
 }
-
-class BilgiliBrdf final : public Brdf {
- public:
-  explicit BilgiliBrdf(BilgiliFactors factors) : f_(std::move(factors)) {}
-
-  using Brdf::evaluate;
-  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
-    for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
-  }
-
- private:
-  Rgb evaluatePair(const DirectionPair& pair) const {
-    if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return Rgb(0);
-    const HalfOut at = toHalfOut(pair.wi, pair.wo);
-    return at.valid ? glm::max(Rgb(0), f_.kd + f_.ks * luminanceAt(f_, at)) : Rgb(0);
-  }
-
-  BilgiliFactors f_;
-};
 
 std::size_t termBytes(const HalfOutAxes& axes) {
   return (axes.thetaH.size() + axes.phiH.size() + axes.thetaO.size()) * sizeof(float);
@@ -117,8 +105,20 @@ BilgiliFactors factorizeBilgili(const HalfOutSamples& samples, int terms, const 
   return result;
 }
 
+BilgiliFactors truncateBilgili(const BilgiliFactors& factors, int terms, const HalfOutSamples& samples) {
+  BilgiliFactors result = factors;
+  const std::size_t count = std::min(std::size_t(std::max(terms, 1)), factors.terms.size());
+  result.terms.resize(count);
+  result.residuals.resize(count + 1);
+  fitColours(samples, result);
+  return result;
+}
+
 std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors factors) {
-  return std::make_shared<const BilgiliBrdf>(std::move(factors));
+  return makePairwiseBrdf([f = std::move(factors)](const Direction& wi, const Direction& wo) {
+    const HalfOut at = toHalfOut(wi, wo);
+    return at.valid ? glm::max(Rgb(0), f.kd + f.ks * luminanceAt(f, at)) : Rgb(0);
+  });
 }
 
 }  // namespace gonio::factorization

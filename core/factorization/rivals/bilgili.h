@@ -15,10 +15,10 @@ namespace gonio::factorization {
 /// Decomposition": Tucker decompositions of rank (1, 1, ..), each of what those before left. Where the colour changes
 /// from the highlight to the rest in more than this line, it shifts. Not reciprocal.
 ///
-/// Reduced and derived here: isotropic materials alone (three modes, not four); cells without a light above the horizon
-/// do not count, where a dense tensor needs values for them; ln(1 + Y), the logarithm of all of Gonio's factorisations;
-/// kd and ks by least squares in the projected solid angles, kd of either sign (a coloured body under a white highlight
-/// needs it).
+/// Reduced and derived here: isotropic materials alone (three modes, not four); a cell without a light above the
+/// horizon takes the value of the nearest theta_h that has one, where a dense tensor needs one; ln(1 + Y), the
+/// logarithm of all of Gonio's factorisations; kd and ks by least squares in the projected solid angles, kd of either
+/// sign (a coloured body under a white highlight needs it).
 struct BilgiliFactors {
   struct Term {
     std::vector<double> a, b, c;
@@ -27,7 +27,7 @@ struct BilgiliFactors {
   std::vector<Term> terms;
   double highest = 0;  ///< largest ln(1 + Y) of the measurement: sums between nodes are held below it
   Rgb kd{0}, ks{0};
-  /// Norm of what is left of ln(1 + Y) over the cells that count, for 0, 1, .. terms, relative: never rises.
+  /// Norm of what is left of ln(1 + Y), for 0, 1, .. terms, relative: never rises.
   std::vector<double> residuals;
 
   std::size_t bytes() const;
@@ -40,6 +40,9 @@ int bilgiliTerms(const HalfOutAxes& axes, std::size_t byteBudget);
 
 /// Some seconds for 60 terms. @throws Cancelled.
 BilgiliFactors factorizeBilgili(const HalfOutSamples& samples, int terms, const TaskControl& control = {});
+
+/// The model with only its first terms, kd and ks fitted to them. @param samples those that were factorised.
+BilgiliFactors truncateBilgili(const BilgiliFactors& factors, int terms, const HalfOutSamples& samples);
 
 /// Lines between the nodes.
 std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors factors);

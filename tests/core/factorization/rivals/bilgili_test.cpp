@@ -14,6 +14,14 @@ using test::worstAtNodes;
 
 namespace {
 
+/// Nodes that all have a light above the horizon: no holes, which are made up.
+HalfOutAxes axesWithoutHoles() {
+  HalfOutAxes axes = makeHalfOutAxes(12, 8, 9);
+  for (double& theta : axes.thetaH) theta *= 0.3;
+  for (double& theta : axes.thetaO) theta *= 0.3;
+  return axes;
+}
+
 double product(double thetaH, double phiH, double thetaO) {
   return std::exp(-3 * thetaH) * (2 + std::cos(phiH)) * (1 + thetaO);
 }
@@ -23,11 +31,11 @@ double product(double thetaH, double phiH, double thetaO) {
 class BilgiliTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// ln(1 + Y) one product, colours in proportion: one term holds it, with and without a light above the horizon.
+  /// ln(1 + Y) one product, colours in proportion: one term holds it.
   void exactForOneProduct() {
     const Rgb ks(0.7, 1, 1.2);
     const Rgb luminanceFree = ks / luminance(ks);
-    const HalfOutSamples s = halfOutSamples(makeHalfOutAxes(12, 8, 9), [&](double h, double p, double o, double) {
+    const HalfOutSamples s = halfOutSamples(axesWithoutHoles(), [&](double h, double p, double o, double) {
       return luminanceFree * std::expm1(product(h, p, o));
     });
     const BilgiliFactors f = factorizeBilgili(s, 1);
@@ -39,7 +47,7 @@ class BilgiliTest : public QObject {
   /// A coloured body under a white highlight: the line through the luminance is exact, one of its kd is negative.
   void colourIsALine() {
     const Rgb body(0.1, 0.02, 0.3);
-    const HalfOutSamples s = halfOutSamples(makeHalfOutAxes(12, 8, 9), [&](double h, double p, double o, double) {
+    const HalfOutSamples s = halfOutSamples(axesWithoutHoles(), [&](double h, double p, double o, double) {
       return body + Rgb(std::expm1(product(h, p, o)) - luminance(body));
     });
     const BilgiliFactors f = factorizeBilgili(s, 1);
@@ -74,6 +82,39 @@ class BilgiliTest : public QObject {
     const HalfOutSamples s =
         halfOutSamples(makeHalfOutAxes(6, 4, 5), [&](double, double, double, double) { return colour; });
     QVERIFY(worstAtNodes(s, *makeBilgiliBrdf(factorizeBilgili(s, 1))) < 1e-5);
+  }
+
+  /// Between a measured node and a hole the model reads both: holes hold what their neighbours hold, not a product that
+  /// nothing bounds. Many terms of data that no product makes, at pairs up to the horizon.
+  void boundedAtTheHorizon() {
+    const HalfOutSamples s = halfOutSamples(makeHalfOutAxes(24, 12, 12), [](double h, double p, double o, double cosI) {
+      return Rgb(0.05 + 200 * std::exp(-60 * h * h) + std::abs(std::sin(5 * h * p * o)) / (0.05 + cosI));
+    });
+    double largest = 0;
+    for (const Rgb& value : s.values) largest = std::max(largest, value.x);
+    QVERIFY(largest > 150);
+    const auto brdf = makeBilgiliBrdf(factorizeBilgili(s, 40));
+    for (int i = 0; i < 60; ++i)
+      for (int k = 0; k < 24; ++k) {
+        const Rgb value =
+            brdf->evaluate(fromSpherical(radians(88 + 0.03 * i), pi * k / 24), fromSpherical(radians(1.4 * i), 0));
+        // Off the highlight: theta_h > 20 degrees, where the data are at most some 10 / sr.
+        if (toHalfOut(fromSpherical(radians(88 + 0.03 * i), pi * k / 24), fromSpherical(radians(1.4 * i), 0)).thetaH >
+            radians(25))
+          QVERIFY2(value.x < 40, qPrintable(QString("%1 %2: %3").arg(i).arg(k).arg(value.x)));
+      }
+  }
+
+  /// Fewer terms of the same factorisation are those of a shorter one.
+  void truncatedIsShorterFit() {
+    const HalfOutSamples s = halfOutSamples(makeHalfOutAxes(12, 8, 9), [](double h, double p, double o, double) {
+      return Rgb(std::exp(-5 * h * (1 + o)) + 0.1 * std::abs(std::sin(3 * p * h)), 0.2, 0.1);
+    });
+    const BilgiliFactors truncated = truncateBilgili(factorizeBilgili(s, 6), 3, s), shorter = factorizeBilgili(s, 3);
+    QCOMPARE(truncated.residuals, shorter.residuals);
+    QCOMPARE(truncated.ks, shorter.ks);
+    QCOMPARE(truncated.kd, shorter.kd);
+    QCOMPARE(truncated.bytes(), shorter.bytes());
   }
 
   void termsFillTheBudget() {
