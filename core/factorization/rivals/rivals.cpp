@@ -2,54 +2,92 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/factorization/rivals/rivals.h"
 
-#include <chrono>
+#include <algorithm>
 
 #include "core/factorization/rivals/bilgili.h"
 #include "core/factorization/rivals/bivariate.h"
+#include "core/factorization/rivals/kautz_mccool.h"
 #include "core/factorization/rivals/lawrence.h"
+#include "core/factorization/rivals/mccool.h"
+#include "core/factorization/rivals/nonparametric.h"
 
 namespace gonio::factorization {
 
 namespace {
 
-using Build = RivalModel (*)(const TabulatedBrdf&, std::size_t, const TaskControl&);
+using Budgets = std::span<const std::size_t>;
+using Models = std::vector<RivalModel>;
 
-template <Build build>
-RivalModel timed(const TabulatedBrdf& table, std::size_t byteBudget, const TaskControl& control) {
-  const auto start = std::chrono::steady_clock::now();
-  RivalModel model = build(table, byteBudget, control);
-  model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return model;
+std::size_t largest(Budgets budgets) { return budgets.empty() ? 0 : *std::max_element(budgets.begin(), budgets.end()); }
+
+Models buildBivariate(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  Models models;
+  for (const std::size_t budget : budgets) {
+    const BivariateTable bivariate = averageBivariate(table, bivariateSide(budget), control);
+    models.push_back({makeBivariateBrdf(bivariate), bivariate.values.size() * 3 * sizeof(float)});
+  }
+  return models;
 }
 
-RivalModel buildBivariate(const TabulatedBrdf& table, std::size_t byteBudget, const TaskControl& control) {
-  const BivariateTable bivariate = averageBivariate(table, bivariateSide(byteBudget), control);
-  return {.brdf = makeBivariateBrdf(bivariate), .bytes = bivariate.values.size() * 3 * sizeof(float)};
+Models buildLawrence(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const HalfOutSamples samples = sampleHalfOut(table, lawrenceAxes(), control);
+  Models models;
+  for (const std::size_t budget : budgets) {
+    const LawrenceFactors factors = factorizeLawrence(samples, lawrenceRanks(samples.axes, budget), control);
+    models.push_back({makeLawrenceBrdf(factors), factors.bytes()});
+  }
+  return models;
 }
 
-RivalModel buildLawrence(const TabulatedBrdf& table, std::size_t byteBudget, const TaskControl& control) {
-  const LawrenceFactors factors = factorizeLawrence(sampleHalfOut(table, lawrenceAxes(), control),
-                                                    lawrenceRanks(lawrenceAxes(), byteBudget), control);
-  return {.brdf = makeLawrenceBrdf(factors), .bytes = factors.bytes()};
+Models buildBilgili(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const HalfOutSamples samples = sampleHalfOut(table, bilgiliAxes(), control);
+  const BilgiliFactors all = factorizeBilgili(samples, bilgiliTerms(samples.axes, largest(budgets)), control);
+  Models models;
+  for (const std::size_t budget : budgets) {
+    const BilgiliFactors factors = truncateBilgili(all, bilgiliTerms(samples.axes, budget), samples);
+    models.push_back({makeBilgiliBrdf(factors), factors.bytes()});
+  }
+  return models;
 }
 
-RivalModel buildBilgili(const TabulatedBrdf& table, std::size_t byteBudget, const TaskControl& control) {
-  const HalfOutAxes axes = bilgiliAxes();
-  const BilgiliFactors factors =
-      factorizeBilgili(sampleHalfOut(table, axes, control), bilgiliTerms(axes, byteBudget), control);
-  return {.brdf = makeBilgiliBrdf(factors), .bytes = factors.bytes()};
+Models buildKautzMcCool(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const HalfDifferenceSamples samples = sampleHalfDifference(table, kautzMcCoolAxes(), control);
+  const KautzMcCoolFactors all =
+      factorizeKautzMcCool(samples, kautzMcCoolTerms(samples.axes, largest(budgets)), control);
+  Models models;
+  for (const std::size_t budget : budgets) {
+    const KautzMcCoolFactors factors = all.truncated(kautzMcCoolTerms(samples.axes, budget));
+    models.push_back({makeKautzMcCoolBrdf(factors), factors.bytes()});
+  }
+  return models;
+}
+
+Models buildMcCool(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const McCoolFactors factors = factorizeMcCool(sampleHalfDifference(table, mcCoolAxes(), control), control);
+  return Models(budgets.size(), {makeMcCoolBrdf(factors), factors.bytes()});
+}
+
+Models buildNonparametric(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const NonparametricFit fit = fitNonparametric(sampleHalfDifference(table, nonparametricAxes(), control), {}, control);
+  return Models(budgets.size(), {makeNonparametricBrdf(fit.factors), fit.factors.bytes()});
 }
 
 constexpr Rival all[] = {
-    {"bivariate", "bivariate table", "Romeiro, Vasilyev and Zickler 2008, \"Passive Reflectometry\"",
-     timed<buildBivariate>},
+    {"kautz-mccool", "singular values in half-difference coordinates",
+     "Kautz and McCool 1999, \"Interactive Rendering with Arbitrary BRDFs using Separable Approximations\"",
+     buildKautzMcCool},
+    {"mccool", "homomorphic factorisation",
+     "McCool, Ang and Ahmad 2001, \"Homomorphic Factorization of BRDFs for High-Performance Rendering\"", buildMcCool},
     {"lawrence", "non-negative matrices in half-out coordinates",
      "Lawrence, Rusinkiewicz and Ramamoorthi 2004, \"Efficient BRDF Importance Sampling Using a Factored "
      "Representation\"",
-     timed<buildLawrence>},
+     buildLawrence},
+    {"bivariate", "bivariate table", "Romeiro, Vasilyev and Zickler 2008, \"Passive Reflectometry\"", buildBivariate},
     {"bilgili", "recursive Tucker of the luminance",
-     "Bilgili, Öztürk and Kurt 2011, \"A General BRDF Representation Based on Tensor Decomposition\"",
-     timed<buildBilgili>},
+     "Bilgili, Öztürk and Kurt 2011, \"A General BRDF Representation Based on Tensor Decomposition\"", buildBilgili},
+    {"nonparametric", "microfacet model of tabulated factors",
+     "Bagher, Snyder and Nowrouzezahrai 2016, \"A Non-Parametric Factor Microfacet Model for Isotropic BRDFs\"",
+     buildNonparametric},
 };
 
 }  // namespace
