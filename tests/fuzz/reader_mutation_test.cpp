@@ -130,6 +130,7 @@ class ReaderMutationTest : public QObject {
     readMaterialBytes(merlSeed());
     readMaterialBytes(rglSeed());
     readPdvBytes(pdvSeed());
+    readNpfBytes(npfSeed());
     readImageBytes(hdrSeed());
     readImageBytes(exrSeed());
     readDocumentBytes(documentSeed());
@@ -138,6 +139,7 @@ class ReaderMutationTest : public QObject {
   void merl() { check("merl.binary", merlSeed(), readMaterialBytes); }
   void rgl() { check("rgl.bsdf", rglSeed(), readMaterialBytes); }
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
+  void npf() { check("npf.bin", npfSeed(), readNpfBytes); }
   void hdr() { check("picture.hdr", hdrSeed(), readImageBytes); }
   void exr() { check("picture.exr", exrSeed(), readImageBytes); }
   void document() { check("edit.gonio", documentSeed(), readDocumentBytes); }

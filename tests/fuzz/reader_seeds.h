@@ -41,6 +41,14 @@ inline Bytes pdvSeed() {
   return bytes;
 }
 
+/// Names of the rows, a byte 0, then a table of two rows.
+inline Bytes npfSeed() {
+  Bytes bytes = bytesOf("row,material\n0,chrome\n1,red-fabric\n");
+  bytes.push_back(std::byte(0));
+  for (int i = 0; i < 2 * 512 * 3; ++i) append(bytes, 0.25f * float(i % 9));
+  return bytes;
+}
+
 /// Two run-length coded lines of 16 pixels: a run of ten, then six of their own.
 inline Bytes hdrSeed() {
   Bytes bytes = bytesOf("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 16\n");

@@ -2,40 +2,50 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string_view>
 
 #include "core/editing/edit_document.h"
-#include "core/io/pdv_file.h"
 #include "core/io/image_io.h"
 #include "core/io/material.h"
+#include "core/io/npf_file.h"
+#include "core/io/pdv_file.h"
 
 /// What is done with bytes that nobody vouches for. Each reads and uses the result; every outcome but a result that
 /// keeps its promises and a gonio::Error is a bug. Shared by the mutation test and the libFuzzer programs.
 namespace gonio::fuzz {
 
-/// @throws std::logic_error where a promise is broken; Error where the bytes are refused.
-inline void readMaterialBytes(std::span<const std::byte> bytes) {
-  const io::Material material = io::readMaterial(io::MemorySource(bytes));
+/// @throws std::logic_error where a value is not finite or negative.
+inline void checkValues(const Brdf& brdf) {
   for (const double thetaI : {0.0, 0.3, 1.2, 1.57})
     for (const double phi : {0.0, 1.0, 3.0, -2.0}) {
-      const Rgb value = material.brdf->evaluate(fromSpherical(thetaI, 0.5), fromSpherical(0.9, phi));
+      const Rgb value = brdf.evaluate(fromSpherical(thetaI, 0.5), fromSpherical(0.9, phi));
       for (int channel = 0; channel < 3; ++channel)
         if (!std::isfinite(value[channel]) || value[channel] < 0) throw std::logic_error("a value that is no BRDF's");
     }
+}
+
+/// @throws std::logic_error where a promise is broken; Error where the bytes are refused.
+inline void readMaterialBytes(std::span<const std::byte> bytes) {
+  const io::Material material = io::readMaterial(io::MemorySource(bytes));
+  checkValues(*material.brdf);
   if (material.table && material.table->values().size() != material.table->grid().size())
     throw std::logic_error("a table of another size than its grid");
 }
 
 inline void readPdvBytes(std::span<const std::byte> bytes) {
-  const auto brdf = factorization::makePdvBrdf(io::readPdv(io::MemorySource(bytes)));
-  for (const double thetaI : {0.0, 0.3, 1.2, 1.57})
-    for (const double phi : {0.0, 1.0, 3.0, -2.0}) {
-      const Rgb value = brdf->evaluate(fromSpherical(thetaI, 0.5), fromSpherical(0.9, phi));
-      for (int channel = 0; channel < 3; ++channel)
-        if (!std::isfinite(value[channel]) || value[channel] < 0) throw std::logic_error("a value that is no BRDF's");
-    }
+  checkValues(*factorization::makePdvBrdf(io::readPdv(io::MemorySource(bytes))));
+}
+
+/// The names of the rows end at the first byte 0.
+inline void readNpfBytes(std::span<const std::byte> bytes) {
+  const auto end = std::find(bytes.begin(), bytes.end(), std::byte(0));
+  const std::string_view names(reinterpret_cast<const char*>(bytes.data()), std::size_t(end - bytes.begin()));
+  const auto table = bytes.subspan(std::min(names.size() + 1, bytes.size()));
+  for (const auto& [name, factors] : io::readNpf(io::MemorySource(table), names).materials)
+    checkValues(*factorization::makeNonparametricBrdf(factors));
 }
 
 inline void readImageBytes(std::span<const std::byte> bytes) {
