@@ -1,36 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// factor_comparison_study [--size PIXELS] [--samples N] [--budget BYTES] [--without ID]... FILE...: how well
-// factorisations keep materials: the PDV model in both forms with 1, 2, 5 and 10 terms, and each rival with as many
-// bytes as the first budget that is given (default: the three-factor PDV model of 10 terms). A line a material and
-// model: rendered SNR and PSNR in comparisonScene(), SNR of the reflectances, bytes, seconds. At the end the means over
-// the materials, and how often the model is the best of all in rendered SNR.
-#include <cmath>
+// factor_comparison_study [--size PIXELS] [--samples N] [--csv FILE] [--only ID]... [--npf FILE] [--materials] FILE...:
+// how well factorisations keep materials at equal bytes. Budgets are the bytes of the three-factor PDV model of 1, 2, 5
+// and 10 terms; the two-factor form and each rival get as many terms as a budget holds. A line a material, model and
+// budget: rendered SNR and PSNR in comparisonScene(), SNR of the reflectances, bytes, seconds. At the end a table of
+// means over the materials. With --csv records are kept in a file, and what is in it is not computed again; --only
+// leaves other models out; --npf adds Bagher's published table for the materials that it names; --materials prints all
+// materials at the largest budget.
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "core/factorization/pdv_factors.h"
-#include "core/io/pdv_file.h"
 #include "core/factorization/rivals/rivals.h"
 #include "core/io/material.h"
+#include "core/io/npf_file.h"
+#include "core/io/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/metrics/image_metrics.h"
 #include "core/rendering/rendered_comparison.h"
 #include "core/support/error.h"
+#include "tests/studies/comparison_records.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
+using study::ComparisonRecord;
+using study::ComparisonRecords;
 
 namespace {
 
+constexpr int budgetTerms[] = {1, 2, 5, 10};
+
 struct Options {
   int size = 128, samples = 16;
-  std::size_t budget = 43'560;
-  std::set<std::string> without;
+  std::filesystem::path csv, npf;
+  std::set<std::string> only;
+  bool materials = false;
   std::vector<std::filesystem::path> files;
 
   Options(int count, char** values) {
@@ -41,106 +53,145 @@ struct Options {
         size = std::stoi(next());
       else if (value == "--samples")
         samples = std::stoi(next());
-      else if (value == "--budget")
-        budget = std::stoul(next());
-      else if (value == "--without")
-        without.insert(next());
+      else if (value == "--csv")
+        csv = next();
+      else if (value == "--npf")
+        npf = next();
+      else if (value == "--only")
+        only.insert(next());
+      else if (value == "--materials")
+        materials = true;
       else
         files.emplace_back(value);
     }
   }
 };
 
-struct Scores {
-  double rendered = 0, peak = 0, reflectance = 0, kilobytes = 0, seconds = 0;
+/// Bytes of the three-factor PDV model, by the axes of a factorisation of no account.
+std::vector<std::size_t> byteBudgets() {
+  std::vector<std::size_t> budgets;
+  PdvFactors factors{.thetaNodes = std::vector<double>(90),
+                     .deviationNodes = std::vector<double>(90),
+                     .phiNodes = std::vector<double>(180),
+                     .channels = {}};
+  for (const int terms : budgetTerms) {
+    for (auto& channel : factors.channels) channel.resize(std::size_t(terms));
+    budgets.push_back(io::pdvFileBytes(factors));
+  }
+  return budgets;
+}
+
+/// Models of all budgets, in their order.
+using Build = std::function<std::vector<RivalModel>(const TabulatedBrdf& table, std::span<const std::size_t> budgets)>;
+struct Contestant {
+  std::string id;
+  Build build;
 };
 
-using Table = std::vector<std::pair<std::string, Scores>>;  ///< one material, models in order
+std::vector<RivalModel> buildPdv(const TabulatedBrdf& table, std::span<const std::size_t> budgets, PdvForm form) {
+  const auto bytesOf = [](const PdvFactors& f) { return io::pdvFileBytes(f); };
+  const PdvFactors one = factorizePdv(table, {.form = form, .terms = 1}).factors;
+  const std::size_t first = bytesOf(one);
+  PdvFactors two = one;
+  for (auto& channel : two.channels) channel.push_back(channel.front());
+  const std::size_t term = bytesOf(two) - first;
+  std::vector<int> terms;
+  for (const std::size_t budget : budgets)
+    terms.push_back(std::clamp(1 + int((std::max(budget, first) - first) / term), 1, mostPdvTerms));
+  const PdvFactors all =
+      factorizePdv(table, {.form = form, .terms = *std::max_element(terms.begin(), terms.end())}).factors;
+  std::vector<RivalModel> models;
+  for (const int count : terms) {
+    const PdvFactors factors = all.truncated(count);
+    models.push_back({makePdvBrdf(factors), bytesOf(factors)});
+  }
+  return models;
+}
+
+std::vector<Contestant> contestants(const Options& options) {
+  std::vector<Contestant> all = {
+      {"pdv3", [](const auto& table, auto budgets) { return buildPdv(table, budgets, PdvForm::threeFactors); }},
+      {"pdv2", [](const auto& table, auto budgets) { return buildPdv(table, budgets, PdvForm::twoFactors); }}};
+  for (const Rival& rival : rivals())
+    all.push_back({std::string(rival.id),
+                   [build = rival.build](const auto& table, auto budgets) { return build(table, budgets, {}); }});
+  if (!options.only.empty()) std::erase_if(all, [&](const Contestant& c) { return !options.only.contains(c.id); });
+  return all;
+}
 
 /// Scores models of one material against its table.
 class Judge {
  public:
-  Judge(std::string material, const TabulatedBrdf& table, const Options& options)
-      : material_(std::move(material)),
-        table_(table),
-        comparison_(table, {.width = options.size, .height = options.size, .samples = options.samples}) {}
+  Judge(const std::filesystem::path& file, const Options& options)
+      : material_(file.stem()),
+        collection_(file.extension() == ".bsdf" ? "RGL" : "MERL"),
+        table_(io::readMaterial(file).tabulated()),
+        comparison_(*table_, {.width = options.size, .height = options.size, .samples = options.samples}) {}
 
-  void add(const std::string& model, const Brdf& brdf, std::size_t bytes, double seconds) {
-    const Image picture = comparison_.render(brdf);
-    const Scores s{.rendered = comparison_.signalToNoiseRatio(picture),
-                   .peak = metrics::peakSignalToNoiseRatio(comparison_.reference(), picture),
-                   .reflectance = metrics::brdfSignalToNoiseRatio(table_, brdf),
-                   .kilobytes = double(bytes) / 1000,
-                   .seconds = seconds};
-    std::printf("%-28s %-14s %7.2f %7.2f %7.2f %7.1f %6.2f\n", material_.c_str(), model.c_str(), s.rendered, s.peak,
-                s.reflectance, s.kilobytes, s.seconds);
-    std::fflush(stdout);
-    scores.emplace_back(model, s);
+  const TabulatedBrdf& table() const { return *table_; }
+
+  ComparisonRecord score(const std::string& model, const RivalModel& built, double seconds) const {
+    const Image picture = comparison_.render(*built.brdf);
+    return {.material = material_,
+            .collection = collection_,
+            .model = model,
+            .bytes = built.bytes,
+            .rendered = comparison_.signalToNoiseRatio(picture),
+            .peak = metrics::peakSignalToNoiseRatio(comparison_.reference(), picture),
+            .reflectance = metrics::brdfSignalToNoiseRatio(*table_, *built.brdf),
+            .seconds = seconds};
   }
 
-  Table scores;
-
  private:
-  std::string material_;
-  const TabulatedBrdf& table_;
+  std::string material_, collection_;
+  std::shared_ptr<const TabulatedBrdf> table_;
   RenderedComparison comparison_;
 };
 
-void addPdv(Judge& judge, const TabulatedBrdf& table, const std::string& name, PdvForm form) {
-  const PdvFactorization all = factorizePdv(table, {.form = form});
-  for (const int terms : {1, 2, 5, 10}) {
-    const PdvFactors factors = all.factors.truncated(terms);
-    judge.add(name + " L=" + std::to_string(terms), *makePdvBrdf(factors), io::pdvFileBytes(factors), all.seconds);
-  }
-}
-
-Table compare(const std::filesystem::path& file, const Options& options) {
-  const auto table = io::readMaterial(file).tabulated();
-  Judge judge(file.stem(), *table, options);
-  if (!options.without.contains("pdv3")) addPdv(judge, *table, "pdv3", PdvForm::threeFactors);
-  if (!options.without.contains("pdv2")) addPdv(judge, *table, "pdv2", PdvForm::twoFactors);
-  for (const Rival& rival : rivals()) {
-    if (options.without.contains(std::string(rival.id))) continue;
-    const RivalModel model = rival.build(*table, options.budget, {});
-    judge.add(std::string(rival.id), *model.brdf, model.bytes, model.seconds);
-  }
-  return judge.scores;
-}
-
-void printMeans(const std::vector<Table>& materials) {
-  if (materials.empty()) return;
-  std::printf("\n%zu materials        mean SNR    PSNR    BRDF      KB      s   best of\n", materials.size());
-  for (std::size_t m = 0; m < materials.front().size(); ++m) {
-    Scores sum;
-    double count = 0;
-    int best = 0;
-    for (const Table& table : materials) {
-      const Scores& s = table[m].second;
-      // Black materials have no ratio.
-      if (!std::isfinite(s.rendered) || !std::isfinite(s.reflectance)) continue;
-      ++count;
-      sum = {sum.rendered + s.rendered, sum.peak + s.peak, sum.reflectance + s.reflectance, sum.kilobytes + s.kilobytes,
-             sum.seconds + s.seconds};
-      bool isBest = true;
-      for (const auto& [name, other] : table) isBest = isBest && !(other.rendered > s.rendered);
-      best += isBest;
-    }
-    std::printf("%-20s %8.2f %8.2f %7.2f %7.1f %6.2f %4d\n", materials.front()[m].first.c_str(), sum.rendered / count,
-                sum.peak / count, sum.reflectance / count, sum.kilobytes / count, sum.seconds / count, best);
+/// Adds the records of one contestant for one material.
+void judge(const Judge& court, const Contestant& contestant, const std::vector<std::size_t>& budgets,
+           ComparisonRecords& records) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<RivalModel> models = contestant.build(court.table(), budgets);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ComparisonRecord record;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (i == 0 || models[i].brdf != models[i - 1].brdf) record = court.score(contestant.id, models[i], seconds);
+    record.terms = budgetTerms[i];
+    records.add(record);
+    std::printf("%-28s %-14s %3d %7.2f %7.2f %7.2f %7.1f %6.2f\n", record.material.c_str(), record.model.c_str(),
+                record.terms, record.rendered, record.peak, record.reflectance, double(record.bytes) / 1000, seconds);
+    std::fflush(stdout);
   }
 }
 
 int run(const Options& options) {
   if (options.files.empty()) {
-    std::fprintf(stderr,
-                 "usage: factor_comparison_study [--size PIXELS] [--samples N] [--budget BYTES] [--without ID]... "
-                 "FILE...\n");
+    std::fprintf(
+        stderr,
+        "usage: factor_comparison_study [--size PIXELS] [--samples N] [--csv FILE] [--only ID]... [--npf FILE] "
+        "[--materials] FILE...\n");
     return 2;
   }
-  std::printf("material                     model              SNR    PSNR    BRDF      KB      s\n");
-  std::vector<Table> materials;
-  for (const std::filesystem::path& file : options.files) materials.push_back(compare(file, options));
-  printMeans(materials);
+  ComparisonRecords records(options.csv);
+  const std::vector<std::size_t> budgets = byteBudgets();
+  const std::optional<io::NpfTable> published =
+      options.npf.empty() ? std::nullopt : std::optional(io::readNpf(options.npf));
+  std::printf("material                     model            L     SNR    PSNR    BRDF      KB      s\n");
+  for (const std::filesystem::path& file : options.files) {
+    std::vector<Contestant> all = contestants(options);
+    if (const NonparametricFactors* factors = published ? published->find(file.stem().string()) : nullptr)
+      all.push_back(
+          {"npf-published", [factors](const auto&, auto sizes) {
+             return std::vector<RivalModel>(sizes.size(), {makeNonparametricBrdf(*factors), factors->bytes()});
+           }});
+    std::erase_if(all, [&](const Contestant& c) { return records.contains(file.stem(), c.id, budgetTerms[3]); });
+    if (all.empty()) continue;
+    const Judge court(file, options);
+    for (const Contestant& contestant : all) judge(court, contestant, budgets, records);
+  }
+  std::printf("\n%s", summaryTable(records.all()).c_str());
+  if (options.materials) std::printf("\n%s", materialTable(records.all(), budgetTerms[3]).c_str());
   return 0;
 }
 

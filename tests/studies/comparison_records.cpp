@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "tests/studies/comparison_records.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+#include "core/support/error.h"
+
+namespace gonio::study {
+
+namespace {
+
+constexpr char header[] = "material,collection,model,terms,bytes,rendered_snr,rendered_psnr,brdf_snr,seconds";
+
+std::string lineOf(const ComparisonRecord& r) {
+  char numbers[160];
+  std::snprintf(numbers, sizeof numbers, "%d,%zu,%.4f,%.4f,%.4f,%.3f", r.terms, r.bytes, r.rendered, r.peak,
+                r.reflectance, r.seconds);
+  return r.material + ',' + r.collection + ',' + r.model + ',' + numbers;
+}
+
+ComparisonRecord parse(const std::string& line) {
+  std::istringstream stream(line);
+  ComparisonRecord r;
+  for (std::string* text : {&r.material, &r.collection, &r.model}) std::getline(stream, *text, ',');
+  std::vector<double> numbers;
+  for (std::string cell; std::getline(stream, cell, ',');) numbers.push_back(std::stod(cell));
+  if (numbers.size() != 6) throw Error("found " + std::to_string(numbers.size()) + " numbers, expected 6");
+  r.terms = int(numbers[0]);
+  r.bytes = std::size_t(numbers[1]);
+  r.rendered = numbers[2];
+  r.peak = numbers[3];
+  r.reflectance = numbers[4];
+  r.seconds = numbers[5];
+  return r;
+}
+
+using Records = std::vector<ComparisonRecord>;
+
+/// In the order in which they come first.
+std::vector<std::string> distinct(const Records& records, std::string ComparisonRecord::*member) {
+  std::vector<std::string> names;
+  for (const ComparisonRecord& r : records)
+    if (std::ranges::find(names, r.*member) == names.end()) names.push_back(r.*member);
+  return names;
+}
+
+template <typename Keep>
+Records select(const Records& records, Keep keep) {
+  Records chosen;
+  for (const ComparisonRecord& r : records)
+    if (std::isfinite(r.rendered) && std::isfinite(r.reflectance) && keep(r)) chosen.push_back(r);
+  return chosen;
+}
+
+double mean(const Records& records, double ComparisonRecord::*member) {
+  const double sum = std::accumulate(records.begin(), records.end(), 0.0,
+                                     [member](double s, const ComparisonRecord& r) { return s + r.*member; });
+  return records.empty() ? std::nan("") : sum / double(records.size());
+}
+
+double medianRendered(Records records) {
+  if (records.empty()) return std::nan("");
+  std::ranges::sort(records, {}, &ComparisonRecord::rendered);
+  const std::size_t half = records.size() / 2;
+  return records.size() % 2 ? records[half].rendered : (records[half - 1].rendered + records[half].rendered) / 2;
+}
+
+int wins(const Records& ofModel, const Records& ofBudget) {
+  return int(std::ranges::count_if(ofModel, [&](const ComparisonRecord& mine) {
+    return std::ranges::none_of(ofBudget, [&](const ComparisonRecord& other) {
+      return other.material == mine.material && other.rendered > mine.rendered;
+    });
+  }));
+}
+
+std::string summaryLine(const std::string& model, int terms, const Records& ofModel, const Records& ofBudget) {
+  const auto of = [&](const std::string& collection) {
+    return mean(select(ofModel, [&](const auto& r) { return r.collection == collection; }),
+                &ComparisonRecord::rendered);
+  };
+  double bytes = 0;
+  for (const ComparisonRecord& r : ofModel) bytes = std::max(bytes, double(r.bytes));
+  const auto worst = std::ranges::min_element(ofModel, {}, &ComparisonRecord::rendered);
+  char line[400];
+  std::snprintf(line, sizeof line,
+                "| %s | %d | %.1f | %.2f | %.2f | %.2f | %.2f | %.2f (%s) | %.2f | %.2f | %d | %.2f |\n", model.c_str(),
+                terms, bytes / 1000, of("MERL"), of("RGL"), mean(ofModel, &ComparisonRecord::rendered),
+                medianRendered(ofModel), worst->rendered, worst->material.c_str(),
+                mean(ofModel, &ComparisonRecord::peak), mean(ofModel, &ComparisonRecord::reflectance),
+                wins(ofModel, ofBudget), mean(ofModel, &ComparisonRecord::seconds));
+  return line;
+}
+
+}  // namespace
+
+ComparisonRecords::ComparisonRecords(std::filesystem::path path) : path_(std::move(path)) {
+  std::ifstream file(path_);
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
+    if (line.empty() || line == header) continue;
+    try {
+      records_.push_back(parse(line));
+    } catch (const std::exception& error) {
+      throw Error(path_.string() + ", line " + std::to_string(number) + ": " + error.what());
+    }
+  }
+}
+
+bool ComparisonRecords::contains(const std::string& material, const std::string& model, int terms) const {
+  return std::ranges::any_of(
+      records_, [&](const auto& r) { return r.material == material && r.model == model && r.terms == terms; });
+}
+
+void ComparisonRecords::add(const ComparisonRecord& record) {
+  if (!path_.empty()) {
+    const bool isNew = !std::filesystem::exists(path_);
+    std::ofstream file(path_, std::ios::app);
+    if (isNew) file << header << '\n';
+    file << lineOf(record) << '\n';
+    if (!file.flush()) throw Error(path_.string() + ": cannot be written");
+  }
+  records_.push_back(record);
+}
+
+std::string summaryTable(const Records& records) {
+  std::string table =
+      "| model | L | KB | SNR, MERL | SNR, RGL | SNR, all | median | worst | PSNR, all | BRDF SNR, all | best | s |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  std::set<int> budgets;
+  for (const ComparisonRecord& r : records) budgets.insert(r.terms);
+  for (const int terms : budgets) {
+    const Records ofBudget = select(records, [terms](const auto& r) { return r.terms == terms; });
+    for (const std::string& model : distinct(records, &ComparisonRecord::model)) {
+      const Records ofModel = select(ofBudget, [&](const auto& r) { return r.model == model; });
+      if (!ofModel.empty()) table += summaryLine(model, terms, ofModel, ofBudget);
+    }
+  }
+  return table;
+}
+
+std::string materialTable(const Records& records, int terms) {
+  const std::vector<std::string> models = distinct(records, &ComparisonRecord::model);
+  std::string table = "| material |", rule = "|---|";
+  for (const std::string& model : models) {
+    table += ' ' + model + " |";
+    rule += "---|";
+  }
+  table += '\n' + rule + '\n';
+  for (const std::string& material : distinct(records, &ComparisonRecord::material)) {
+    table += "| " + material + " |";
+    for (const std::string& model : models) {
+      const auto found = std::ranges::find_if(
+          records, [&](const auto& r) { return r.material == material && r.model == model && r.terms == terms; });
+      char cell[32] = " |";
+      if (found != records.end()) std::snprintf(cell, sizeof cell, " %.1f |", found->rendered);
+      table += cell;
+    }
+    table += '\n';
+  }
+  return table;
+}
+
+}  // namespace gonio::study
