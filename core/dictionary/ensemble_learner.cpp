@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/dictionary/ensemble_learner.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+#include <random>
+
+#include "core/dictionary/gram.h"
+#include "core/dictionary/procrustes.h"
+#include "core/math/parallel.h"
+
+namespace gonio::dictionary {
+
+namespace {
+
+/// Signals of one sum that a thread adds up alone; the sums of such parts are added in order.
+constexpr std::size_t partSize = 8;
+
+template <typename Scalar>
+ModeMatrices<Scalar> inPrecision(const ModeMatrices<double>& matrices) {
+  return {matrices[0].cast<Scalar>(), matrices[1].cast<Scalar>(), matrices[2].cast<Scalar>()};
+}
+
+/// Sum over members of `add(member, sum)`, in parts of fixed size: the same bits for any number of threads.
+template <typename Add>
+Eigen::MatrixXd sumOver(std::span<const int> members, int size, const Add& add, const TaskControl& control) {
+  const std::size_t parts = (members.size() + partSize - 1) / partSize;
+  std::vector<Eigen::MatrixXd> sums(parts, Eigen::MatrixXd::Zero(size, size));
+  parallelForBlocks(
+      members.size(), partSize,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t m = begin; m < end; ++m) add(members[m], sums[begin / partSize]);
+      },
+      {.stop = control.stop});
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
+  for (const Eigen::MatrixXd& part : sums) sum += part;
+  return sum;
+}
+
+}  // namespace
+
+template <typename Scalar>
+EnsembleLearner<Scalar>::EnsembleLearner(const Matrix<Scalar>& signals, const Sizes& sizes, int dictionaries,
+                                         int sparsity)
+    : signals_(signals), sizes_(sizes), sparsity_(sparsity), energies_(std::size_t(signals.cols())),
+      dictionaries_(std::size_t(dictionaries)), memberships_(energies_.size()), errors_(energies_.size()),
+      coefficients_(energies_.size()) {
+  assert(signals.rows() == Eigen::Index(count(sizes)) && dictionaries >= 1 && sparsity >= 0);
+  for (std::size_t i = 0; i < energies_.size(); ++i)
+    energies_[i] = signals.col(Eigen::Index(i)).template cast<double>().squaredNorm();
+  totalEnergy_ = std::accumulate(energies_.begin(), energies_.end(), 0.0);
+}
+
+template <typename Scalar>
+void EnsembleLearner<Scalar>::start(std::vector<ModeMatrices<double>> dictionaries) {
+  assert(dictionaries.size() == dictionaries_.size());
+  dictionaries_ = std::move(dictionaries);
+}
+
+template <typename Scalar>
+void EnsembleLearner<Scalar>::start(std::uint64_t seed, const TaskControl& control) {
+  std::vector<int> order(energies_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::mt19937_64 random(seed);
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[std::size_t(random() % i)]);
+  const std::size_t k = dictionaries_.size();
+  for (std::size_t d = 0; d < k; ++d) {
+    const std::size_t begin = d * order.size() / k, end = (d + 1) * order.size() / k;
+    dictionaries_[d] = leadingVectors(std::span(order).subspan(begin, end - begin), control);
+  }
+}
+
+template <typename Scalar>
+ModeMatrices<double> EnsembleLearner<Scalar>::leadingVectors(std::span<const int> members,
+                                                             const TaskControl& control) const {
+  ModeMatrices<double> result;
+  for (int mode = 0; mode < 3; ++mode) {
+    const Eigen::MatrixXd gram = sumOver(
+        members, sizes_[std::size_t(mode)],
+        [&](int i, Eigen::MatrixXd& sum) { addGram(signals_.col(i).data(), sizes_, mode, sum); }, control);
+    result[std::size_t(mode)] = gramBasis(gram).vectors;
+  }
+  return result;
+}
+
+template <typename Scalar>
+double EnsembleLearner<Scalar>::assign(const TaskControl& control) {
+  std::vector<ModeMatrices<Scalar>> matrices;
+  for (const ModeMatrices<double>& dictionary : dictionaries_) matrices.push_back(inPrecision<Scalar>(dictionary));
+  std::vector<Coefficients> coefficients(energies_.size());
+  std::vector<int> memberships(energies_.size());
+  std::vector<double> errors(energies_.size());
+  parallelForBlocks(
+      energies_.size(), 4,
+      [&](std::size_t begin, std::size_t end) {
+        Workspace<Scalar> workspace;
+        Coefficients kept;
+        for (std::size_t i = begin; i < end; ++i) {
+          double most = -1;
+          for (std::size_t d = 0; d < matrices.size(); ++d) {
+            const Scalar* projection =
+                transposedModeProducts(signals_.col(Eigen::Index(i)).data(), sizes_, matrices[d], workspace);
+            keepLargest(std::span(projection, count(sizes_)), std::size_t(sparsity_), kept);
+            const double captured = energy<Scalar>(kept);
+            if (!(captured > most)) continue;
+            most = captured;
+            memberships[i] = int(d);
+            coefficients[i].swap(kept);
+          }
+          errors[i] = std::max(energies_[i] - most, 0.0);
+        }
+      },
+      control);
+  coefficients_.swap(coefficients);
+  memberships_.swap(memberships);
+  errors_.swap(errors);
+  return totalEnergy_ > 0 ? std::accumulate(errors_.begin(), errors_.end(), 0.0) / totalEnergy_ : 0;
+}
+
+template <typename Scalar>
+double EnsembleLearner<Scalar>::iterate(const TaskControl& control) {
+  const double error = assign(control);
+  std::vector<ModeMatrices<double>> renewed = dictionaries_;
+  const std::vector<std::vector<int>> groups = members();
+  for (int mode = 0; mode < 3; ++mode) renew(mode, groups, renewed, {.stop = control.stop});
+  reseedEmpty(groups, renewed, {.stop = control.stop});
+  dictionaries_.swap(renewed);
+  return error;
+}
+
+template <typename Scalar>
+std::vector<std::vector<int>> EnsembleLearner<Scalar>::members() const {
+  std::vector<std::vector<int>> groups(dictionaries_.size());
+  for (std::size_t i = 0; i < memberships_.size(); ++i) groups[std::size_t(memberships_[i])].push_back(int(i));
+  return groups;
+}
+
+template <typename Scalar>
+void EnsembleLearner<Scalar>::renew(int mode, const std::vector<std::vector<int>>& members,
+                                    std::vector<ModeMatrices<double>>& dictionaries,
+                                    const TaskControl& control) const {
+  std::vector<Eigen::MatrixXd> correlations(dictionaries.size());
+  for (std::size_t d = 0; d < dictionaries.size(); ++d) {
+    const ModeMatrices<Scalar> matrices = inPrecision<Scalar>(dictionaries[d]);
+    correlations[d] = sumOver(
+        members[d], sizes_[std::size_t(mode)],
+        [&](int i, Eigen::MatrixXd& sum) {
+          thread_local Workspace<Scalar> workspace;
+          addCorrelation<Scalar>(transposedModeProducts(signals_.col(i).data(), sizes_, matrices, workspace, mode),
+                                 sizes_, mode, coefficients_[std::size_t(i)], sum);
+        },
+        control);
+  }
+  parallelForBlocks(dictionaries.size(), 1, [&](std::size_t begin, std::size_t) {
+    if (!members[begin].empty()) dictionaries[begin][std::size_t(mode)] = orthogonalProcrustes(correlations[begin]);
+  });
+}
+
+/// A dictionary without a member starts again from the signal that the others serve worst.
+template <typename Scalar>
+void EnsembleLearner<Scalar>::reseedEmpty(const std::vector<std::vector<int>>& members,
+                                          std::vector<ModeMatrices<double>>& dictionaries,
+                                          const TaskControl& control) const {
+  std::vector<int> order(errors_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return errors_[std::size_t(a)] > errors_[std::size_t(b)]; });
+  std::size_t next = 0;
+  for (std::size_t d = 0; d < dictionaries.size() && next < order.size(); ++d)
+    if (members[d].empty()) dictionaries[d] = leadingVectors(std::span(order).subspan(next++, 1), control);
+}
+
+template class EnsembleLearner<float>;
+template class EnsembleLearner<double>;
+
+}  // namespace gonio::dictionary

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/dictionary/mode_products.h"
+
+namespace gonio::dictionary {
+
+/// Adds X_(mode) X_(mode)^T of a block to `gram`. The products are made in the block's precision.
+template <typename Scalar>
+void addGram(const Scalar* block, const Sizes& sizes, int mode, Eigen::MatrixXd& gram) {
+  using Map = Eigen::Map<const Matrix<Scalar>>;
+  const Eigen::Index n0 = sizes[0], n1 = sizes[1], n2 = sizes[2];
+  if (mode == 0) {
+    const Map fibres(block, n0, n1 * n2);
+    gram += (fibres * fibres.transpose()).template cast<double>();
+  } else if (mode == 2) {
+    const Map fibres(block, n0 * n1, n2);
+    gram += (fibres.transpose() * fibres).template cast<double>();
+  } else {
+    for (Eigen::Index k = 0; k < n2; ++k) {
+      const Map slab(block + n0 * n1 * k, n0, n1);
+      gram += (slab.transpose() * slab).template cast<double>();
+    }
+  }
+}
+
+/// Orthonormal eigenvectors of a Gram matrix, those of the largest eigenvalues first; the largest entry in size of each
+/// is positive.
+struct GramBasis {
+  Eigen::MatrixXd vectors;
+  Eigen::VectorXd values;  ///< >= 0
+};
+GramBasis gramBasis(const Eigen::MatrixXd& gram);
+
+}  // namespace gonio::dictionary

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <vector>
+
+/// Products of three-mode blocks of numbers with matrices, in the working precision: what training and encoding spend
+/// their time in. Blocks are as those of gonio::Tensor: the first index runs fastest.
+namespace gonio::dictionary {
+
+template <typename Scalar>
+using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+using Sizes = std::array<int, 3>;
+/// One matrix a mode.
+template <typename Scalar>
+using ModeMatrices = std::array<Matrix<Scalar>, 3>;
+
+inline std::size_t count(const Sizes& sizes) { return std::size_t(sizes[0]) * sizes[1] * sizes[2]; }
+
+/// target = block x_mode M^T: every fibre of the mode, sizes[mode] long, becomes M.cols() long. `target` must not
+/// overlap `block`. 2 count(sizes) M.cols() operations at the rate of Eigen's matrix product.
+template <typename Scalar>
+void transposedModeProduct(const Scalar* block, const Sizes& sizes, int mode, const Matrix<Scalar>& m, Scalar* target) {
+  assert(m.rows() == sizes[std::size_t(mode)]);
+  using Map = Eigen::Map<Matrix<Scalar>>;
+  using ConstMap = Eigen::Map<const Matrix<Scalar>>;
+  const Eigen::Index n0 = sizes[0], n1 = sizes[1], n2 = sizes[2];
+  if (mode == 0) {
+    Map(target, m.cols(), n1 * n2).noalias() = m.transpose() * ConstMap(block, n0, n1 * n2);
+  } else if (mode == 2) {
+    Map(target, n0 * n1, m.cols()).noalias() = ConstMap(block, n0 * n1, n2) * m;
+  } else {
+    for (Eigen::Index k = 0; k < n2; ++k)
+      Map(target + n0 * m.cols() * k, n0, m.cols()).noalias() = ConstMap(block + n0 * n1 * k, n0, n1) * m;
+  }
+}
+
+/// Two blocks to compute back and forth in, kept between calls.
+template <typename Scalar>
+struct Workspace {
+  std::vector<Scalar> first, second;
+};
+
+/// block x_0 M_0^T x_1 M_1^T x_2 M_2^T but for the mode `skipped` (-1: none). The result lies in the workspace.
+/// @param order in which the modes are taken: first those that make the block smaller.
+template <typename Scalar>
+const Scalar* transposedModeProducts(const Scalar* block, Sizes sizes, const ModeMatrices<Scalar>& matrices,
+                                     Workspace<Scalar>& workspace, int skipped = -1,
+                                     const std::array<int, 3>& order = {0, 1, 2}) {
+  for (const int mode : order) {
+    if (mode == skipped) continue;
+    Sizes next = sizes;
+    next[std::size_t(mode)] = int(matrices[std::size_t(mode)].cols());
+    std::vector<Scalar>& target = block == workspace.first.data() ? workspace.second : workspace.first;
+    target.resize(count(next));
+    transposedModeProduct(block, sizes, mode, matrices[std::size_t(mode)], target.data());
+    block = target.data();
+    sizes = next;
+  }
+  return block;
+}
+
+}  // namespace gonio::dictionary

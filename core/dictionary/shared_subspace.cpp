@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/dictionary/shared_subspace.h"
+
+#include <algorithm>
+
+#include "core/dictionary/dictionary.h"
+#include "core/dictionary/gram.h"
+
+namespace gonio::dictionary {
+
+namespace {
+
+/// How many leading directions leave at most `most` of the energy out.
+int rankFor(const Eigen::VectorXd& energies, double most) {
+  double left = 0;
+  Eigen::Index rank = energies.size();
+  while (rank > 1 && left + energies[rank - 1] <= most) left += energies[--rank];
+  return int(rank);
+}
+
+/// The bases' leading columns in single precision.
+ModeMatrices<float> leadingColumns(const SharedSubspace& subspace) {
+  ModeMatrices<float> leading;
+  for (std::size_t mode = 0; mode < 3; ++mode)
+    leading[mode] = subspace.bases[mode].leftCols(subspace.ranks[mode]).cast<float>();
+  return leading;
+}
+
+}  // namespace
+
+ModeMatrices<double> SharedSubspace::lifted(const ModeMatrices<double>& inner) const {
+  ModeMatrices<double> full = bases;
+  for (std::size_t mode = 0; mode < 3; ++mode)
+    full[mode].leftCols(ranks[mode]) = bases[mode].leftCols(ranks[mode]) * inner[mode];
+  return full;
+}
+
+SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const SignalOptions& options, double mostLoss,
+                                  const TaskControl& control) {
+  const Sizes sizes = modeSizes(materials.grid);
+  const auto zeros = [&] {
+    ModeMatrices<double> z;
+    for (std::size_t mode = 0; mode < 3; ++mode) z[mode] = Eigen::MatrixXd::Zero(sizes[mode], sizes[mode]);
+    return z;
+  };
+  ModeMatrices<double> total = zeros();
+  std::vector<ModeMatrices<double>> grams(materials.names.size());
+  forEachSignal(
+      materials, options,
+      [&](std::size_t material, std::size_t, const Eigen::ArrayXf& values) {
+        if (grams[material][0].size() == 0) grams[material] = zeros();
+        for (int mode = 0; mode < 3; ++mode) addGram(values.data(), sizes, mode, grams[material][std::size_t(mode)]);
+      },
+      [&](std::size_t material) {
+        for (std::size_t mode = 0; mode < 3; ++mode) total[mode] += grams[material][mode];
+        grams[material] = {};
+      },
+      control);
+  SharedSubspace subspace;
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    const GramBasis basis = gramBasis(total[mode]);
+    subspace.bases[mode] = basis.vectors;
+    subspace.ranks[mode] = rankFor(basis.values, mostLoss / 3 * basis.values.sum());
+  }
+  return subspace;
+}
+
+Matrix<float> projectOnto(SharedSubspace& subspace, const TrainingMaterials& materials, const SignalOptions& options,
+                          const TaskControl& control) {
+  const Sizes sizes = modeSizes(materials.grid);
+  const ModeMatrices<float> bases = leadingColumns(subspace);
+  // The mode that shrinks most goes first.
+  std::array<int, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return double(subspace.ranks[std::size_t(a)]) / sizes[std::size_t(a)] <
+           double(subspace.ranks[std::size_t(b)]) / sizes[std::size_t(b)];
+  });
+  const std::size_t signals = materials.names.size() * options.signalsPerMaterial();
+  Matrix<float> projected(Eigen::Index(count(subspace.ranks)), Eigen::Index(signals));
+  std::vector<double> energies(signals);
+  forEachSignal(
+      materials, options,
+      [&](std::size_t, std::size_t signal, const Eigen::ArrayXf& values) {
+        thread_local Workspace<float> workspace;
+        energies[signal] = values.cast<double>().square().sum();
+        const float* block = transposedModeProducts(values.data(), sizes, bases, workspace, -1, order);
+        projected.col(Eigen::Index(signal)) = Eigen::Map<const Eigen::VectorXf>(block, projected.rows());
+      },
+      [](std::size_t) {}, control);
+  double total = 0, kept = 0;
+  for (std::size_t signal = 0; signal < signals; ++signal) {
+    total += energies[signal];
+    kept += projected.col(Eigen::Index(signal)).cast<double>().squaredNorm();
+  }
+  subspace.loss = total > 0 ? std::max(0.0, 1 - kept / total) : 0;
+  return projected;
+}
+
+}  // namespace gonio::dictionary
