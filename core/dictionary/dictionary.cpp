@@ -14,9 +14,7 @@ std::size_t Ensemble::bytes() const {
 }
 
 double orthonormalityError(const Eigen::MatrixXd& matrix) {
-  return (matrix.transpose() * matrix - Eigen::MatrixXd::Identity(matrix.cols(), matrix.cols()))
-      .cwiseAbs()
-      .maxCoeff();
+  return (matrix.transpose() * matrix - Eigen::MatrixXd::Identity(matrix.cols(), matrix.cols())).cwiseAbs().maxCoeff();
 }
 
 double orthonormalityError(const Ensemble& ensemble) {

@@ -9,9 +9,9 @@
 
 #include "core/coordinates/half_difference_grid.h"
 
-/// Sparse codes over an ensemble of small orthonormal dictionaries: Miandji et al., "Compressive Image Reconstruction in
-/// Reduced Union of Subspaces" (2015), "A Unified Framework for Compression and Compressed Sensing of Light Fields and
-/// Light Field Videos" (2019), for measured BRDFs dissertation 4.3.2.
+/// Sparse codes over an ensemble of small orthonormal dictionaries: Miandji et al., "Compressive Image Reconstruction
+/// in Reduced Union of Subspaces" (2015), "A Unified Framework for Compression and Compressed Sensing of Light Fields
+/// and Light Field Videos" (2019), for measured BRDFs dissertation 4.3.2.
 ///
 /// The modes are those of a table in memory: 0 phi_d (runs fastest), 1 theta_d, 2 theta_h.
 namespace gonio::dictionary {

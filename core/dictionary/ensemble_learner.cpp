@@ -28,12 +28,11 @@ template <typename Add>
 Eigen::MatrixXd sumOver(std::span<const int> members, int size, const Add& add, const TaskControl& control) {
   const std::size_t parts = (members.size() + partSize - 1) / partSize;
   std::vector<Eigen::MatrixXd> sums(parts, Eigen::MatrixXd::Zero(size, size));
-  parallelForBlocks(
-      members.size(), partSize,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t m = begin; m < end; ++m) add(members[m], sums[begin / partSize]);
-      },
-      {.stop = control.stop});
+  parallelForBlocks(members.size(), partSize,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t m = begin; m < end; ++m) add(members[m], sums[begin / partSize]);
+                    },
+                    {.stop = control.stop});
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
   for (const Eigen::MatrixXd& part : sums) sum += part;
   return sum;
@@ -44,8 +43,13 @@ Eigen::MatrixXd sumOver(std::span<const int> members, int size, const Add& add, 
 template <typename Scalar>
 EnsembleLearner<Scalar>::EnsembleLearner(const Matrix<Scalar>& signals, const Sizes& sizes, int dictionaries,
                                          int sparsity)
-    : signals_(signals), sizes_(sizes), sparsity_(sparsity), energies_(std::size_t(signals.cols())),
-      dictionaries_(std::size_t(dictionaries)), memberships_(energies_.size()), errors_(energies_.size()),
+    : signals_(signals),
+      sizes_(sizes),
+      sparsity_(sparsity),
+      energies_(std::size_t(signals.cols())),
+      dictionaries_(std::size_t(dictionaries)),
+      memberships_(energies_.size()),
+      errors_(energies_.size()),
       coefficients_(energies_.size()) {
   assert(signals.rows() == Eigen::Index(count(sizes)) && dictionaries >= 1 && sparsity >= 0);
   for (std::size_t i = 0; i < energies_.size(); ++i)
@@ -139,8 +143,7 @@ std::vector<std::vector<int>> EnsembleLearner<Scalar>::members() const {
 
 template <typename Scalar>
 void EnsembleLearner<Scalar>::renew(int mode, const std::vector<std::vector<int>>& members,
-                                    std::vector<ModeMatrices<double>>& dictionaries,
-                                    const TaskControl& control) const {
+                                    std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control) const {
   std::vector<Eigen::MatrixXd> correlations(dictionaries.size());
   for (std::size_t d = 0; d < dictionaries.size(); ++d) {
     const ModeMatrices<Scalar> matrices = inPrecision<Scalar>(dictionaries[d]);

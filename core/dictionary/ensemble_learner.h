@@ -13,10 +13,11 @@
 
 namespace gonio::dictionary {
 
-/// Learns one ensemble of K orthonormal dictionaries at one sparsity (dissertation eq. 4.36): in turn every signal keeps
-/// its largest coefficients (the exact minimiser, since the dictionaries are orthonormal), goes to the dictionary that
-/// leaves the least error, and each mode of each dictionary is renewed by orthogonal Procrustes (Schoenemann 1966). No
-/// step raises the error, and none reconstructs a signal: the error is the signal's energy less that of its coefficients.
+/// Learns one ensemble of K orthonormal dictionaries at one sparsity (dissertation eq. 4.36): in turn every signal
+/// keeps its largest coefficients (the exact minimiser, since the dictionaries are orthonormal), goes to the dictionary
+/// that leaves the least error, and each mode of each dictionary is renewed by orthogonal Procrustes (Schoenemann
+/// 1966). No step raises the error, and none reconstructs a signal: the error is the signal's energy less that of its
+/// coefficients.
 ///
 /// Same bits for any number of threads.
 template <typename Scalar>

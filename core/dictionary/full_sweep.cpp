@@ -17,9 +17,12 @@ using Matrices = std::vector<ModeMatrices<float>>;
 /// A pass over the signals with the ensembles' matrices at hand in single precision.
 class Pass {
  public:
-  Pass(const std::vector<AssignedEnsemble>& ensembles, const TrainingMaterials& materials,
-       const SignalOptions& options, const TaskControl& control)
-      : ensembles_(ensembles), materials_(materials), options_(options), control_(control),
+  Pass(const std::vector<AssignedEnsemble>& ensembles, const TrainingMaterials& materials, const SignalOptions& options,
+       const TaskControl& control)
+      : ensembles_(ensembles),
+        materials_(materials),
+        options_(options),
+        control_(control),
         sizes_(modeSizes(materials.grid)) {
     for (const AssignedEnsemble& ensemble : ensembles) {
       Matrices& matrices = matrices_.emplace_back();
@@ -63,9 +66,8 @@ class Pass {
           thread_local Workspace<float> workspace;
           for (std::size_t e = 0; e < ensembles_.size(); ++e) {
             Eigen::MatrixXd& z = parts[material].emplace_back(Eigen::MatrixXd::Zero(size, size));
-            addCorrelation<float>(
-                transposedModeProducts(values.data(), sizes_, matrices(e, signal), workspace, mode), sizes_, mode,
-                coefficients[e][signal], z);
+            addCorrelation<float>(transposedModeProducts(values.data(), sizes_, matrices(e, signal), workspace, mode),
+                                  sizes_, mode, coefficients[e][signal], z);
           }
         },
         [&](std::size_t material) {
@@ -108,9 +110,8 @@ class Pass {
 
 /// The share [begin, end] of a control's progress.
 TaskControl part(const TaskControl& control, double begin, double end) {
-  return {.stop = control.stop, .progress = [&control, begin, end](double share) {
-            control.report(begin + (end - begin) * share);
-          }};
+  return {.stop = control.stop,
+          .progress = [&control, begin, end](double share) { control.report(begin + (end - begin) * share); }};
 }
 
 }  // namespace
@@ -125,12 +126,10 @@ std::vector<double> sweepFullSpace(std::vector<AssignedEnsemble>& ensembles, con
                                    const SignalOptions& options, const TaskControl& control) {
   std::vector<AssignedEnsemble> renewed = ensembles;
   std::vector<std::vector<Coefficients>> coefficients;
-  const std::vector<double> before =
-      Pass(renewed, materials, options, part(control, 0, 0.34)).threshold(coefficients);
+  const std::vector<double> before = Pass(renewed, materials, options, part(control, 0, 0.34)).threshold(coefficients);
   for (int mode = 0; mode < 3; ++mode) {
-    const auto correlations =
-        Pass(renewed, materials, options, part(control, 0.34 + 0.22 * mode, 0.56 + 0.22 * mode))
-            .correlations(mode, coefficients);
+    const auto correlations = Pass(renewed, materials, options, part(control, 0.34 + 0.22 * mode, 0.56 + 0.22 * mode))
+                                  .correlations(mode, coefficients);
     for (std::size_t e = 0; e < renewed.size(); ++e)
       parallelForBlocks(renewed[e].dictionaries.size(), 1, [&](std::size_t d, std::size_t) {
         // A dictionary without a member has nothing to learn from.

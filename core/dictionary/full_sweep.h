@@ -18,8 +18,8 @@ struct AssignedEnsemble {
 std::vector<double> fullErrors(const std::vector<AssignedEnsemble>& ensembles, const TrainingMaterials& materials,
                                const SignalOptions& options, const TaskControl& control = {});
 
-/// One round of training in the whole space with the memberships kept: coefficients by the hard threshold, then each mode
-/// in turn by Procrustes. What a shared subspace left out is learned here; no error grows. Three passes over the
+/// One round of training in the whole space with the memberships kept: coefficients by the hard threshold, then each
+/// mode in turn by Procrustes. What a shared subspace left out is learned here; no error grows. Three passes over the
 /// materials. Returns the errors before it, as fullErrors().
 /// @throws Cancelled with the ensembles as they were.
 std::vector<double> sweepFullSpace(std::vector<AssignedEnsemble>& ensembles, const TrainingMaterials& materials,

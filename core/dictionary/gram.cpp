@@ -17,4 +17,12 @@ GramBasis gramBasis(const Eigen::MatrixXd& gram) {
   return basis;
 }
 
+int GramBasis::rankFor(double mostLoss) const {
+  const double most = mostLoss * values.sum();
+  double left = 0;
+  Eigen::Index rank = values.size();
+  while (rank > 1 && left + values[rank - 1] <= most) left += values[--rank];
+  return int(rank);
+}
+
 }  // namespace gonio::dictionary

@@ -30,6 +30,9 @@ void addGram(const Scalar* block, const Sizes& sizes, int mode, Eigen::MatrixXd&
 struct GramBasis {
   Eigen::MatrixXd vectors;
   Eigen::VectorXd values;  ///< >= 0
+
+  /// The least count of leading vectors, at least 1, that leaves at most this share of the energy out.
+  int rankFor(double mostLoss) const;
 };
 GramBasis gramBasis(const Eigen::MatrixXd& gram);
 

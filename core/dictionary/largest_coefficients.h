@@ -24,8 +24,8 @@ bool isLarger(const Coefficient<Scalar>& a, const Coefficient<Scalar>& b) {
   return sizeA > sizeB || (sizeA == sizeB && a.index < b.index);
 }
 
-/// The at most `count` largest entries in size other than 0, in no order: the hard threshold, the exact minimiser of the
-/// error at that many coefficients where the dictionary is orthonormal. One pass over the values with a rising
+/// The at most `count` largest entries in size other than 0, in no order: the hard threshold, the exact minimiser of
+/// the error at that many coefficients where the dictionary is orthonormal. One pass over the values with a rising
 /// threshold: most of them are compared once.
 /// @param kept the result; its memory is used again.
 template <typename Scalar>

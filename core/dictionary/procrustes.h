@@ -10,8 +10,9 @@
 
 namespace gonio::dictionary {
 
-/// The orthogonal matrix U that maximises trace(U^T Z), square: W V^T of Z = W Sigma V^T (Schoenemann 1966, "A generalized
-/// solution of the orthogonal Procrustes problem"). Orthonormal to rounding whatever the rank of Z, also for Z = 0.
+/// The orthogonal matrix U that maximises trace(U^T Z), square: W V^T of Z = W Sigma V^T (Schoenemann 1966, "A
+/// generalized solution of the orthogonal Procrustes problem"). Orthonormal to rounding whatever the rank of Z, also
+/// for Z = 0.
 Eigen::MatrixXd orthogonalProcrustes(const Eigen::MatrixXd& z);
 
 /// Adds X_(mode) (S x_other U)_(mode)^T of one signal to `z`, from the signal's products with the two other modes:

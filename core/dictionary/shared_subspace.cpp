@@ -11,14 +11,6 @@ namespace gonio::dictionary {
 
 namespace {
 
-/// How many leading directions leave at most `most` of the energy out.
-int rankFor(const Eigen::VectorXd& energies, double most) {
-  double left = 0;
-  Eigen::Index rank = energies.size();
-  while (rank > 1 && left + energies[rank - 1] <= most) left += energies[--rank];
-  return int(rank);
-}
-
 /// The bases' leading columns in single precision.
 ModeMatrices<float> leadingColumns(const SharedSubspace& subspace) {
   ModeMatrices<float> leading;
@@ -61,7 +53,7 @@ SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const Sign
   for (std::size_t mode = 0; mode < 3; ++mode) {
     const GramBasis basis = gramBasis(total[mode]);
     subspace.bases[mode] = basis.vectors;
-    subspace.ranks[mode] = rankFor(basis.values, mostLoss / 3 * basis.values.sum());
+    subspace.ranks[mode] = basis.rankFor(mostLoss / 3);
   }
   return subspace;
 }

@@ -7,8 +7,8 @@
 
 namespace gonio::dictionary {
 
-/// Where nearly all of a set of signals lies: the truncated higher-order SVD of the set (De Lathauwer et al. 2000). Training
-/// works in its small block; the other directions wait behind it.
+/// Where nearly all of a set of signals lies: the truncated higher-order SVD of the set (De Lathauwer et al. 2000).
+/// Training works in its small block; the other directions wait behind it.
 struct SharedSubspace {
   ModeMatrices<double> bases;  ///< square, orthonormal, columns by falling energy
   Sizes ranks{};               ///< leading columns that span the subspace

@@ -4,6 +4,12 @@
 
 #include <cassert>
 #include <limits>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "core/coordinates/grid_directions.h"
+#include "core/math/parallel.h"
 
 namespace gonio::dictionary {
 
@@ -16,46 +22,73 @@ void hold(Eigen::ArrayXf& values, const TabulatedBrdf& table) {
     if (table.valid()[cell] == 0) values[Eigen::Index(cell)] = values[Eigen::Index(cell - slab)];
 }
 
-}  // namespace
-
-Eigen::ArrayXf cosineWeights(const HalfDifferenceGrid& grid) {
-  Eigen::ArrayXf weights(Eigen::Index(grid.size()));
-  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-    const DirectionPair pair = grid.directions(cell);
-    weights[Eigen::Index(cell)] = float(cosineWeight(std::max(pair.wi.z, 0.0), std::max(pair.wo.z, 0.0)));
-  }
-  return weights;
+std::shared_ptr<const GridGeometry> computed(const HalfDifferenceGrid& grid) {
+  auto geometry = std::make_shared<GridGeometry>();
+  geometry->weights.resize(Eigen::Index(grid.size()));
+  geometry->aboveHorizon.resize(grid.size());
+  const GridDirections directions(grid);
+  parallelForBlocks(grid.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const GridDirections::Node node = directions.at(cell);
+      geometry->aboveHorizon[cell] = node.aboveHorizon;
+      geometry->weights[Eigen::Index(cell)] =
+          float(node.aboveHorizon ? cosineWeight(node.pair.wi.z, node.pair.wo.z) : cosineWeight(0, 0));
+    }
+  });
+  return geometry;
 }
 
-void transform(Eigen::ArrayXf& values, DataTransform transform, const Eigen::ArrayXf& weights) {
+}  // namespace
+
+std::shared_ptr<const GridGeometry> GridGeometry::of(const HalfDifferenceGrid& grid) {
+  static std::mutex mutex;
+  static std::vector<std::pair<HalfDifferenceGrid, std::shared_ptr<const GridGeometry>>> known;
+  {
+    const std::lock_guard lock(mutex);
+    for (const auto& [key, geometry] : known)
+      if (key == grid) return geometry;
+  }
+  // Not under the lock: the parallel loop may run other work that asks for a geometry.
+  auto geometry = computed(grid);
+  const std::lock_guard lock(mutex);
+  known.emplace_back(grid, geometry);
+  return geometry;
+}
+
+void transform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
+               const Eigen::Ref<const Eigen::ArrayXf>& weights) {
   assert(values.size() == weights.size());
   if (transform == DataTransform::cosineLog) values *= weights;
   if (transform == DataTransform::cosineLog || transform == DataTransform::logPlus) values = values.log1p();
   if (transform == DataTransform::root) values = values.sqrt();
 }
 
-void invertTransform(Eigen::ArrayXf& values, DataTransform transform, const Eigen::ArrayXf& weights) {
+void invertTransform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
+                     const Eigen::Ref<const Eigen::ArrayXf>& weights) {
   assert(values.size() == weights.size());
-  constexpr float highest = std::numeric_limits<float>::max();
   values = values.max(0.0f);
   if (transform == DataTransform::root) values = values.square();
   if (transform == DataTransform::cosineLog || transform == DataTransform::logPlus) {
-    values = values.min(88.0f).expm1();
+    constexpr float mostLog = 88;  // e^88 is the last round exponent in the range of float
+    values = values.min(mostLog).expm1();
     if (transform == DataTransform::cosineLog) values /= weights;
   }
-  values = values.min(highest);
+  values = values.min(std::numeric_limits<float>::max());
 }
 
-Signals::Signals(const TabulatedBrdf& table, DataTransform transform, const Values& weights, InvalidFill fill) {
+std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
+                                        const GridGeometry& geometry, InvalidFill fill) {
   const Eigen::Index cells = Eigen::Index(table.grid().size());
   const auto interleaved =
       Eigen::Map<const Eigen::Array<float, 3, Eigen::Dynamic>>(&table.values().data()->x, 3, cells);
+  std::array<Eigen::ArrayXf, 3> signals;
   for (int c = 0; c < 3; ++c) {
-    Values& values = channel(c);
+    Eigen::ArrayXf& values = signals[std::size_t(c)];
     values = interleaved.row(c);
-    dictionary::transform(values, transform, weights);
+    dictionary::transform(values, transform, geometry.weights);
     if (fill == InvalidFill::hold) hold(values, table);
   }
+  return signals;
 }
 
 }  // namespace gonio::dictionary

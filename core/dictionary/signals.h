@@ -5,12 +5,20 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
-#include <string_view>
 
 #include "core/brdf/data_transform.h"
 #include "core/brdf/tabulated_brdf.h"
 
 namespace gonio::dictionary {
+
+/// What the cells of a grid have in common for all tables.
+struct GridGeometry {
+  Eigen::ArrayXf weights;                  ///< cosineWeight(); that of the floor beyond the horizon
+  std::vector<std::uint8_t> aboveHorizon;  ///< 1 where both directions are at or above the horizon
+
+  /// Computed once for a grid (some 100 ms), then shared.
+  static std::shared_ptr<const GridGeometry> of(const HalfDifferenceGrid& grid);
+};
 
 /// What stands in the invalid cells of a signal. No dictionary may spend coefficients on a cliff at the horizon that is
 /// not there.
@@ -19,29 +27,17 @@ enum class InvalidFill {
   hold   ///< along theta_h (toward the horizon) the transformed value of the last valid cell
 };
 
-/// cosineWeight() of every cell of a grid, in the order of its indices; 1e-3 beyond the horizon.
-Eigen::ArrayXf cosineWeights(const HalfDifferenceGrid& grid);
-
 /// The three channels of a table, transformed, every cell filled: what dictionaries are trained on and what is encoded.
 /// In single precision, without cancellation for small values. About 20 ms for a MERL table.
-class Signals {
- public:
-  using Values = Eigen::ArrayXf;
+std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
+                                        const GridGeometry& geometry, InvalidFill fill = InvalidFill::hold);
 
-  /// @param weights cosineWeights() of the table's grid.
-  Signals(const TabulatedBrdf& table, DataTransform transform, const Values& weights,
-          InvalidFill fill = InvalidFill::hold);
-
-  const Values& channel(int c) const { return channels_[std::size_t(c)]; }
-  Values& channel(int c) { return channels_[std::size_t(c)]; }
-
- private:
-  std::array<Values, 3> channels_;
-};
-
-/// In place: reflectances (1/sr, >= 0) become transformed values, and back. Back, values that no reflectance has give 0,
-/// and those beyond the range of float its largest number (a code of few coefficients may overshoot before expm1).
-void transform(Eigen::ArrayXf& values, DataTransform transform, const Eigen::ArrayXf& weights);
-void invertTransform(Eigen::ArrayXf& values, DataTransform transform, const Eigen::ArrayXf& weights);
+/// In place: reflectances (1/sr, >= 0) become transformed values, and back, as transformed() and inverseTransformed()
+/// do in double. Back, values that no reflectance has give 0, and those beyond the range of float its largest number
+/// (a code of few coefficients may overshoot).
+void transform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
+               const Eigen::Ref<const Eigen::ArrayXf>& weights);
+void invertTransform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
+                     const Eigen::Ref<const Eigen::ArrayXf>& weights);
 
 }  // namespace gonio::dictionary

@@ -51,8 +51,8 @@ class Training {
   void findSignals() {
     TrainingState& state = result_.state;
     if (state.ensembles.empty())
-      state.subspace = findSharedSubspace(materials_, options_.signals, options_.subspaceLoss,
-                                          part(0, subspaceShare / 2));
+      state.subspace =
+          findSharedSubspace(materials_, options_.signals, options_.subspaceLoss, part(0, subspaceShare / 2));
     signals_ = projectOnto(state.subspace, materials_, options_.signals, part(subspaceShare / 2, subspaceShare));
   }
 

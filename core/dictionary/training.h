@@ -10,7 +10,7 @@
 namespace gonio::dictionary {
 
 struct TrainingOptions {
-  int dictionaries = 8;                          ///< K of each ensemble
+  int dictionaries = 8;                           ///< K of each ensemble
   std::vector<int> sparsities{32, 64, 128, 256};  ///< one ensemble each (dissertation 4.3.2.2: 4 ensembles of 8)
   SignalOptions signals;
   int iterations = 40;         ///< at most, for each ensemble
@@ -38,8 +38,8 @@ struct TrainingResult {
   double seconds = 0;
 };
 
-/// Learns the aggregated ensemble. A shared subspace first, then each ensemble in it (EnsembleLearner), then one sweep in
-/// the whole space. A stop gives the best so far, with `complete` false.
+/// Learns the aggregated ensemble. A shared subspace first, then each ensemble in it (EnsembleLearner), then one sweep
+/// in the whole space. A stop gives the best so far, with `complete` false.
 /// @param resume a state to go on from, of the same materials and options.
 /// @param checkpoint called after each round with the state.
 /// @throws Cancelled when stopped before there is a dictionary; Error where there are no materials.

@@ -11,7 +11,8 @@
 
 namespace gonio::dictionary {
 
-/// The materials that dictionaries learn from: read again for every pass over them, so that memory holds a few at a time.
+/// The materials that dictionaries learn from: read again for every pass over them, so that memory holds a few at a
+/// time.
 struct TrainingMaterials {
   std::vector<std::string> names;
   HalfDifferenceGrid grid;
@@ -29,8 +30,8 @@ struct SignalOptions {
 
 /// Calls `work(material, signal, values)` for every signal, those of a material in order on one thread, several
 /// materials at a time; signals are numbered through: material * signalsPerMaterial() + transform * 3 + channel. Then
-/// `finished(material)` on the calling thread, in the order of the materials: sums made there have the same bits for any
-/// number of threads.
+/// `finished(material)` on the calling thread, in the order of the materials: sums made there have the same bits for
+/// any number of threads.
 /// @throws Cancelled; whatever `load` throws.
 void forEachSignal(
     const TrainingMaterials& materials, const SignalOptions& options,

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/brdf/tabulated_brdf.h"
+#include "core/dictionary/signals.h"
+#include "core/dictionary/sparse_code.h"
+#include "core/support/task_control.h"
+
+namespace gonio::dictionary {
+
+struct EncodeOptions {
+  std::size_t coefficients = 262;  ///< a channel, at most (dissertation 4.3.2.4: 262, the size of Bagher et al. 2016)
+  /// Fewer coefficients where the squared error of the signal is then at most this share of its energy.
+  std::optional<double> relativeError;
+  /// Fewer coefficients where the packed code would have more bytes than this.
+  std::optional<std::size_t> bytes;
+  std::vector<DataTransform> transforms{DataTransform::logPlus, DataTransform::cosineLog};
+  double gamma = 2;     ///< of the error by which the transform is chosen, in [1, 3]
+  int refinements = 3;  ///< rounds in which the invalid cells take the code's own values
+  InvalidFill fill = InvalidFill::hold;
+};
+
+/// One transform that was tried.
+struct EncodedCandidate {
+  SparseCode code;
+  /// Mean over the valid cells to 85 degrees of (rho^(1/gamma) - rho'^(1/gamma))^2, rho in 1/sr (dissertation 4.3.2.4).
+  double gammaError = 0;
+  double squaredError = 0;  ///< mean of (rho - rho')^2 over the same cells: what the selection does not go by
+};
+
+struct Encoded {
+  SparseCode code;  ///< that of the candidate with the least gamma error; the first among equals
+  std::vector<EncodedCandidate> candidates;  ///< in the order of the transforms
+  double seconds = 0;
+};
+
+/// Prepares an ensemble for encoding many materials. Immutable.
+class Encoder {
+ public:
+  /// @param ensemble must live on.
+  explicit Encoder(const Ensemble& ensemble);
+
+  /// For each transform and channel: the dictionary that holds most of the signal in its largest coefficients, those
+  /// coefficients (the exact minimiser: the dictionaries are orthonormal), and rounds in which the invalid cells, whose
+  /// values nobody sees, take those that the code gives them, so that it spends its coefficients on the valid ones.
+  /// @throws Error when the grid is another; Cancelled.
+  Encoded encode(const TabulatedBrdf& table, const EncodeOptions& options = {}, const TaskControl& control = {}) const;
+
+ private:
+  ChannelCode encodeSignal(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid,
+                           const EncodeOptions& options) const;
+  int chooseDictionary(const Eigen::ArrayXf& signal, std::size_t coefficients) const;
+
+  const Ensemble& ensemble_;
+  std::vector<std::array<Eigen::MatrixXf, 3>> matrices_;
+};
+
+}  // namespace gonio::dictionary

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <Eigen/QR>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/dictionary/dictionary.h"
+#include "core/dictionary/mode_products.h"
+#include "core/dictionary/training_materials.h"
+#include "core/math/tensor.h"
+#include "tests/support/function_brdf.h"
+
+namespace gonio::dictionary::test {
+
+inline Eigen::MatrixXd randomOrthonormal(int size, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const Eigen::MatrixXd m = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return normal(random); });
+  return Eigen::HouseholderQR<Eigen::MatrixXd>(m).householderQ();
+}
+
+inline ModeMatrices<double> randomDictionary(const Sizes& sizes, std::mt19937_64& random) {
+  return {randomOrthonormal(sizes[0], random), randomOrthonormal(sizes[1], random),
+          randomOrthonormal(sizes[2], random)};
+}
+
+inline Tensor tensorOf(const double* block, const Sizes& sizes) {
+  Tensor tensor({sizes[0], sizes[1], sizes[2]});
+  std::copy(block, block + tensor.count(), tensor.data());
+  return tensor;
+}
+
+/// S x_0 U_0 x_1 U_1 x_2 U_2 by the general tensor products.
+inline Tensor composed(Tensor coefficients, const ModeMatrices<double>& matrices) {
+  for (int mode = 0; mode < 3; ++mode) coefficients = modeProduct(coefficients, matrices[std::size_t(mode)], mode);
+  return coefficients;
+}
+
+/// Signals of `sparsity` random coefficients over random dictionaries, one a column.
+inline Matrix<double> plantedSignals(const Sizes& sizes, const std::vector<ModeMatrices<double>>& dictionaries,
+                                     int sparsity, int signals, std::mt19937_64& random) {
+  Matrix<double> result(Eigen::Index(count(sizes)), signals);
+  std::normal_distribution<double> normal;
+  for (int s = 0; s < signals; ++s) {
+    Tensor coefficients({sizes[0], sizes[1], sizes[2]});
+    for (int t = 0; t < sparsity; ++t) coefficients[std::size_t(random() % coefficients.count())] = 1 + normal(random);
+    const Tensor signal = composed(coefficients, dictionaries[std::size_t(s) % dictionaries.size()]);
+    result.col(s) = Eigen::Map<const Eigen::VectorXd>(signal.data(), result.rows());
+  }
+  return result;
+}
+
+inline constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 12, .thetaDCount = 12, .phiDCount = 16};
+
+/// GGX materials of rising roughness over a small grid.
+inline TrainingMaterials ggxMaterials(int materials) {
+  TrainingMaterials result;
+  result.grid = smallGrid;
+  std::vector<std::shared_ptr<const TabulatedBrdf>> tables;
+  for (int m = 0; m < materials; ++m) {
+    const double x = double(m + 1) / (materials + 1);
+    result.names.push_back("material " + std::to_string(m));
+    tables.push_back(
+        bakeTable(*testing::ggx(Rgb(0.4 * x, 0.2, 0.5 - 0.3 * x), Rgb(x), 0.08 + 0.5 * x, 0.05 + 0.4 * x), smallGrid));
+  }
+  result.load = [tables](std::size_t m) { return tables[m]; };
+  return result;
+}
+
+}  // namespace gonio::dictionary::test

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/dictionary/encode.h"
+
+#include <QTest>
+#include <cstring>
+
+#include "core/dictionary/code_packing.h"
+#include "core/dictionary/decode.h"
+#include "core/math/parallel.h"
+#include "tests/core/dictionary/dictionary_test_support.h"
+
+using namespace gonio;
+using namespace gonio::dictionary;
+using namespace gonio::dictionary::test;
+
+namespace {
+
+Ensemble randomEnsemble(int dictionaries) {
+  std::mt19937_64 random(1);
+  Ensemble ensemble{.grid = smallGrid, .dictionaries = {}, .learnedFrom = {}};
+  for (int d = 0; d < dictionaries; ++d)
+    ensemble.dictionaries.push_back({randomDictionary(modeSizes(smallGrid), random), 10});
+  return ensemble;
+}
+
+/// Root mean square of the differences of valid cells over that of the values.
+double relativeDifference(const TabulatedBrdf& a, const TabulatedBrdf& b) {
+  double difference = 0, total = 0;
+  for (std::size_t cell = 0; cell < a.values().size(); ++cell) {
+    if (a.valid()[cell] == 0) continue;
+    for (int c = 0; c < 3; ++c) {
+      difference += std::pow(double(a.values()[cell][c]) - double(b.values()[cell][c]), 2);
+      total += std::pow(double(a.values()[cell][c]), 2);
+    }
+  }
+  return std::sqrt(difference / total);
+}
+
+bool sameBits(const SparseCode& a, const SparseCode& b) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto &x = a.channels[c].coefficients, &y = b.channels[c].coefficients;
+    if (a.channels[c].dictionary != b.channels[c].dictionary || x.size() != y.size()) return false;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (x[i].index != y[i].index || std::memcmp(&x[i].value, &y[i].value, sizeof(float)) != 0) return false;
+  }
+  return a.transform == b.transform;
+}
+
+}  // namespace
+
+class EncodeTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// With all coefficients a code is the material, in any dictionary and both transforms.
+  void hardCase26ExactWithAllCoefficients() {
+    const Ensemble ensemble = randomEnsemble(2);
+    const auto table = ggxMaterials(1).load(0);
+    const Encoder encoder(ensemble);
+    for (const DataTransform transform : {DataTransform::logPlus, DataTransform::cosineLog}) {
+      const Encoded encoded = encoder.encode(*table, {.coefficients = smallGrid.size(), .transforms = {transform}});
+      QVERIFY(relativeDifference(*table, *decode(ensemble, encoded.code)) < 1e-5);
+    }
+    // None at all: black.
+    const Encoded none = encoder.encode(*table, {.coefficients = 0});
+    const auto black = decode(ensemble, none.code);
+    for (const TabulatedBrdf::Value& value : black->values()) QVERIFY(value == glm::vec3(0));
+  }
+
+  /// Exact in double: the tensor from all its coefficients.
+  void exactInDouble() {
+    std::mt19937_64 random(3);
+    const Sizes sizes{9, 8, 7};
+    const ModeMatrices<double> matrices = randomDictionary(sizes, random);
+    const Eigen::VectorXd signal = Eigen::VectorXd::Random(Eigen::Index(count(sizes)));
+    Workspace<double> workspace;
+    const double* projection = transposedModeProducts(signal.data(), sizes, matrices, workspace);
+    std::vector<Coefficient<double>> all;
+    keepLargest(std::span(projection, count(sizes)), count(sizes), all);
+    Eigen::VectorXd decoded(signal.size());
+    compose(matrices, all, decoded.data());
+    QVERIFY((decoded - signal).norm() < 1e-12 * signal.norm());
+  }
+
+  /// The dictionary chosen on the compact signal is the one that holds most, by brute force over all of them.
+  void choosesTheBestDictionary() {
+    const Ensemble ensemble = randomEnsemble(5);
+    const auto geometry = GridGeometry::of(smallGrid);
+    const TrainingMaterials materials = ggxMaterials(4);
+    for (std::size_t m = 0; m < 4; ++m) {
+      const EncodeOptions options{.coefficients = 30, .transforms = {DataTransform::logPlus}, .refinements = 0};
+      const Encoded encoded = Encoder(ensemble).encode(*materials.load(m), options);
+      const auto signals = signalsOf(*materials.load(m), DataTransform::logPlus, *geometry);
+      for (std::size_t c = 0; c < 3; ++c) {
+        std::vector<double> captured;
+        for (const Dictionary& dictionary : ensemble.dictionaries) {
+          const Eigen::ArrayXd signal = signals[c].cast<double>();
+          Workspace<double> workspace;
+          const double* projection =
+              transposedModeProducts(signal.data(), modeSizes(smallGrid), dictionary.modes, workspace);
+          std::vector<Coefficient<double>> kept;
+          keepLargest(std::span(projection, smallGrid.size()), 30, kept);
+          captured.push_back(energy<double>(kept));
+        }
+        QCOMPARE(encoded.code.channels[c].dictionary,
+                 int(std::max_element(captured.begin(), captured.end()) - captured.begin()));
+        QVERIFY(std::abs(energy<float>(encoded.code.channels[c].coefficients) /
+                             captured[std::size_t(encoded.code.channels[c].dictionary)] -
+                         1) < 1e-5);
+      }
+    }
+  }
+
+  /// Rounds that free the invalid cells lower the error of the valid ones.
+  void refinementsServeTheValidCells() {
+    const TrainingMaterials materials = ggxMaterials(6);
+    const Ensemble ensemble = randomEnsemble(3);
+    const Encoder encoder(ensemble);
+    for (std::size_t m = 0; m < 6; ++m) {
+      const auto error = [&](int refinements, InvalidFill fill) {
+        const EncodeOptions options{
+            .coefficients = 60, .transforms = {DataTransform::logPlus}, .refinements = refinements, .fill = fill};
+        return encoder.encode(*materials.load(m), options).candidates[0].gammaError;
+      };
+      QVERIFY(error(3, InvalidFill::hold) < error(0, InvalidFill::hold));
+      QVERIFY(error(3, InvalidFill::hold) < error(0, InvalidFill::zero));
+    }
+  }
+
+  void selectionGoesByTheGammaError() {
+    const Ensemble ensemble = randomEnsemble(2);
+    const auto table = ggxMaterials(3).load(2);
+    const Encoded encoded = Encoder(ensemble).encode(*table, {.coefficients = 80});
+    QCOMPARE(encoded.candidates.size(), std::size_t(2));
+    const bool first = encoded.candidates[0].gammaError <= encoded.candidates[1].gammaError;
+    QVERIFY(encoded.code.transform == encoded.candidates[first ? 0 : 1].code.transform);
+    // By hand, over the valid cells within 85 degrees.
+    const auto decoded = decode(ensemble, encoded.candidates[1].code);
+    double sum = 0;
+    std::size_t cells = 0;
+    for (std::size_t cell = 0; cell < smallGrid.size(); ++cell) {
+      const DirectionPair pair = smallGrid.directions(cell);
+      if (table->valid()[cell] == 0 || std::min(pair.wi.z, pair.wo.z) < std::cos(radians(85))) continue;
+      ++cells;
+      for (int c = 0; c < 3; ++c)
+        sum += std::pow(std::sqrt(double(table->values()[cell][c])) - std::sqrt(double(decoded->values()[cell][c])), 2);
+    }
+    QVERIFY(std::abs(encoded.candidates[1].gammaError / (sum / double(3 * cells)) - 1) < 1e-9);
+  }
+
+  void errorAndByteBudgetsHold() {
+    const Ensemble ensemble = randomEnsemble(2);
+    const auto table = ggxMaterials(1).load(0);
+    const Encoder encoder(ensemble);
+    const EncodeOptions all{.coefficients = 2000, .transforms = {DataTransform::logPlus}, .refinements = 0};
+    EncodeOptions limited = all;
+    limited.relativeError = 1e-2;
+    const Encoded encoded = encoder.encode(*table, limited);
+    const auto signals = signalsOf(*table, DataTransform::logPlus, *GridGeometry::of(smallGrid));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto& kept = encoded.code.channels[c].coefficients;
+      const double total = signals[c].cast<double>().square().sum();
+      QVERIFY(total - energy<float>(kept) <= 1e-2 * total);
+      QVERIFY(total - energy<float>(std::span(kept).first(kept.size() - 1)) > 1e-2 * total);
+    }
+    for (const std::size_t bytes : {100, 1000, 4000}) {
+      limited = all;
+      limited.bytes = bytes;
+      const SparseCode code = encoder.encode(*table, limited).code;
+      QVERIFY(packChannels(code, CodePrecision::half).size() <= bytes);
+      QVERIFY(code.coefficients() == 2000 ||
+              packChannels(encoder.encode(*table, all).code.truncated(code.coefficients() + 1), CodePrecision::half)
+                      .size() > bytes);
+    }
+    QCOMPARE(encoder.encode(*table, {.coefficients = 50, .bytes = 3}).code.coefficients(), std::size_t(0));
+  }
+
+  void packsAndUnpacks() {
+    const Ensemble ensemble = randomEnsemble(2);
+    const Encoded encoded = Encoder(ensemble).encode(*ggxMaterials(1).load(0), {.coefficients = 300});
+    SparseCode single{.grid = smallGrid, .transform = encoded.code.transform, .channels = {}}, half = single;
+    unpackChannels(packChannels(encoded.code, CodePrecision::single), CodePrecision::single, single);
+    QVERIFY(sameBits(single, encoded.code));
+    const std::vector<std::byte> packed = packChannels(encoded.code, CodePrecision::half);
+    unpackChannels(packed, CodePrecision::half, half);
+    QVERIFY(relativeDifference(*decode(ensemble, encoded.code), *decode(ensemble, half)) < 1e-3);
+    QVERIFY(packed.size() < 3 * (7 + 300 * 4));
+    // Every cut and every wrong byte count is told.
+    SparseCode target = half;
+    for (std::size_t size = 0; size < packed.size(); ++size)
+      QVERIFY_EXCEPTION_THROWN(unpackChannels(std::span(packed).first(size), CodePrecision::half, target), Error);
+    std::vector<std::byte> longer = packed;
+    longer.push_back({});
+    QVERIFY_EXCEPTION_THROWN(unpackChannels(longer, CodePrecision::half, target), Error);
+  }
+
+  void foreignCodesAreRefused() {
+    const Ensemble ensemble = randomEnsemble(2);
+    SparseCode code{.grid = {}, .transform = DataTransform::logPlus, .channels = {}};
+    QVERIFY_EXCEPTION_THROWN(decode(ensemble, code), Error);
+    code.grid = smallGrid;
+    code.channels[1].dictionary = 2;
+    QVERIFY_EXCEPTION_THROWN(decode(ensemble, code), Error);
+    code.channels[1].dictionary = 1;
+    code.channels[1].coefficients.push_back({std::uint32_t(smallGrid.size()), 1.0f});
+    QVERIFY_EXCEPTION_THROWN(decode(ensemble, code), Error);
+    QVERIFY_EXCEPTION_THROWN(Encoder(ensemble).encode(*bakeTable(testing::lambert(Rgb(0.5)), {8, 8, 8, true})), Error);
+  }
+
+  /// Black materials and black channels give zeros back, exactly.
+  void hardCase12BlackChannels() {
+    const Ensemble ensemble = randomEnsemble(2);
+    const auto table = bakeTable(testing::lambert(Rgb(0, 0.5, 0)), smallGrid);
+    const Encoded encoded = Encoder(ensemble).encode(*table, {.coefficients = 40});
+    const auto decoded = decode(ensemble, encoded.code);
+    for (const TabulatedBrdf::Value& value : decoded->values()) QVERIFY(value.x == 0 && value.z == 0);
+    QVERIFY(encoded.code.channels[0].coefficients.empty());
+  }
+
+  /// A spike of 1e6 stands in one coefficient of the standard basis, and comes back.
+  void hardCase15OneSpike() {
+    Ensemble ensemble{.grid = smallGrid, .dictionaries = {}, .learnedFrom = {}};
+    Dictionary standard;
+    for (std::size_t mode = 0; mode < 3; ++mode)
+      standard.modes[mode] = Eigen::MatrixXd::Identity(modeSizes(smallGrid)[mode], modeSizes(smallGrid)[mode]);
+    ensemble.dictionaries.push_back(standard);
+    std::vector<TabulatedBrdf::Value> values(smallGrid.size(), glm::vec3(0));
+    const std::size_t spike = smallGrid.index(0, 3, 5);
+    values[spike] = glm::vec3(1e6f);
+    const auto above = GridGeometry::of(smallGrid)->aboveHorizon;
+    const TabulatedBrdf table(smallGrid, values, above);
+    const Encoded encoded =
+        Encoder(ensemble).encode(table, {.coefficients = 5, .transforms = {DataTransform::logPlus}});
+    const auto decoded = decode(ensemble, encoded.code);
+    QVERIFY(std::abs(decoded->values()[spike].x / 1e6f - 1) < 1e-5f);
+    QCOMPARE(encoded.code.channels[0].coefficients.size(), std::size_t(1));
+  }
+
+  /// Codes that overshoot stay finite.
+  void hardCase39NoInfinityInATable() {
+    const Ensemble ensemble = randomEnsemble(1);
+    SparseCode code{.grid = smallGrid, .transform = DataTransform::cosineLog, .channels = {}};
+    for (ChannelCode& channel : code.channels) channel.coefficients = {{0, 1e6f}, {1, -1e6f}};
+    const auto decoded = decode(ensemble, code);
+    for (const TabulatedBrdf::Value& value : decoded->values())
+      for (int c = 0; c < 3; ++c) QVERIFY(std::isfinite(value[c]) && value[c] >= 0);
+  }
+
+  void hardCase50SameBitsForAnyThreads() {
+    const Ensemble ensemble = randomEnsemble(3);
+    const auto table = ggxMaterials(1).load(0);
+    std::vector<SparseCode> codes;
+    for (const int threads : {1, 16}) {
+      const ThreadLimit limit(threads);
+      codes.push_back(Encoder(ensemble).encode(*table, {.coefficients = 50}).code);
+    }
+    QVERIFY(sameBits(codes[0], codes[1]));
+  }
+};
+
+QTEST_GUILESS_MAIN(EncodeTest)
+#include "encode_test.moc"

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/dictionary/ensemble_learner.h"
+
+#include <QTest>
+#include <algorithm>
+
+#include "core/math/parallel.h"
+#include "tests/core/dictionary/dictionary_test_support.h"
+
+using namespace gonio;
+using namespace gonio::dictionary;
+using namespace gonio::dictionary::test;
+
+namespace {
+
+constexpr Sizes sizes{8, 6, 7};
+
+void verifyOrthonormal(const std::vector<ModeMatrices<double>>& dictionaries) {
+  for (const auto& dictionary : dictionaries)
+    for (const Eigen::MatrixXd& mode : dictionary) QVERIFY(orthonormalityError(mode) < 1e-10);
+}
+
+}  // namespace
+
+class EnsembleLearnerTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// The error is that of a reconstruction, and it never grows.
+  void errorIsTrueAndFalls() {
+    std::mt19937_64 random(1);
+    const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 30);
+    EnsembleLearner<double> learner(signals, sizes, 3, 20);
+    learner.start(7);
+    double before = 1;
+    for (int round = 0; round < 12; ++round) {
+      const double error = learner.iterate();
+      QVERIFY2(error <= before * (1 + 1e-9), qPrintable(QString::number(round)));
+      before = error;
+      verifyOrthonormal(learner.dictionaries());
+    }
+    // By brute force: project, keep, compose, subtract.
+    const double error = learner.assign();
+    double left = 0;
+    for (int s = 0; s < signals.cols(); ++s) {
+      const auto& matrices = learner.dictionaries()[std::size_t(learner.memberships()[std::size_t(s)])];
+      Tensor projection = tensorOf(signals.col(s).data(), sizes);
+      for (int mode = 0; mode < 3; ++mode)
+        projection = transposedModeProduct(projection, matrices[std::size_t(mode)], mode);
+      std::vector<double> magnitudes;
+      for (std::size_t i = 0; i < projection.count(); ++i) magnitudes.push_back(std::abs(projection[i]));
+      std::nth_element(magnitudes.begin(), magnitudes.begin() + 19, magnitudes.end(), std::greater<>());
+      for (std::size_t i = 0; i < projection.count(); ++i)
+        if (std::abs(projection[i]) < magnitudes[19]) projection[i] = 0;
+      const Tensor decoded = composed(projection, matrices);
+      left += (Eigen::Map<const Eigen::VectorXd>(decoded.data(), signals.rows()) - signals.col(s)).squaredNorm();
+    }
+    QVERIFY(std::abs(error - left / signals.squaredNorm()) < 1e-12);
+  }
+
+  /// From a start nearby, the dictionary that made the signals is found again: nothing is left over.
+  void findsAPlantedDictionary() {
+    std::mt19937_64 random(2);
+    std::vector<ModeMatrices<double>> planted{randomDictionary(sizes, random), randomDictionary(sizes, random)};
+    const Matrix<double> signals = plantedSignals(sizes, planted, 3, 120, random);
+    EnsembleLearner<double> learner(signals, sizes, 2, 3);
+    std::vector<ModeMatrices<double>> near = planted;
+    for (auto& dictionary : near)
+      for (Eigen::MatrixXd& mode : dictionary)
+        mode = Eigen::HouseholderQR<Eigen::MatrixXd>(mode + 0.08 * Eigen::MatrixXd::Random(mode.rows(), mode.cols()))
+                   .householderQ();
+    learner.start(near);
+    const double first = learner.iterate();
+    for (int round = 0; round < 60; ++round) learner.iterate();
+    QVERIFY(first > 1e-3);
+    QVERIFY2(learner.assign() < 1e-12, qPrintable(QString::number(learner.assign())));
+    for (int s = 0; s < signals.cols(); ++s) QCOMPARE(learner.memberships()[std::size_t(s)] % 2, s % 2);
+  }
+
+  /// All coefficients: nothing is left over in any dictionary.
+  void hardCase26ExactWithAllCoefficients() {
+    const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 5);
+    EnsembleLearner<double> learner(signals, sizes, 2, int(count(sizes)));
+    learner.start(1);
+    QVERIFY(learner.assign() < 1e-12);
+  }
+
+  /// More dictionaries than signals, and one signal alone: empty ones start again from signals, nothing breaks.
+  void hardCase28EmptyDictionaries() {
+    const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 3);
+    EnsembleLearner<double> learner(signals, sizes, 8, 10);
+    learner.start(1);
+    double before = 1;
+    for (int round = 0; round < 8; ++round) {
+      const double error = learner.iterate();
+      QVERIFY(error <= before * (1 + 1e-9));
+      before = error;
+      verifyOrthonormal(learner.dictionaries());
+    }
+  }
+
+  /// Signals of zeros have no error and disturb nothing; all of them zero is defined.
+  void hardCase18SignalsOfZeros() {
+    Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 6);
+    signals.col(2).setZero();
+    EnsembleLearner<double> learner(signals, sizes, 2, 10);
+    learner.start(1);
+    for (int round = 0; round < 4; ++round) QVERIFY(std::isfinite(learner.iterate()));
+    QCOMPARE(learner.errors()[2], 0.0);
+    const Matrix<double> zeros = Matrix<double>::Zero(Eigen::Index(count(sizes)), 3);
+    EnsembleLearner<double> none(zeros, sizes, 2, 10);
+    none.start(1);
+    for (int round = 0; round < 3; ++round) QCOMPARE(none.iterate(), 0.0);
+    verifyOrthonormal(none.dictionaries());
+  }
+
+  /// The same bits with one thread and with all.
+  void hardCase50SameBitsForAnyThreads() {
+    const Matrix<float> signals = Matrix<float>::Random(Eigen::Index(count(sizes)), 40);
+    std::vector<std::vector<ModeMatrices<double>>> results;
+    std::vector<std::vector<int>> memberships;
+    for (const int threads : {1, 16}) {
+      const ThreadLimit limit(threads);
+      EnsembleLearner<float> learner(signals, sizes, 3, 12);
+      learner.start(5);
+      for (int round = 0; round < 6; ++round) learner.iterate();
+      results.push_back(learner.dictionaries());
+      memberships.emplace_back(learner.memberships().begin(), learner.memberships().end());
+    }
+    QVERIFY(memberships[0] == memberships[1]);
+    for (std::size_t d = 0; d < results[0].size(); ++d)
+      for (std::size_t mode = 0; mode < 3; ++mode) QVERIFY(results[0][d][mode] == results[1][d][mode]);
+  }
+};
+
+QTEST_GUILESS_MAIN(EnsembleLearnerTest)
+#include "ensemble_learner_test.moc"

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <algorithm>
+
+#include "core/dictionary/decode.h"
+#include "core/dictionary/largest_coefficients.h"
+#include "core/dictionary/procrustes.h"
+#include "tests/core/dictionary/dictionary_test_support.h"
+
+using namespace gonio;
+using namespace gonio::dictionary;
+using namespace gonio::dictionary::test;
+
+namespace {
+
+std::vector<Coefficient<double>> sortedByIndex(std::vector<Coefficient<double>> coefficients) {
+  std::sort(coefficients.begin(), coefficients.end(), [](auto& a, auto& b) { return a.index < b.index; });
+  return coefficients;
+}
+
+std::vector<Coefficient<double>> keptByFullSort(const std::vector<double>& values, std::size_t count) {
+  std::vector<Coefficient<double>> all;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i] != 0) all.push_back({std::uint32_t(i), values[i]});
+  std::sort(all.begin(), all.end(), isLarger<double>);
+  all.resize(std::min(all.size(), count));
+  return sortedByIndex(all);
+}
+
+}  // namespace
+
+class SparseBlocksTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void productsAreThoseOfTensors() {
+    std::mt19937_64 random(1);
+    const Sizes sizes{5, 4, 6};
+    const Matrix<double> block = Matrix<double>::Random(Eigen::Index(count(sizes)), 1);
+    ModeMatrices<double> matrices;
+    for (std::size_t mode = 0; mode < 3; ++mode) matrices[mode] = Matrix<double>::Random(sizes[mode], int(mode) + 2);
+    for (int skipped = -1; skipped < 3; ++skipped) {
+      Tensor expected = tensorOf(block.data(), sizes);
+      for (int mode = 0; mode < 3; ++mode)
+        if (mode != skipped) expected = transposedModeProduct(expected, matrices[std::size_t(mode)], mode);
+      Workspace<double> workspace;
+      const double* result = transposedModeProducts(block.data(), sizes, matrices, workspace, skipped, {2, 0, 1});
+      for (std::size_t i = 0; i < expected.count(); ++i) QVERIFY(std::abs(result[i] - expected[i]) < 1e-14);
+    }
+  }
+
+  void keepsTheLargest() {
+    std::mt19937_64 random(2);
+    std::normal_distribution<double> normal;
+    std::vector<double> values(5000);
+    for (double& v : values) v = normal(random);
+    std::vector<Coefficient<double>> kept;
+    for (const std::size_t count : {1, 7, 64, 300, 4999}) {
+      keepLargest(std::span<const double>(values), count, kept);
+      const auto expected = keptByFullSort(values, count);
+      kept = sortedByIndex(kept);
+      QCOMPARE(kept.size(), expected.size());
+      for (std::size_t i = 0; i < kept.size(); ++i) QCOMPARE(kept[i].index, expected[i].index);
+    }
+  }
+
+  /// A count of all entries keeps all; a count of 0 none.
+  void hardCase26AllOrNoCoefficients() {
+    const std::vector<double> values{3, -1, 0.5, 2};
+    std::vector<Coefficient<double>> kept;
+    keepLargest(std::span<const double>(values), 4, kept);
+    QCOMPARE(kept.size(), std::size_t(4));
+    keepLargest(std::span<const double>(values), 100, kept);
+    QCOMPARE(kept.size(), std::size_t(4));
+    QCOMPARE(energy<double>(kept), 9 + 1 + 0.25 + 4);
+    keepLargest(std::span<const double>(values), 0, kept);
+    QVERIFY(kept.empty());
+  }
+
+  /// Among equals the lower indices stay.
+  void hardCase27Ties() {
+    std::vector<double> values(1000);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = i % 3 == 0 ? -1 : 1;
+    values[500] = 2;
+    std::vector<Coefficient<double>> kept;
+    keepLargest(std::span<const double>(values), 10, kept);
+    const auto expected = keptByFullSort(values, 10);
+    kept = sortedByIndex(kept);
+    QCOMPARE(kept.size(), expected.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) QCOMPARE(kept[i].index, expected[i].index);
+    QCOMPARE(kept.back().index, 500u);
+  }
+
+  /// Few coefficients compose to what the full tensor products give.
+  void composesAsTensors() {
+    std::mt19937_64 random(3);
+    const Sizes sizes{7, 5, 6};
+    const ModeMatrices<double> matrices = randomDictionary(sizes, random);
+    for (const std::size_t coefficients : {0, 1, 9, 210}) {
+      Tensor sparse({7, 5, 6});
+      std::vector<Coefficient<double>> list;
+      for (std::size_t t = 0; t < coefficients; ++t) {
+        const auto index = std::uint32_t(coefficients == 210 ? t : random() % sparse.count());
+        if (sparse[index] != 0) continue;
+        list.push_back({index, double(t + 1)});
+        sparse[index] = double(t + 1);
+      }
+      std::shuffle(list.begin(), list.end(), random);
+      std::vector<double> block(sparse.count(), -1);
+      compose(matrices, list, block.data());
+      const Tensor expected = composed(sparse, matrices);
+      for (std::size_t i = 0; i < block.size(); ++i) QVERIFY(std::abs(block[i] - expected[i]) < 1e-11);
+    }
+  }
+
+  /// The orthogonal matrix of the largest trace, by trying rotations.
+  void procrustesMaximisesTheTrace() {
+    std::mt19937_64 random(4);
+    const Eigen::MatrixXd z = Eigen::MatrixXd::Random(6, 6);
+    const double best = (orthogonalProcrustes(z).transpose() * z).trace();
+    for (int trial = 0; trial < 200; ++trial)
+      QVERIFY((randomOrthonormal(6, random).transpose() * z).trace() <= best + 1e-12);
+    // Of an orthogonal matrix times a positive one, the orthogonal one.
+    const Eigen::MatrixXd rotation = randomOrthonormal(6, random);
+    const Eigen::MatrixXd positive = z * z.transpose() + Eigen::MatrixXd::Identity(6, 6);
+    QVERIFY((orthogonalProcrustes(rotation * positive) - rotation).norm() < 1e-12);
+  }
+
+  void hardCase29ProcrustesOfLowRank() {
+    QVERIFY(orthonormalityError(orthogonalProcrustes(Eigen::MatrixXd::Zero(20, 20))) < 1e-12);
+    const Eigen::VectorXd u = Eigen::VectorXd::Random(20), v = Eigen::VectorXd::Random(20);
+    const Eigen::MatrixXd z = u * v.transpose();
+    const Eigen::MatrixXd rotation = orthogonalProcrustes(z);
+    QVERIFY(orthonormalityError(rotation) < 1e-12);
+    // The trace's bound is the nuclear norm.
+    QVERIFY(std::abs((rotation.transpose() * z).trace() - u.norm() * v.norm()) < 1e-11);
+  }
+
+  void polishingSquaresTheError() {
+    std::mt19937_64 random(5);
+    const Eigen::MatrixXd exact = randomOrthonormal(50, random);
+    const Eigen::MatrixXd rounded = exact.cast<float>().cast<double>();
+    QVERIFY(orthonormalityError(rounded) > 1e-9);
+    QVERIFY(orthonormalityError(polished(rounded)) < 1e-13);
+    QVERIFY((polished(rounded) - rounded).cwiseAbs().maxCoeff() < 1e-6);
+  }
+};
+
+QTEST_GUILESS_MAIN(SparseBlocksTest)
+#include "sparse_blocks_test.moc"
