@@ -46,12 +46,31 @@ bool ChangeFactorsCommand::mergeWith(const QUndoCommand* other) {
   const auto* next = static_cast<const ChangeFactorsCommand*>(other);
   if (isForgotten() || next->m_interaction != m_interaction) return false;
   m_after = next->m_after;
+  setText(next->text());
   if (m_after == m_before) setObsolete(true);
   return true;
 }
 
 std::size_t ChangeFactorsCommand::bytes() const {
   return sizeof(*this) + (m_before ? m_before->bytes() : 0) + (m_after ? m_after->bytes() : 0);
+}
+
+ChangeEditShareCommand::ChangeEditShareCommand(Document& document, double strength, bool enabled, int interaction,
+                                               const QString& text)
+    : m_document(document),
+      m_interaction(interaction),
+      m_before{document.edit()->strength, document.edit()->enabled},
+      m_after{strength, enabled} {
+  setText(text);
+}
+
+bool ChangeEditShareCommand::mergeWith(const QUndoCommand* other) {
+  const auto* next = static_cast<const ChangeEditShareCommand*>(other);
+  if (isForgotten() || next->m_interaction != m_interaction) return false;
+  m_after = next->m_after;
+  setText(next->text());
+  if (m_after == m_before) setObsolete(true);
+  return true;
 }
 
 ReplaceStateCommand::ReplaceStateCommand(Document& document, EditState after, const QString& text)

@@ -52,6 +52,32 @@ class ChangeFactorsCommand final : public Command {
   Factors m_before, m_after;
 };
 
+/// Changes how much of the model's edit counts, and whether it does. Steps of one interaction merge into one.
+class ChangeEditShareCommand final : public Command {
+ public:
+  ChangeEditShareCommand(Document& document, double strength, bool enabled, int interaction, const QString& text);
+
+  int id() const override { return 3; }
+  bool mergeWith(const QUndoCommand* other) override;
+  std::size_t bytes() const override { return sizeof(*this); }
+
+ protected:
+  void apply() override { m_document.setEditShare(m_after.strength, m_after.enabled); }
+  void revert() override { m_document.setEditShare(m_before.strength, m_before.enabled); }
+  void release() override {}
+
+ private:
+  struct Share {
+    double strength;
+    bool enabled;
+    bool operator==(const Share&) const = default;
+  };
+
+  Document& m_document;
+  int m_interaction;
+  Share m_before, m_after;
+};
+
 /// Replaces the whole edit state: choosing a fit, resetting everything, pasting.
 class ReplaceStateCommand final : public Command {
  public:

@@ -87,6 +87,33 @@ void Document::resetAll() {
   m_history.add(new ReplaceStateCommand(*this, {m_state.fit, edit, m_state.factors}, tr("Reset all parameters")));
 }
 
+void Document::changeEditShare(double strength, bool enabled, const QString& text) {
+  if (!m_state.edit || (m_state.edit->strength == strength && m_state.edit->enabled == enabled)) return;
+  if (!m_interacting) ++m_interaction;
+  m_history.add(new ChangeEditShareCommand(*this, strength, enabled, m_interaction, text));
+}
+
+void Document::setEditStrength(double strength) {
+  if (m_state.edit)
+    changeEditShare(strength, m_state.edit->enabled,
+                    tr("Strength of the model's edit %1 %").arg(100 * strength, 0, 'f', 0));
+}
+
+void Document::setEditEnabled(bool enabled) {
+  if (m_state.edit)
+    changeEditShare(m_state.edit->strength, enabled,
+                    enabled ? tr("Show the model's edit") : tr("Hide the model's edit"));
+}
+
+void Document::deleteEdit() {
+  if (!m_state.edit) return;
+  editing::DifferentialEdit edit = *m_state.edit;
+  edit.edited = edit.fitted;
+  edit.strength = 1;
+  edit.enabled = true;
+  m_history.add(new ReplaceStateCommand(*this, {m_state.fit, edit, m_state.factors}, tr("Delete the model's edit")));
+}
+
 void Document::pasteEdit(const models::ParameterValues& edited, const std::optional<fitting::FitResult>& fit) {
   EditState state;
   if (fit)
@@ -127,6 +154,12 @@ void Document::setState(const EditState& state) {
 
 void Document::setEditedValue(int parameter, const Rgb& value) {
   m_state.edit->edited.values[std::size_t(parameter)] = value;
+  Q_EMIT editChanged();
+}
+
+void Document::setEditShare(double strength, bool enabled) {
+  m_state.edit->strength = strength;
+  m_state.edit->enabled = enabled;
   Q_EMIT editChanged();
 }
 

@@ -59,6 +59,11 @@ class Document : public QObject {
   void setParameter(int parameter, const Rgb& value);
   void resetParameter(int parameter);
   void resetAll();
+  /// The model's edit: how much of its change is added, in [0, 1], and whether it counts at all.
+  void setEditStrength(double strength);
+  void setEditEnabled(bool enabled);
+  /// Back to the fitted values at full strength: one undo step.
+  void deleteEdit();
   /// One undo step; of one interaction, all together. Absent: no edit of factors.
   void setFactors(const std::optional<editing::FactorEdit>& factors, const QString& text);
   /// Replaces the edited values; `fit` too when the pasted edit needs another model.
@@ -71,6 +76,7 @@ class Document : public QObject {
   /// For commands only.
   void setState(const EditState& state);
   void setEditedValue(int parameter, const Rgb& value);
+  void setEditShare(double strength, bool enabled);
   void replaceFactors(const std::optional<editing::FactorEdit>& factors);
 
  Q_SIGNALS:
@@ -83,6 +89,7 @@ class Document : public QObject {
   void titleChanged();
 
  private:
+  void changeEditShare(double strength, bool enabled, const QString& text);
   void startAnew(LoadedMaterialPtr material, const EditState& state, const QString& path);
 
   LoadedMaterialPtr m_material;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/gonio/edit_transfer.h"
+#include "core/editing/factor_transfer.h"
 #include "core/io/image_io.h"
 #include "core/rendering/sphere_renderer.h"
 #include "widgets/inputs/number_field.h"
@@ -14,7 +15,8 @@
 namespace gonio::app {
 
 namespace {
-const QString openKey = QStringLiteral("open"), fitKey = QStringLiteral("fit"), exportKey = QStringLiteral("export");
+const QString openKey = QStringLiteral("open"), fitKey = QStringLiteral("fit"), exportKey = QStringLiteral("export"),
+              pasteKey = QStringLiteral("paste-factors");
 constexpr int exrSide = 1024, exrSamples = 128;
 
 bool isDocument(const QString& path) { return path.endsWith(".gonio", Qt::CaseInsensitive); }
@@ -67,6 +69,7 @@ void DocumentController::start(const QString& path, const QString& documentPath,
 void DocumentController::install(const Opened& opened, const QString& path, const QString& documentPath,
                                  bool recovered) {
   m_tasks.drop(fitKey);
+  m_tasks.drop(pasteKey);
   m_fits.clear();
   m_proposal.reset();
   if (!opened.stored) {
@@ -201,7 +204,30 @@ void DocumentController::exportExr(const QString& path, const SphereScene& scene
       [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(shortName(path)), error); });
 }
 
-void DocumentController::paste(const editing::DifferentialEdit& edit) {
+void DocumentController::paste(const std::vector<editing::Edit>& edits) {
+  for (const editing::Edit& edit : edits)
+    if (const auto* factors = std::get_if<editing::FactorEdit>(&edit))
+      pasteFactors(*factors);
+    else
+      pasteModel(std::get<editing::DifferentialEdit>(edit));
+}
+
+void DocumentController::pasteFactors(const editing::FactorEdit& edit) {
+  const LoadedMaterialPtr material = m_document.material();
+  if (!material) return;
+  m_tasks.run<editing::FactorEdit>(
+      {tr("Carrying the factor curves over"), pasteKey},
+      [material, edit](const TaskControl& control) {
+        const factorization::PdvOptions options{
+            .form = edit.original->form, .transform = edit.original->transform, .terms = edit.original->terms()};
+        auto factors = factorization::factorizePdv(*material->table, options, control).factors;
+        return editing::transferredEdit(edit, std::make_shared<const factorization::PdvFactors>(std::move(factors)));
+      },
+      [this](const editing::FactorEdit& carried) { m_document.setFactors(carried, tr("Paste factor curves")); },
+      [this](const QString& error) { Q_EMIT failed(tr("Cannot paste the factor curves"), error); });
+}
+
+void DocumentController::pasteModel(const editing::DifferentialEdit& edit) {
   const auto& current = m_document.edit();
   if (current && current->model == edit.model) return m_document.pasteEdit(transferredEdit(edit, current->fitted));
   runFit(*edit.model, [this, edit](const fitting::FitResult& fit) {

@@ -42,8 +42,9 @@ class DocumentController : public QObject {
   /// Renders the edited material on the CPU as linear OpenEXR.
   void exportExr(const QString& path, const SphereScene& scene);
 
-  /// Pastes an edit; makes the fit that it needs first where its model is another one.
-  void paste(const editing::DifferentialEdit& edit);
+  /// Pastes edits, each carried over to the open material; makes the fit that a model's needs first where the model is
+  /// another one, and the factors that one of curves needs. An undo step each.
+  void paste(const std::vector<editing::Edit>& edits);
 
  Q_SIGNALS:
   /// `path` is empty for recovered work that was never saved.
@@ -71,6 +72,8 @@ class DocumentController : public QObject {
   void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
               const models::ParameterValues& choices = {});
   void automaticFit();
+  void pasteModel(const editing::DifferentialEdit& edit);
+  void pasteFactors(const editing::FactorEdit& edit);
 
   Document& m_document;
   BackgroundTasks& m_tasks;

@@ -55,7 +55,7 @@ void EditMenu::addEdits(QMenu* menu) {
     QApplication::clipboard()->setMimeData(toClipboard(document.toEditDocument()));
   });
   QAction* paste = menu->addAction(tr("&Paste Edits"), QKeySequence::Paste, this, [this] {
-    if (const auto edit = editFromClipboard(QApplication::clipboard()->mimeData())) m_window.controller().paste(*edit);
+    m_window.controller().paste(editsFromClipboard(QApplication::clipboard()->mimeData()));
   });
   menu->addSeparator();
   QAction* reset = menu->addAction(tr("Reset Pa&rameter"), QKeySequence(Qt::Key_Backspace), this, [this, &document] {
@@ -65,17 +65,21 @@ void EditMenu::addEdits(QMenu* menu) {
   reset->setToolTip(tr("Resets the parameter under the pointer or with the focus"));
   QAction* resetAll = menu->addAction(tr("Reset &All"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Backspace),
                                       &document, &Document::resetAll);
-  const auto update = [=, &document] {
+  const auto update = [=, this, &document] {
     const bool editable = document.edit().has_value();
-    copy->setEnabled(editable);
-    paste->setEnabled(document.material() && editFromClipboard(QApplication::clipboard()->mimeData()));
+    copy->setEnabled(editable || document.factors());
+    paste->setEnabled(document.material() && m_pasteable);
     reset->setEnabled(editable);
     resetAll->setEnabled(editable && document.edit()->edited != document.edit()->fitted);
   };
   connect(&document, &Document::stateChanged, this, update);
   connect(&document, &Document::editChanged, this, update);
-  connect(QApplication::clipboard(), &QClipboard::dataChanged, this, update);
-  update();
+  const auto look = [this, update] {
+    m_pasteable = !editsFromClipboard(QApplication::clipboard()->mimeData()).empty();
+    update();
+  };
+  connect(QApplication::clipboard(), &QClipboard::dataChanged, this, look);
+  look();
 }
 
 void EditMenu::showPreferences() {

@@ -23,6 +23,7 @@ class EditMenu : public QObject {
   void showPreferences();
 
   MainWindow& m_window;
+  bool m_pasteable = false;  ///< what the clipboard holds
 };
 
 }  // namespace gonio::app

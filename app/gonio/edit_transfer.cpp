@@ -38,17 +38,19 @@ QMimeData* toClipboard(const editing::EditDocument& document) {
   return data;
 }
 
-std::optional<editing::DifferentialEdit> editFromClipboard(const QMimeData* data) {
-  if (!data) return std::nullopt;
+std::vector<editing::Edit> editsFromClipboard(const QMimeData* data) {
+  if (!data) return {};
   const QByteArray text = data->hasFormat(mimeType) ? data->data(mimeType) : data->text().toUtf8();
   try {
-    const auto document = editing::documentFromJson(nlohmann::json::parse(text.toStdString()));
-    for (const editing::Edit& edit : document.edits)
-      if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit)) return *differential;
+    std::vector<editing::Edit> edits = editing::documentFromText(text.toStdString()).edits;
+    std::vector<editing::Edit> changes;
+    for (const editing::Edit& edit : edits)
+      if (!isIdentity(edit)) changes.push_back(edit);
+    return changes.empty() ? edits : changes;
   } catch (const std::exception&) {
     // Some other text: nothing to paste.
   }
-  return std::nullopt;
+  return {};
 }
 
 }  // namespace gonio::app

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <QString>
-#include <optional>
+#include <vector>
 
 #include "core/editing/edit_document.h"
 
@@ -18,7 +18,7 @@ models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, c
 
 /// A document's edit on the clipboard: its JSON, as text too, so that it can be pasted into a .gonio file.
 QMimeData* toClipboard(const editing::EditDocument& document);
-/// Nothing when the clipboard holds no edit.
-std::optional<editing::DifferentialEdit> editFromClipboard(const QMimeData* data);
+/// The edits on a clipboard, those that change nothing only where there is no other; empty when it holds none.
+std::vector<editing::Edit> editsFromClipboard(const QMimeData* data);
 
 }  // namespace gonio::app

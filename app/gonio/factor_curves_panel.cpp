@@ -115,20 +115,26 @@ void FactorCurvesPanel::connectDocument() {
     m_document.setFactors(edit, keep ? tr("Keep measured detail") : tr("Leave measured detail out"));
   });
   connect(&m_document, &Document::materialChanged, this, [this] {
-    m_tasks.drop(factorKey);
     m_tasks.drop(swapKey);
-    m_running = m_refused = false;
-    m_measured.reset();
-    m_original.reset();
+    forget();
     request();
   });
-  connect(&m_document, &Document::stateChanged, this, &FactorCurvesPanel::refresh);
-  connect(&m_document, &Document::editChanged, this, &FactorCurvesPanel::refresh);
+  // A step may lead to an edit of another form: its terms are measured then.
+  connect(&m_document, &Document::stateChanged, this, &FactorCurvesPanel::request);
+  connect(&m_document, &Document::editChanged, this, &FactorCurvesPanel::request);
+}
+
+void FactorCurvesPanel::forget() {
+  m_tasks.drop(factorKey);
+  m_running = m_refused = false;
+  m_measured.reset();
+  m_original.reset();
 }
 
 bool FactorCurvesPanel::isSettled() const { return !isVisible() || (!m_running && !m_tasks.isRunning(swapKey)); }
 
 PdvForm FactorCurvesPanel::form() const {
+  if (m_document.factors()) return m_document.factors()->edited->form;
   return m_form->currentIndex() == 0 ? PdvForm::twoFactors : PdvForm::threeFactors;
 }
 
@@ -148,8 +154,10 @@ void FactorCurvesPanel::showEvent(QShowEvent* event) {
 
 void FactorCurvesPanel::request() {
   const LoadedMaterialPtr material = m_document.material();
+  if ((m_running || m_measured) && m_requested != form()) forget();
   if (material && isVisible() && !m_running && !m_refused && !m_measured) {
     m_running = true;
+    m_requested = form();
     m_tasks.run<MeasuredFactors>(
         {tr("Factorising %1").arg(QString::fromStdString(material->material.name)), factorKey},
         [material, form = form()](const TaskControl& control) { return measureFactors(material, form, control); },
@@ -242,10 +250,7 @@ void FactorCurvesPanel::chooseTerms(int terms) {
 }
 
 void FactorCurvesPanel::chooseForm() {
-  m_tasks.drop(factorKey);
-  m_running = m_refused = false;
-  m_measured.reset();
-  m_original.reset();
+  forget();
   m_document.setFactors({}, tr("Drop the edit of the factor curves"));
   request();
 }

@@ -49,6 +49,7 @@ class FactorCurvesPanel : public QWidget {
   void connectColumns();
   void connectDocument();
   void request();
+  void forget();
   void adopt(const MeasuredFactors& measured);
   void refresh();
   factorization::PdvForm form() const;
@@ -69,7 +70,8 @@ class FactorCurvesPanel : public QWidget {
   std::array<FactorColumn*, 3> m_columns;
   FactorTermsView* m_terms;
   std::shared_ptr<const MeasuredFactors> m_measured;
-  Curves m_original;  ///< those of m_measured with the chosen number of terms
+  Curves m_original;                        ///< those of m_measured with the chosen number of terms
+  factorization::PdvForm m_requested = {};  ///< of m_measured, or of what is being measured
   bool m_running = false, m_refused = false;
 };
 

@@ -8,16 +8,19 @@
 #include "app/gonio/plausibility_monitor.h"
 #include "app/gonio/source_facts.h"
 #include "widgets/panels/collapsible_section.h"
+#include "widgets/panels/edit_stack.h"
 #include "widgets/panels/fact_list.h"
 #include "widgets/panels/model_panel.h"
 #include "widgets/panels/plausibility_badges.h"
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
 namespace {
 const QString sectionKeys[] = {QStringLiteral("inspector/source"), QStringLiteral("inspector/model"),
-                               QStringLiteral("inspector/plausibility"), QStringLiteral("inspector/parameters")};
+                               QStringLiteral("inspector/plausibility"), QStringLiteral("inspector/parameters"),
+                               QStringLiteral("inspector/edits")};
 constexpr int preferredEms = 28;
 }  // namespace
 
@@ -30,7 +33,8 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
       m_model(new widgets::ModelPanel),
       m_plausibility(new widgets::PlausibilityBadges),
       m_monitor(new PlausibilityMonitor(document, tasks, *m_plausibility, this)),
-      m_parameters(new widgets::ParameterPanel) {
+      m_parameters(new widgets::ParameterPanel),
+      m_edits(new widgets::EditStack) {
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(6, 6, 6, 6);
@@ -47,6 +51,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
   addSection(tr("Model"), m_model);
   addSection(tr("Plausibility"), m_plausibility);
   addSection(tr("Parameters"), m_parameters);
+  addSection(tr("Edits"), m_edits);
   layout->addStretch();
   setWidget(content);
   setWidgetResizable(true);
@@ -54,6 +59,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connectDocument();
   connectParameters();
+  connectEdits();
   showSource();
   showModel();
 }
@@ -104,6 +110,44 @@ void Inspector::showModel() {
 
 void Inspector::showValues() {
   if (const auto& edit = m_document.edit()) m_parameters->setValues(edit->edited, edit->fitted);
+  showEdits();
+}
+
+void Inspector::connectEdits() {
+  using widgets::EditStack;
+  const auto onFactors = [this](int entry) { return entry == 0 && m_document.factors(); };
+  connect(m_edits, &EditStack::editingStarted, &m_document, &Document::beginInteraction);
+  connect(m_edits, &EditStack::editingFinished, &m_document, &Document::endInteraction);
+  connect(m_edits, &EditStack::enabledChosen, this, [this, onFactors](int entry, bool enabled) {
+    if (!onFactors(entry)) return m_document.setEditEnabled(enabled);
+    editing::FactorEdit factors = *m_document.factors();
+    factors.enabled = enabled;
+    m_document.setFactors(factors, enabled ? tr("Show the factor curves' edit") : tr("Hide the factor curves' edit"));
+  });
+  connect(m_edits, &EditStack::strengthEdited, this, [this, onFactors](int entry, double strength) {
+    if (!onFactors(entry)) return m_document.setEditStrength(strength);
+    editing::FactorEdit factors = *m_document.factors();
+    factors.strength = strength;
+    m_document.setFactors(factors, tr("Strength of the factor curves %1 %").arg(100 * strength, 0, 'f', 0));
+  });
+  connect(m_edits, &EditStack::deleteRequested, this, [this, onFactors](int entry) {
+    if (onFactors(entry))
+      m_document.setFactors({}, tr("Delete the factor curves' edit"));
+    else
+      m_document.deleteEdit();
+  });
+}
+
+void Inspector::showEdits() {
+  std::vector<widgets::EditEntry> entries;
+  if (const auto& factors = m_document.factors())
+    entries.push_back({tr("Factor curves"), tr("What the Factor curves dock changes, next to the measurement"),
+                       factors->strength, factors->enabled});
+  const auto& edit = m_document.edit();
+  if (edit && (edit->edited != edit->fitted || edit->strength != 1 || !edit->enabled))
+    entries.push_back({widgets::fromView(edit->model->spec().name),
+                       tr("What the sliders change: added to what lies above it"), edit->strength, edit->enabled});
+  m_edits->setEntries(entries, tr("None yet: the sliders above and the factor curves make them."));
 }
 
 void Inspector::saveState(QSettings& settings) const {

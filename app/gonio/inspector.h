@@ -10,6 +10,7 @@ class QSettings;
 
 namespace gonio::widgets {
 class CollapsibleSection;
+class EditStack;
 class FactList;
 class ModelPanel;
 class ParameterPanel;
@@ -20,7 +21,7 @@ namespace gonio::app {
 
 class PlausibilityMonitor;
 
-/// The right side of the window: Source, Model, Plausibility, Parameters of a document, in sections that fold.
+/// The right side of the window: Source, Model, Plausibility, Parameters, Edits of a document, in sections that fold.
 class Inspector : public QScrollArea {
   Q_OBJECT
 
@@ -29,6 +30,7 @@ class Inspector : public QScrollArea {
 
   widgets::ParameterPanel* parameters() const { return m_parameters; }
   widgets::PlausibilityBadges* plausibility() const { return m_plausibility; }
+  widgets::EditStack* edits() const { return m_edits; }
   /// Whether the badges tell of the present state.
   bool isSettled() const;
   void saveState(QSettings& settings) const;
@@ -42,6 +44,8 @@ class Inspector : public QScrollArea {
   void showSource();
   void showModel();
   void showValues();
+  void connectEdits();
+  void showEdits();
 
   Document& m_document;
   DocumentController& m_controller;
@@ -51,6 +55,7 @@ class Inspector : public QScrollArea {
   widgets::PlausibilityBadges* m_plausibility;
   PlausibilityMonitor* m_monitor;
   widgets::ParameterPanel* m_parameters;
+  widgets::EditStack* m_edits;
   QList<widgets::CollapsibleSection*> m_sections;
   const models::Model* m_shownModel = nullptr;
 };

@@ -134,6 +134,35 @@ class DocumentControllerTest : public QObject {
     QVERIFY(largestChange > 0.1);
   }
 
+  /// Onto the material it was made on, an edit of curves is the same edit; onto another, that one's curves change.
+  void factorsArePasted() {
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.material(), patienceMilliseconds);
+    const auto factors = factorization::factorizePdv(*editor.document.material()->table, {.terms = 2}).factors;
+    editing::FactorEdit edit;
+    edit.original = std::make_shared<const factorization::PdvFactors>(factors);
+    edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
+    edit.strength = 0.5;
+    editor.controller.paste({edit});
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.factors().has_value(), patienceMilliseconds);
+    QVERIFY(*editor.document.factors() == edit);
+    QCOMPARE(editor.document.history().count(), 1);
+
+    editor.controller.open("library:sgd/chrome");
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.name() == "chrome", patienceMilliseconds);
+    QVERIFY(!editor.document.factors());
+    editor.controller.paste({edit});
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.factors().has_value(), patienceMilliseconds);
+    const editing::FactorEdit& carried = *editor.document.factors();
+    QVERIFY(carried.original->deviationNodes != edit.original->deviationNodes);
+    QCOMPARE(carried.strength, 0.5);
+    // Wider at every place, as the edit is.
+    const auto &before = carried.original->channels[1][0].f2, &after = carried.edited->channels[1][0].f2;
+    for (std::size_t i = 0; i < before.size(); ++i) QVERIFY(after[i] >= before[i] - 0.02);
+    QVERIFY(after[before.size() / 4] > before[before.size() / 4] + 0.05);
+  }
+
   void aChangedSourceIsTold() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("old.gonio");

@@ -215,6 +215,29 @@ class DocumentTest : public QObject {
     QVERIFY(m_document->history().text(0).contains("too old"));
   }
 
+  /// The strength of a drag is one step; the eye is one; deleting goes back to the fit at full strength.
+  void theModelsEditHasAStrengthAndAnEye() {
+    m_document->setParameter(index("f0"), Rgb(0.5));
+    m_document->beginInteraction();
+    for (const double strength : {0.9, 0.6, 0.25}) m_document->setEditStrength(strength);
+    m_document->endInteraction();
+    QCOMPARE(m_document->history().count(), 2);
+    QVERIFY(m_document->history().text(1).endsWith("25 %"));
+    m_document->setEditEnabled(false);
+    QVERIFY(m_document->edit()->isIdentity());
+    m_document->setEditEnabled(false);
+    QCOMPARE(m_document->history().count(), 3);
+    m_document->deleteEdit();
+    QVERIFY(m_document->edit()->enabled && m_document->edit()->strength == 1);
+    QVERIFY(m_document->edit()->edited == m_document->edit()->fitted);
+    m_document->history().undo();
+    m_document->history().undo();
+    QVERIFY(m_document->edit()->enabled);
+    QCOMPARE(m_document->edit()->strength, 0.25);
+    m_document->history().undo();
+    QCOMPARE(m_document->edit()->strength, 1.0);
+  }
+
   void storedFormHoldsSourceAndEdit() {
     m_document->setParameter(index("f0"), Rgb(0.5));
     const editing::EditDocument stored = m_document->toEditDocument();

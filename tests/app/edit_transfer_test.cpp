@@ -23,6 +23,14 @@ class EditTransferTest : public QObject {
     result.edited.values[index("masking")] = Rgb(1);
     return result;
   }
+  static factorization::PdvFactors constantFactors(double strength) {
+    factorization::PdvFactors factors{.form = factorization::PdvForm::twoFactors};
+    factors.thetaNodes = factors.deviationNodes = {0, 1};
+    factors.phiNodes = {0};
+    factors.highest = 10;
+    for (auto& channel : factors.channels) channel = {{{strength, strength}, {1, 1}, {1}}};
+    return factors;
+  }
   static std::size_t index(const char* id) { return *models::ggx().spec().find(id); }
 
  private Q_SLOTS:
@@ -52,12 +60,34 @@ class EditTransferTest : public QObject {
     document.sourceSha256 = std::string(64, 'a');
     document.edits = {edit()};
     const std::unique_ptr<QMimeData> data(toClipboard(document));
-    const auto back = editFromClipboard(data.get());
+    const auto all = editsFromClipboard(data.get());
+    QCOMPARE(all.size(), std::size_t(1));
+    const auto* back = std::get_if<editing::DifferentialEdit>(&all[0]);
     QVERIFY(back && back->edited == edit().edited && back->fitted == edit().fitted && back->model == edit().model);
     QMimeData text;
     text.setText("hello");
-    QVERIFY(!editFromClipboard(&text));
-    QVERIFY(!editFromClipboard(nullptr));
+    QVERIFY(editsFromClipboard(&text).empty());
+    QVERIFY(editsFromClipboard(nullptr).empty());
+  }
+
+  /// Of several edits those that change something; the only one even where it does not.
+  void whatChangesNothingIsNotPasted() {
+    editing::FactorEdit factors;
+    factors.original = std::make_shared<const factorization::PdvFactors>(constantFactors(1));
+    factors.edited = std::make_shared<const factorization::PdvFactors>(constantFactors(2));
+    editing::DifferentialEdit identity = edit();
+    identity.edited = identity.fitted;
+    editing::EditDocument document;
+    document.sourcePath = "library:sgd/chrome";
+    document.sourceSha256 = std::string(64, 'a');
+    document.edits = {factors, identity};
+    const auto pasted = [&] { return editsFromClipboard(std::unique_ptr<QMimeData>(toClipboard(document)).get()); };
+    QCOMPARE(pasted().size(), std::size_t(1));
+    QVERIFY(std::get<editing::FactorEdit>(pasted()[0]) == factors);
+    document.edits = {identity};
+    QCOMPARE(pasted().size(), std::size_t(1));
+    document.edits = {factors, edit()};
+    QCOMPARE(pasted().size(), std::size_t(2));
   }
 };
 

@@ -48,6 +48,19 @@ void drawGlyph(QPainter& painter, Glyph glyph) {
       painter.drawLine(QPointF(8, 6.5), QPointF(8, 9.5));
       painter.drawPoint(QPointF(8, 11.6));
       return;
+    case Glyph::shown:
+    case Glyph::hidden: {
+      QPainterPath eye;
+      eye.moveTo(1.5, 8);
+      eye.cubicTo(4.5, 2.8, 11.5, 2.8, 14.5, 8);
+      eye.cubicTo(11.5, 13.2, 4.5, 13.2, 1.5, 8);
+      painter.drawPath(eye);
+      if (glyph == Glyph::shown)
+        painter.drawEllipse(QPointF(8, 8), 2, 2);
+      else
+        painter.drawLine(QPointF(3, 13), QPointF(13, 3));
+      return;
+    }
     case Glyph::pending:
       for (const double x : {4.0, 8.0, 12.0}) painter.drawPoint(QPointF(x, 8));
       return;

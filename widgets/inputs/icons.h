@@ -6,7 +6,7 @@
 
 namespace gonio::widgets {
 
-enum class Glyph { reset, collapsed, expanded, search, close, passed, warning, pending };
+enum class Glyph { reset, collapsed, expanded, search, close, passed, warning, pending, shown, hidden };
 
 /// A small icon drawn in the text colour of the palette at paint time, sharp at any scale and in either theme.
 QIcon glyphIcon(Glyph glyph);
