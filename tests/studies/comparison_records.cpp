@@ -156,8 +156,9 @@ std::string materialTable(const Records& records, int terms) {
   for (const std::string& material : distinct(records, &ComparisonRecord::material)) {
     table += "| " + material + " |";
     for (const std::string& model : models) {
-      const auto found = std::ranges::find_if(
-          records, [&](const auto& r) { return r.material == material && r.model == model && r.terms == terms; });
+      const auto found = std::ranges::find_if(records, [&](const auto& r) {
+        return r.material == material && r.model == model && (r.terms == terms || r.terms == 0);
+      });
       char cell[32] = " |";
       if (found != records.end()) std::snprintf(cell, sizeof cell, " %.1f |", found->rendered);
       table += cell;

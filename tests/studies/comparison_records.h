@@ -13,7 +13,7 @@ namespace gonio::study {
 /// One model of one material at one budget of bytes.
 struct ComparisonRecord {
   std::string material, collection, model;
-  int terms = 0;           ///< of the PDV model whose bytes are the budget
+  int terms = 0;           ///< of the PDV model whose bytes are the budget; 0 for what is no model
   std::size_t bytes = 0;   ///< that the model has
   double rendered = 0;     ///< SNR of pictures, dB
   double peak = 0;         ///< PSNR of pictures, dB

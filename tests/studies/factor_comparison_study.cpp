@@ -7,7 +7,8 @@
 // budget: rendered SNR and PSNR in comparisonScene(), SNR of the reflectances, bytes, seconds. At the end a table of
 // means over the materials. With --csv records are kept in a file, and what is in it is not computed again; --only
 // leaves other models out; --npf adds Bagher's published table for the materials that it names; --materials prints all
-// materials at the largest budget.
+// materials at the largest budget. "symmetric" and "pdv-grid", with L = 0, are no models but bounds of them
+// (comparison_bounds.h).
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -27,6 +28,7 @@
 #include "core/metrics/image_metrics.h"
 #include "core/rendering/rendered_comparison.h"
 #include "core/support/error.h"
+#include "tests/studies/comparison_bounds.h"
 #include "tests/studies/comparison_records.h"
 
 using namespace gonio;
@@ -81,11 +83,15 @@ std::vector<std::size_t> byteBudgets() {
   return budgets;
 }
 
-/// Models of all budgets, in their order.
-using Build = std::function<std::vector<RivalModel>(const TabulatedBrdf& table, std::span<const std::size_t> budgets)>;
+using Table = std::shared_ptr<const TabulatedBrdf>;
+/// Models of all budgets, in their order; of a bound one.
+using Build = std::function<std::vector<RivalModel>(const Table& table, std::span<const std::size_t> budgets)>;
 struct Contestant {
   std::string id;
   Build build;
+  bool isBound = false;
+
+  int lastTerms() const { return isBound ? 0 : *std::rbegin(budgetTerms); }
 };
 
 std::vector<RivalModel> buildPdv(const TabulatedBrdf& table, std::span<const std::size_t> budgets, PdvForm form) {
@@ -109,12 +115,17 @@ std::vector<RivalModel> buildPdv(const TabulatedBrdf& table, std::span<const std
 }
 
 std::vector<Contestant> contestants(const Options& options) {
+  const auto bound = [](auto make) {
+    return [make](const Table& table, auto) { return std::vector<RivalModel>{{make(table), 0}}; };
+  };
   std::vector<Contestant> all = {
-      {"pdv3", [](const auto& table, auto budgets) { return buildPdv(table, budgets, PdvForm::threeFactors); }},
-      {"pdv2", [](const auto& table, auto budgets) { return buildPdv(table, budgets, PdvForm::twoFactors); }}};
+      {"symmetric", bound(study::symmetricMean), true},
+      {"pdv-grid", bound(study::deviationGrid), true},
+      {"pdv3", [](const Table& table, auto budgets) { return buildPdv(*table, budgets, PdvForm::threeFactors); }},
+      {"pdv2", [](const Table& table, auto budgets) { return buildPdv(*table, budgets, PdvForm::twoFactors); }}};
   for (const Rival& rival : rivals())
     all.push_back({std::string(rival.id),
-                   [build = rival.build](const auto& table, auto budgets) { return build(table, budgets, {}); }});
+                   [build = rival.build](const Table& table, auto budgets) { return build(*table, budgets, {}); }});
   if (!options.only.empty()) std::erase_if(all, [&](const Contestant& c) { return !options.only.contains(c.id); });
   return all;
 }
@@ -128,7 +139,7 @@ class Judge {
         table_(io::readMaterial(file).tabulated()),
         comparison_(*table_, {.width = options.size, .height = options.size, .samples = options.samples}) {}
 
-  const TabulatedBrdf& table() const { return *table_; }
+  const Table& table() const { return table_; }
 
   ComparisonRecord score(const std::string& model, const RivalModel& built, double seconds) const {
     const Image picture = comparison_.render(*built.brdf);
@@ -144,7 +155,7 @@ class Judge {
 
  private:
   std::string material_, collection_;
-  std::shared_ptr<const TabulatedBrdf> table_;
+  Table table_;
   RenderedComparison comparison_;
 };
 
@@ -157,7 +168,7 @@ void judge(const Judge& court, const Contestant& contestant, const std::vector<s
   ComparisonRecord record;
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (i == 0 || models[i].brdf != models[i - 1].brdf) record = court.score(contestant.id, models[i], seconds);
-    record.terms = budgetTerms[i];
+    record.terms = contestant.isBound ? 0 : budgetTerms[i];
     records.add(record);
     std::printf("%-28s %-14s %3d %7.2f %7.2f %7.2f %7.1f %6.2f\n", record.material.c_str(), record.model.c_str(),
                 record.terms, record.rendered, record.peak, record.reflectance, double(record.bytes) / 1000, seconds);
@@ -182,16 +193,16 @@ int run(const Options& options) {
     std::vector<Contestant> all = contestants(options);
     if (const NonparametricFactors* factors = published ? published->find(file.stem().string()) : nullptr)
       all.push_back(
-          {"npf-published", [factors](const auto&, auto sizes) {
+          {"npf-published", [factors](const Table&, auto sizes) {
              return std::vector<RivalModel>(sizes.size(), {makeNonparametricBrdf(*factors), factors->bytes()});
            }});
-    std::erase_if(all, [&](const Contestant& c) { return records.contains(file.stem(), c.id, budgetTerms[3]); });
+    std::erase_if(all, [&](const Contestant& c) { return records.contains(file.stem(), c.id, c.lastTerms()); });
     if (all.empty()) continue;
     const Judge court(file, options);
     for (const Contestant& contestant : all) judge(court, contestant, budgets, records);
   }
   std::printf("\n%s", summaryTable(records.all()).c_str());
-  if (options.materials) std::printf("\n%s", materialTable(records.all(), budgetTerms[3]).c_str());
+  if (options.materials) std::printf("\n%s", materialTable(records.all(), *std::rbegin(budgetTerms)).c_str());
   return 0;
 }
 
