@@ -20,17 +20,13 @@ constexpr double referenceShare = 0.02;
 /// Share of a model's progress that its fit takes; the rest is its picture.
 constexpr double fitShare = 0.85;
 
-TaskControl part(const TaskControl& control, double begin, double end) {
-  return {control.stop, [&control, begin, end](double share) { control.report(begin + share * (end - begin)); }};
-}
-
 RankedFit rankOne(const fitting::FitData& data, const models::Model& model, const RenderedComparison& comparison,
                   const TaskControl& control, double begin, double end) {
   const double fitEnd = begin + fitShare * (end - begin);
   RankedFit row;
-  row.fit = fitting::fit(data, model, part(control, begin, fitEnd));
+  row.fit = fitting::fit(data, model, control.between(begin, fitEnd));
   control.throwIfStopped();
-  row.picture = comparison.render(*model.instantiate(row.fit.parameters), part(control, fitEnd, end));
+  row.picture = comparison.render(*model.instantiate(row.fit.parameters), control.between(fitEnd, end));
   row.renderedSnr = comparison.signalToNoiseRatio(row.picture);
   row.parameterCount = fitting::fittedParameterCount(model.spec());
   return row;
@@ -44,7 +40,7 @@ std::vector<RankedFit> rankFits(const TabulatedBrdf& table, const Brdf& referenc
   if (models.empty()) models.assign(models::allModels().begin(), models::allModels().end());
   std::vector<RankedFit> ranking;
   try {
-    const RenderedComparison comparison(reference, options.picture, part(control, 0, referenceShare));
+    const RenderedComparison comparison(reference, options.picture, control.between(0, referenceShare));
     const fitting::FitData data(table, options.fit);
     const double share = (1 - referenceShare) / double(models.size());
     for (std::size_t m = 0; m < models.size(); ++m) {

@@ -18,6 +18,11 @@ struct TaskControl {
   void report(double share) const {
     if (progress) progress(share);
   }
+  /// For a part of the work: its shares in [0, 1] become those in [begin, end] of the whole.
+  TaskControl between(double begin, double end) const {
+    if (!progress) return {stop, {}};
+    return {stop, [whole = progress, begin, end](double share) { whole(begin + share * (end - begin)); }};
+  }
   /// @throws Cancelled when a stop was requested.
   void throwIfStopped() const {
     if (stop.stop_requested()) throw Cancelled();

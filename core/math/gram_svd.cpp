@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/math/gram_svd.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/parallel.h"
+
+namespace gonio {
+
+namespace {
+
+/// Rows that are converted to double at once: they and the sum of their products stay in the near caches.
+constexpr Eigen::Index blockRows = 512;
+/// The rows are summed in so many parts, each in its order: enough for the cores of most machines.
+constexpr std::size_t parts = 32;
+constexpr double weakest = 1e-6;  // of the largest singular value
+
+}  // namespace
+
+Eigen::MatrixXd gramMatrix(const TallMatrix& matrix, const TaskControl& control) {
+  const auto all = matrix.view();
+  const Eigen::Index blocks = (all.rows() + blockRows - 1) / blockRows;
+  std::vector<Eigen::MatrixXd> sums(parts);
+  parallelForBlocks(
+      parts, 1,
+      [&](std::size_t part, std::size_t) {
+        Eigen::MatrixXd& sum = sums[part];
+        sum.setZero(all.cols(), all.cols());
+        const Eigen::Index end = blocks * Eigen::Index(part + 1) / Eigen::Index(parts);
+        for (Eigen::Index b = blocks * Eigen::Index(part) / Eigen::Index(parts); b < end; ++b) {
+          control.throwIfStopped();
+          const Eigen::Index first = b * blockRows, count = std::min(blockRows, all.rows() - first);
+          const Eigen::MatrixXd block = all.middleRows(first, count).transpose().cast<double>();
+          sum.selfadjointView<Eigen::Lower>().rankUpdate(block);
+        }
+      },
+      control);
+  for (std::size_t part = 1; part < parts; ++part) sums[0] += sums[part];
+  return sums[0].selfadjointView<Eigen::Lower>();
+}
+
+GramSvd decomposeGramSvd(TallMatrix matrix, int mostComponents, const TaskControl& control) {
+  constexpr double gramShare = 0.5;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gramMatrix(matrix, control.between(0, gramShare)));
+  // Eigenvalues ascend.
+  const Eigen::VectorXd sigma = eigen.eigenvalues().reverse().cwiseMax(0).cwiseSqrt();
+  Eigen::Index count = 0;
+  while (count < std::min<Eigen::Index>(mostComponents, sigma.size()) && sigma[count] > weakest * sigma[0]) ++count;
+  GramSvd result{
+      .u = {}, .singularValues = sigma.head(count), .v = eigen.eigenvectors().rowwise().reverse().leftCols(count)};
+  for (Eigen::Index c = 0; c < count; ++c) {
+    Eigen::Index largest = 0;
+    result.v.col(c).cwiseAbs().maxCoeff(&largest);
+    if (result.v(largest, c) < 0) result.v.col(c) = -result.v.col(c);
+  }
+
+  const Eigen::MatrixXd projector = result.v * result.singularValues.cwiseInverse().asDiagonal();
+  auto all = matrix.view();
+  const auto rows = std::size_t(all.rows());
+  parallelForBlocks(
+      rows, std::size_t(blockRows),
+      [&](std::size_t begin, std::size_t end) {
+        auto block = all.middleRows(Eigen::Index(begin), Eigen::Index(end - begin));
+        const Eigen::MatrixXd product = block.cast<double>() * projector;
+        block.leftCols(count) = product.cast<float>();
+      },
+      control.between(gramShare, 1));
+  matrix.columns = count;
+  matrix.values.resize(rows * std::size_t(count));
+  matrix.values.shrink_to_fit();
+  result.u = std::move(matrix);
+  return result;
+}
+
+}  // namespace gonio
