@@ -41,7 +41,7 @@ void check(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal
 }
 
 /// The stops that both pursuits share. `steps` were made.
-bool ended(const PursuitOptions& options, double signalNorm, int steps, SparseCode& code) {
+bool ended(const PursuitOptions& options, double signalNorm, int steps, PursuitResult& code) {
   if (code.residualNorm <= options.residual * signalNorm)
     code.end = PursuitEnd::residual;
   else if (steps >= options.steps)
@@ -61,13 +61,13 @@ AtomSet::AtomSet(Eigen::MatrixXd atoms) : atoms_(std::move(atoms)), inverseNorms
   }
 }
 
-SparseCode matchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
-                           const PursuitOptions& options) {
+PursuitResult matchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
+                              const PursuitOptions& options) {
   check(atoms, signal);
   Eigen::VectorXd residual = signal;
   const double norm = residual.norm();
   const std::vector<char> excluded(std::size_t(atoms.count()), 0);
-  SparseCode code{.residualNorm = norm};
+  PursuitResult code{.residualNorm = norm};
   for (int step = 0; !ended(options, norm, step, code); ++step) {
     const Choice best = bestAtom(atoms, residual, excluded);
     if (std::abs(best.correlation) <= noise * norm) {
@@ -88,8 +88,8 @@ SparseCode matchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::V
   return code;
 }
 
-SparseCode orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
-                                     const PursuitOptions& options) {
+PursuitResult orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
+                                        const PursuitOptions& options) {
   check(atoms, signal);
   Eigen::VectorXd residual = signal;
   const double norm = residual.norm();
@@ -97,7 +97,7 @@ SparseCode orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<cons
   IncrementalQr qr(atoms.length(), most);
   Eigen::VectorXd projections(most);  // of the signal on the columns of Q
   std::vector<char> excluded(std::size_t(atoms.count()), 0);
-  SparseCode code{.residualNorm = norm};
+  PursuitResult code{.residualNorm = norm};
   while (!ended(options, norm, int(code.atoms.size()), code)) {
     const Choice best = bestAtom(atoms, residual, excluded);
     if (std::abs(best.correlation) <= noise * norm) {

@@ -37,7 +37,7 @@ enum class PursuitEnd {
   exhausted  ///< no atom is left that explains anything of the residual, which is not small
 };
 
-struct SparseCode {
+struct PursuitResult {
   std::vector<int> atoms;            ///< distinct, in the order in which they were first chosen
   std::vector<double> coefficients;  ///< one an atom: of the atom as it is, not of unit length
   double residualNorm = 0;           ///< |signal - sum of coefficient times atom|
@@ -48,13 +48,13 @@ struct SparseCode {
 /// atom of the largest |<residual, atom>| / |atom|, the lowest index among equals, and subtracts its projection. An
 /// atom may be chosen again. The residual never grows. O(atoms x length) a step.
 /// @throws Error when the signal's length is not that of the atoms, or it is not finite.
-SparseCode matchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
-                           const PursuitOptions& options);
+PursuitResult matchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
+                              const PursuitOptions& options);
 
 /// Orthogonal matching pursuit (Pati et al. 1993): the same choice among the atoms that are not in the span of those
 /// chosen, and after each step the coefficients of all are those of least squares (core/math/incremental_qr.h). Ends at
 /// the latest with as many atoms as their length. @throws Error as matchingPursuit().
-SparseCode orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
-                                     const PursuitOptions& options);
+PursuitResult orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
+                                        const PursuitOptions& options);
 
 }  // namespace gonio

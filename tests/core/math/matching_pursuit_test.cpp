@@ -26,7 +26,7 @@ MatrixXd randomMatrix(int rows, int columns, unsigned seed) {
 /// Orthonormal columns.
 MatrixXd randomBasis(int size, unsigned seed) { return randomMatrix(size, size, seed).householderQr().householderQ(); }
 
-VectorXd synthesised(const MatrixXd& atoms, const SparseCode& code) {
+VectorXd synthesised(const MatrixXd& atoms, const PursuitResult& code) {
   VectorXd result = VectorXd::Zero(atoms.rows());
   for (std::size_t k = 0; k < code.atoms.size(); ++k) result += code.coefficients[k] * atoms.col(code.atoms[k]);
   return result;
@@ -56,7 +56,7 @@ class MatchingPursuitTest : public QObject {
     for (unsigned seed = 1; seed <= 20; ++seed) {
       const MatrixXd atoms = randomMatrix(8, 15, seed);
       const VectorXd signal = randomMatrix(8, 1, 100 + seed);
-      const SparseCode code = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 6});
+      const PursuitResult code = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 6});
       QCOMPARE(code.atoms.size(), std::size_t(6));
       std::vector<int> support;
       VectorXd residual = signal;
@@ -83,7 +83,7 @@ class MatchingPursuitTest : public QObject {
     const MatrixXd basis = randomBasis(7, 3);
     const VectorXd signal = randomMatrix(7, 1, 4);
     for (const auto pursuit : {matchingPursuit, orthogonalMatchingPursuit}) {
-      const SparseCode code = pursuit(AtomSet(basis), signal, {.steps = 3});
+      const PursuitResult code = pursuit(AtomSet(basis), signal, {.steps = 3});
       double best = signal.norm();
       for (int i = 0; i < 7; ++i)
         for (int j = i + 1; j < 7; ++j)
@@ -105,7 +105,7 @@ class MatchingPursuitTest : public QObject {
     for (int i = 0; i < 32; ++i)
       for (int j = i + 1; j < 32; ++j) {
         const VectorXd signal = 3 * atoms.col(i) - 0.7 * atoms.col(j);
-        const SparseCode code = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 5});
+        const PursuitResult code = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 5});
         QVERIFY(asSet(code.atoms) == (std::set{i, j}));
         QCOMPARE(code.end, PursuitEnd::residual);
         QVERIFY((synthesised(atoms, code) - signal).norm() < 1e-14);
@@ -118,8 +118,8 @@ class MatchingPursuitTest : public QObject {
     const VectorXd signal = randomMatrix(6, 1, 6), lengths = randomMatrix(10, 1, 7).array().exp() * 1e3;
     const MatrixXd scaled = atoms * lengths.asDiagonal();
     for (const auto pursuit : {matchingPursuit, orthogonalMatchingPursuit}) {
-      const SparseCode code = pursuit(AtomSet(atoms), signal, {.steps = 4});
-      const SparseCode other = pursuit(AtomSet(scaled), signal, {.steps = 4});
+      const PursuitResult code = pursuit(AtomSet(atoms), signal, {.steps = 4});
+      const PursuitResult other = pursuit(AtomSet(scaled), signal, {.steps = 4});
       QVERIFY(code.atoms == other.atoms);
       QVERIFY((synthesised(atoms, code) - synthesised(scaled, other)).norm() < 1e-12);
     }
@@ -131,27 +131,27 @@ class MatchingPursuitTest : public QObject {
     const VectorXd signal = randomMatrix(5, 1, 9);
     double before = signal.norm();
     for (int steps = 1; steps <= 40; ++steps) {
-      const SparseCode code = matchingPursuit(AtomSet(atoms), signal, {.steps = steps});
+      const PursuitResult code = matchingPursuit(AtomSet(atoms), signal, {.steps = steps});
       QVERIFY(code.residualNorm < before);
       QVERIFY(std::abs((signal - synthesised(atoms, code)).norm() - code.residualNorm) < 1e-13);
       QCOMPARE(asSet(code.atoms).size(), code.atoms.size());
       before = code.residualNorm;
     }
     QVERIFY(before < 0.01 * signal.norm());
-    const SparseCode code = matchingPursuit(AtomSet(atoms), signal, {.steps = 5000});
+    const PursuitResult code = matchingPursuit(AtomSet(atoms), signal, {.steps = 5000});
     QCOMPARE(code.end, PursuitEnd::residual);
     // Orthogonal pursuit is there after as many steps as there are dimensions.
-    const SparseCode orthogonal = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 5});
+    const PursuitResult orthogonal = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 5});
     QCOMPARE(orthogonal.end, PursuitEnd::residual);
   }
 
   void stops() {
     const MatrixXd atoms = randomMatrix(10, 20, 10);
     const VectorXd signal = randomMatrix(10, 1, 11);
-    const SparseCode all = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 10});
+    const PursuitResult all = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 10});
     double before = signal.norm();
     for (int steps = 0; steps < 10; ++steps) {
-      const SparseCode code = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = steps});
+      const PursuitResult code = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = steps});
       QCOMPARE(code.end, PursuitEnd::steps);
       QVERIFY(std::equal(code.atoms.begin(), code.atoms.end(), all.atoms.begin()));
       QCOMPARE(code.atoms.size(), std::size_t(steps));
@@ -159,10 +159,11 @@ class MatchingPursuitTest : public QObject {
       before = code.residualNorm;
     }
     // A share of the norm: as few atoms as reach it.
-    const SparseCode half = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 10, .residual = 0.5});
+    const PursuitResult half = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 10, .residual = 0.5});
     QCOMPARE(half.end, PursuitEnd::residual);
     QVERIFY(half.residualNorm <= 0.5 * signal.norm());
-    const SparseCode fewer = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = int(half.atoms.size()) - 1});
+    const PursuitResult fewer =
+        orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = int(half.atoms.size()) - 1});
     QVERIFY(fewer.residualNorm > 0.5 * signal.norm());
   }
 
@@ -172,11 +173,11 @@ class MatchingPursuitTest : public QObject {
     atoms.col(5).setConstant(1e-320);
     const VectorXd signal = randomMatrix(6, 1, 13);
     for (const auto pursuit : {matchingPursuit, orthogonalMatchingPursuit}) {
-      const SparseCode code = pursuit(AtomSet(atoms), signal, {.steps = 100});
+      const PursuitResult code = pursuit(AtomSet(atoms), signal, {.steps = 100});
       QVERIFY(!asSet(code.atoms).contains(0) && !asSet(code.atoms).contains(5));
       QVERIFY(code.residualNorm < 0.9 * signal.norm());
       // Nothing but zeros: no atom, no NaN.
-      const SparseCode none = pursuit(AtomSet(MatrixXd::Zero(6, 3)), signal, {.steps = 3});
+      const PursuitResult none = pursuit(AtomSet(MatrixXd::Zero(6, 3)), signal, {.steps = 3});
       QVERIFY(none.atoms.empty());
       QCOMPARE(none.end, PursuitEnd::exhausted);
       QCOMPARE(none.residualNorm, signal.norm());
@@ -188,7 +189,7 @@ class MatchingPursuitTest : public QObject {
     MatrixXd repeated(6, 10);
     repeated << atoms, atoms, -3 * atoms.col(1), atoms.col(0) + atoms.col(2);
     const VectorXd signal = randomMatrix(6, 1, 15);
-    const SparseCode code = orthogonalMatchingPursuit(AtomSet(repeated), signal, {.steps = 10});
+    const PursuitResult code = orthogonalMatchingPursuit(AtomSet(repeated), signal, {.steps = 10});
     QCOMPARE(code.atoms.size(), std::size_t(4));  // what the rank allows
     QCOMPARE(asSet(code.atoms).size(), std::size_t(4));
     QCOMPARE(code.end, PursuitEnd::exhausted);
@@ -203,7 +204,7 @@ class MatchingPursuitTest : public QObject {
     MatrixXd atoms(6, 3);
     atoms << basis.col(0), basis.col(0) + 1e-9 * basis.col(1), basis.col(2);
     const VectorXd signal = basis.col(0) + 0.5 * basis.col(1) + 0.1 * basis.col(2);
-    const SparseCode code = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 6});
+    const PursuitResult code = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 6});
     QCOMPARE(code.atoms.size(), std::size_t(2));
     QVERIFY(asSet(code.atoms).contains(2));
     QCOMPARE(code.end, PursuitEnd::exhausted);
@@ -215,15 +216,15 @@ class MatchingPursuitTest : public QObject {
     const MatrixXd atoms = randomMatrix(5, 12, 16);
     for (const auto pursuit : {matchingPursuit, orthogonalMatchingPursuit}) {
       // A signal of 0, and a multiple of one atom.
-      const SparseCode zero = pursuit(AtomSet(atoms), VectorXd::Zero(5), {.steps = 4});
+      const PursuitResult zero = pursuit(AtomSet(atoms), VectorXd::Zero(5), {.steps = 4});
       QVERIFY(zero.atoms.empty() && zero.coefficients.empty());
       QCOMPARE(zero.end, PursuitEnd::residual);
-      const SparseCode one = pursuit(AtomSet(atoms), -2.5 * atoms.col(7), {.steps = 4});
+      const PursuitResult one = pursuit(AtomSet(atoms), -2.5 * atoms.col(7), {.steps = 4});
       QVERIFY(one.atoms == std::vector{7});
       QVERIFY(std::abs(one.coefficients[0] + 2.5) < 1e-14);
       QCOMPARE(one.end, PursuitEnd::residual);
     }
-    const SparseCode all =
+    const PursuitResult all =
         orthogonalMatchingPursuit(AtomSet(atoms), randomMatrix(5, 1, 17), {.steps = 12, .residual = 0});
     QVERIFY(all.atoms.size() <= 5);
     QVERIFY(all.residualNorm < 1e-13);
