@@ -30,20 +30,26 @@ widgets::CurveAxis chartAxis(FactorAxis axis) {
     case FactorAxis::theta:
       return {.title = tr("F1: how strongly it mirrors at each angle"),
               .label = tr("θR, angle of the mirror direction, degrees"),
+              .symbol = tr("θR"),
+              .suffix = tr("°"),
               .valueLabel = tr("ln(1 + ρ), ρ in 1/sr"),
               .unit = radians(1),
               .tick = 15};
     case FactorAxis::deviation:
-      return {.title = tr("F2: how wide the highlight is"),
-              .label = tr("|Δp|, distance from the mirror direction on the disk of directions"),
-              .valueLabel = tr("share of F1"),
-              .tick = 0.25,
-              .squareRoot = true,
-              // The disk of directions ends at |Dp| = 1 + sin theta_R on the far side of the viewer.
-              .limits = {{1.0, tr("limit at θR 0°")}, {1 + std::sin(radians(45)), tr("45°")}}};
+      return {
+          .title = tr("F2: how wide the highlight is"),
+          .label = tr("|Δp|, distance from the mirror direction on the disk of directions"),
+          .symbol = tr("|Δp|"),
+          .valueLabel = tr("share of F1"),
+          .help = tr("Dotted: where the disk of directions ends for the θR that is pointed at in F1, toward the near\n"
+                     "horizon behind the mirror direction and toward the far one; nothing is beyond."),
+          .tick = 0.25,
+          .squareRoot = true};
     default:
       return {.title = tr("F3: how round the highlight is"),
-              .label = tr("|φ|, azimuth about the mirror direction, degrees"),
+              .label = tr("|φ|, azimuth about the mirror direction, degrees: 0 toward the viewer"),
+              .symbol = tr("|φ|"),
+              .suffix = tr("°"),
               .valueLabel = tr("share of F1"),
               .unit = radians(1),
               .tick = 30};

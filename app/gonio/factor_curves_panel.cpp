@@ -10,6 +10,7 @@
 #include "app/gonio/factor_terms_view.h"
 #include "core/factorization/pdv_operations.h"
 #include "widgets/curves/curve_editor.h"
+#include "widgets/curves/curve_legend.h"
 
 namespace gonio::app {
 
@@ -21,6 +22,7 @@ using factorization::PdvForm;
 
 const QString factorKey = QStringLiteral("factors"), swapKey = QStringLiteral("factor-swap");
 constexpr int usualTerms = 3;
+constexpr double firstLimitDegrees = 45;
 
 widgets::ChannelCurves firstCurves(const PdvFactors& factors, FactorAxis axis) {
   widgets::ChannelCurves curves;
@@ -47,6 +49,7 @@ FactorCurvesPanel::FactorCurvesPanel(Document& document, BackgroundTasks& tasks,
       m_terms(new FactorTermsView) {
   buildControls();
   connectColumns();
+  showLimits(radians(firstLimitDegrees));
   connectDocument();
   m_terms->setTerms(usualTerms);
   refresh();
@@ -75,6 +78,7 @@ void FactorCurvesPanel::buildControls() {
        std::initializer_list<QWidget*>{m_channel, m_form, m_logarithmic, m_keepDetail, m_resetAll, m_factorise})
     top->addWidget(widget);
   top->addStretch();
+  top->addWidget(new widgets::CurveLegend);
   auto* columns = new QHBoxLayout;
   for (FactorColumn* column : m_columns) columns->addWidget(column, 3);
   columns->addWidget(m_terms, 2);
@@ -95,6 +99,8 @@ void FactorCurvesPanel::connectColumns() {
     connect(column, &FactorColumn::operationChosen, this,
             [this, axis](FactorOperation operation) { operate(axis, operation); });
     connect(column, &FactorColumn::materialDropped, this, [this, axis](const QString& id) { takeOver(axis, id); });
+    if (axis == FactorAxis::theta)
+      connect(editor, &widgets::CurveEditor::pointedAt, this, &FactorCurvesPanel::showLimits);
     connect(m_logarithmic, &QCheckBox::toggled, editor, &widgets::CurveEditor::setLogarithmic);
     connect(m_channel, &QComboBox::currentIndexChanged, editor, [this, editor] { editor->setChannel(channel()); });
   }
@@ -112,7 +118,7 @@ void FactorCurvesPanel::connectDocument() {
     FactorEdit edit = current();
     if (!edit.original) return;
     edit.keepDetail = keep;
-    m_document.setFactors(edit, keep ? tr("Keep measured detail") : tr("Leave measured detail out"));
+    apply(edit, keep ? tr("Keep measured detail") : tr("Leave measured detail out"));
   });
   connect(&m_document, &Document::materialChanged, this, [this] {
     m_tasks.drop(swapKey);
@@ -129,6 +135,16 @@ void FactorCurvesPanel::forget() {
   m_running = m_refused = false;
   m_measured.reset();
   m_original.reset();
+}
+
+void FactorCurvesPanel::showLimits(double thetaR) {
+  const QString where = tr("θR %1°").arg(degrees(thetaR), 0, 'f', 0);
+  column(FactorAxis::theta).editor().setLimits({{thetaR, where}});
+  // The disk of directions ends at |Dp| = 1 - sin theta_R behind the mirror direction, and at 1 + sin theta_R at last.
+  const double sine = std::sin(thetaR);
+  column(FactorAxis::deviation)
+      .editor()
+      .setLimits({{1 - sine, tr("near horizon, %1").arg(where)}, {1 + sine, tr("far horizon")}}, 1 + sine);
 }
 
 bool FactorCurvesPanel::isSettled() const { return !isVisible() || (!m_running && !m_tasks.isRunning(swapKey)); }
@@ -215,8 +231,16 @@ void FactorCurvesPanel::refresh() {
 
 void FactorCurvesPanel::change(const PdvFactors& edited, const QString& text) {
   FactorEdit edit = current();
-  edit.edited = shared(edited);
-  m_document.setFactors(edit, text);
+  const PdvFactors& original = *edit.original;
+  // Curves that came back are those of the measurement, with its bound of y.
+  const bool same = edited.channels == original.channels && edited.deviationNodes == original.deviationNodes;
+  edit.edited = same ? edit.original : shared(edited);
+  apply(edit, text);
+}
+
+void FactorCurvesPanel::apply(const FactorEdit& edit, const QString& text) {
+  const bool untouched = edit.isIdentity() && edit.keepDetail && edit.enabled && edit.strength == 1;
+  m_document.setFactors(untouched ? std::nullopt : std::optional(edit), text);
 }
 
 void FactorCurvesPanel::curvesEdited(FactorAxis axis, const widgets::ChannelCurves& curves) {

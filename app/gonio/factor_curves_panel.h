@@ -48,6 +48,8 @@ class FactorCurvesPanel : public QWidget {
   void buildControls();
   void connectColumns();
   void connectDocument();
+  /// Where the disk of directions ends for a viewer, rad.
+  void showLimits(double thetaR);
   void request();
   void forget();
   void adopt(const MeasuredFactors& measured);
@@ -57,6 +59,8 @@ class FactorCurvesPanel : public QWidget {
   /// The document's edit, or the one that changes nothing yet. Without curves while nothing is known.
   editing::FactorEdit current() const;
   void change(const factorization::PdvFactors& edited, const QString& text);
+  /// What changes nothing is no edit.
+  void apply(const editing::FactorEdit& edit, const QString& text);
   void curvesEdited(FactorAxis axis, const widgets::ChannelCurves& curves);
   void chooseTerms(int terms);
   void chooseForm();

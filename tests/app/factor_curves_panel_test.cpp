@@ -117,6 +117,35 @@ class FactorCurvesPanelTest : public QObject {
     QVERIFY(!m_panel->column(FactorAxis::phi).isVisible());
   }
 
+  /// The limits of F2 are those of the angle that is pointed at in F1: 1 -+ sin theta_R.
+  void theLimitsFollowTheAngle() {
+    widgets::CurveEditor& strength = editor(FactorAxis::theta);
+    for (const double share : {0.2, 0.5, 0.9}) {
+      const double left = strength.pointPosition(0).x();
+      const double right = strength.pointPosition(strength.points().size() - 1).x();
+      QTest::mouseMove(&strength, QPoint(int(left + share * (right - left)), strength.height() / 2));
+      const double theta = strength.limits().at(0).place;
+      QVERIFY(std::abs(theta - share * strength.nodes().back()) < 0.01);
+      const auto& limits = editor(FactorAxis::deviation).limits();
+      QVERIFY(std::abs(limits.at(0).place - (1 - std::sin(theta))) < 1e-12);
+      QVERIFY(std::abs(limits.at(1).place - (1 + std::sin(theta))) < 1e-12);
+    }
+  }
+
+  /// A drag that Escape takes back leaves no step.
+  void escapeLeavesNoStep() {
+    widgets::CurveEditor& strength = editor(FactorAxis::theta);
+    strength.setFocus();
+    const QPoint from = strength.pointPosition(0).toPoint();
+    QTest::mousePress(&strength, Qt::LeftButton, {}, from);
+    QTest::mouseMove(&strength, from - QPoint(0, 20));
+    QVERIFY(m_document.factors().has_value());
+    QTest::keyClick(&strength, Qt::Key_Escape);
+    QTest::mouseRelease(&strength, Qt::LeftButton, {}, from);
+    QCOMPARE(m_document.history().count(), 0);
+    QVERIFY(!m_document.factors());
+  }
+
   /// All steps of the hand are one step back: pulled points, in between seen at once.
   void aDragIsOneStep() {
     widgets::CurveEditor& strength = editor(FactorAxis::theta);
@@ -158,10 +187,11 @@ class FactorCurvesPanelTest : public QObject {
     press(FactorAxis::theta, "Tilt up");
     QVERIFY(std::abs(f1(2, 0) / was(2, 0) - 0.9) < 1e-12 && std::abs(f1(2, last) / was(2, last) - 1.1) < 1e-12);
     press(FactorAxis::theta, "Reset");
+    QVERIFY(!m_document.factors());
     press(FactorAxis::theta, "Tilt down");
     QVERIFY(std::abs(f1(2, 0) / was(2, 0) - 1.1) < 1e-12 && std::abs(f1(2, last) / was(2, last) - 0.9) < 1e-12);
     press(FactorAxis::theta, "Reset");
-    QVERIFY(edit().edited->channels[0][0].f1 == edit().original->channels[0][0].f1);
+    QVERIFY(!m_document.factors());
 
     // Half of its height is reached 10 % farther out, for every colour.
     press(FactorAxis::deviation, "Wider");
@@ -171,8 +201,6 @@ class FactorCurvesPanelTest : public QObject {
                                 factorization::widened(nodes, edit().original->channels[c][0].f2, 1.1)) < 1e-12);
     press(FactorAxis::deviation, "Narrower");
     QVERIFY(largestDifference(edit().edited->channels[0][0].f2, edit().original->channels[0][0].f2) < 0.02);
-    press(FactorAxis::deviation, "Reset");
-
     // A spike spreads and keeps its sum.
     PdvFactors spiky = *edit().edited;
     std::vector<double>& curve = spiky.channels[0][0].f1;
@@ -208,7 +236,8 @@ class FactorCurvesPanelTest : public QObject {
     m_document.history().redo();
     QVERIFY(!m_panel->keepDetail().isChecked());
     m_panel->keepDetail().click();
-    QVERIFY(edit().keepDetail && edit().isIdentity());
+    QVERIFY(m_panel->keepDetail().isChecked());
+    QVERIFY(!m_document.factors());  // what changes nothing is no edit
   }
 
   /// Fewer terms: the edit keeps what it changed in those that stay; terms that come are those of the measurement.

@@ -136,6 +136,56 @@ class CurveEditorTest : public QObject {
     QVERIFY(m_editor->selected()[1]);
   }
 
+  /// Escape while the mouse is down: the curves, the points and the owner's view of them as they were.
+  void escapeTakesADragBack() {
+    QSignalSpy ended(m_editor.get(), &CurveEditor::interactionEnded);
+    QSignalSpy edited(m_editor.get(), &CurveEditor::curvesEdited);
+    const QPoint from = at(1);
+    const std::vector<double> points = m_editor->points();
+    QTest::mousePress(m_editor.get(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(m_editor.get(), from + QPoint(20, -25));
+    QVERIFY(m_editor->curves() != curves());
+    QTest::keyClick(m_editor.get(), Qt::Key_Escape);
+    QVERIFY(m_editor->curves() == curves());
+    QVERIFY(m_editor->points() == points);
+    QVERIFY(edited.last()[0].value<ChannelCurves>() == curves());
+    QCOMPARE(ended.count(), 1);
+    // The hand that still holds the button moves nothing more.
+    QTest::mouseMove(m_editor.get(), from + QPoint(40, -50));
+    QTest::mouseRelease(m_editor.get(), Qt::LeftButton, {}, from + QPoint(40, -50));
+    QVERIFY(m_editor->curves() == curves());
+    QCOMPARE(ended.count(), 1);
+  }
+
+  void aSecondBoxAddsWithShift() {
+    const auto box = [this](std::size_t point, Qt::KeyboardModifiers modifiers) {
+      const QPoint corner = at(point) + QPoint(-11, -11), other = at(point) + QPoint(11, 11);
+      QTest::mousePress(m_editor.get(), Qt::LeftButton, modifiers, corner);
+      QTest::mouseMove(m_editor.get(), other);
+      QTest::mouseRelease(m_editor.get(), Qt::LeftButton, modifiers, other);
+    };
+    const std::size_t last = m_editor->points().size() - 1;
+    box(1, {});
+    box(last, Qt::ShiftModifier);
+    QVERIFY(m_editor->selected()[1] && m_editor->selected()[last]);
+    box(last, {});
+    QVERIFY(!m_editor->selected()[1] && m_editor->selected()[last]);
+  }
+
+  /// The pointer tells its place; the line under the chart its values.
+  void tellsWhereThePointerIs() {
+    QSignalSpy pointed(m_editor.get(), &CurveEditor::pointedAt);
+    const QPoint over(at(2).x(), 60);
+    QTest::mouseMove(m_editor.get(), over);
+    QVERIFY(!pointed.isEmpty());
+    QVERIFY(std::abs(pointed.last()[0].toDouble() - m_editor->points()[2]) < 0.02);
+    pointed.clear();
+    QTest::mouseClick(m_editor.get(), Qt::LeftButton, {}, at(1));
+    QCOMPARE(pointed.first()[0].toDouble(), m_editor->points()[1]);
+    m_editor->setLimits({{0.5, "here"}}, 1.5);
+    QCOMPARE(m_editor->limits().size(), std::size_t(1));
+  }
+
   void nothingToShowIsNothingToDo() {
     m_editor->clear();
     m_editor->setHint("Nothing");

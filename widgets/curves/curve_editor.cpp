@@ -20,6 +20,7 @@ constexpr double pointRadius = 4.5;
 
 CurveEditor::CurveEditor(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
   setMinimumSize(200, 120);
   setAccessibleName(tr("Curve"));
 }
@@ -29,9 +30,13 @@ QSize CurveEditor::sizeHint() const { return QSize(26, 14) * fontMetrics().heigh
 void CurveEditor::setAxis(const CurveAxis& axis) {
   m_view.axis = axis;
   setAccessibleName(axis.title);
-  setToolTip(tr("%1\nAcross: %2. Up: %3.\nDrag the points, or a box around several. Double-click adds a point, Delete "
-                "removes it.\nTab goes from point to point, arrows move them (Shift: finely), Ctrl+A selects all.")
-                 .arg(axis.title, axis.label, axis.valueLabel));
+  const QString help = axis.help.isEmpty() ? QString() : axis.help + QLatin1Char('\n');
+  setToolTip(
+      tr("%1\nAcross: %2. Up: %3.\n%4Drag the points (Shift: finely), or a box around several (Shift: adds). "
+         "Escape takes a drag back.\nDouble-click adds a point, Delete removes it.\nTab goes from point to point, "
+         "arrows move them (Shift: finely), Ctrl+A selects all.")
+          .arg(axis.title, axis.label, axis.valueLabel, help));
+  setWhatsThis(toolTip());
   layOut();
 }
 
@@ -60,6 +65,12 @@ void CurveEditor::setChannel(int channel) {
 void CurveEditor::setLogarithmic(bool logarithmic) {
   m_view.logarithmic = logarithmic;
   layOut();
+}
+
+void CurveEditor::setLimits(const std::vector<CurveLimit>& limits, double reach) {
+  m_view.limits = limits;
+  m_view.reach = reach;
+  update();
 }
 
 void CurveEditor::setHint(const QString& hint) {
@@ -107,6 +118,15 @@ void CurveEditor::beginDrag() {
   m_pointsBefore = m_points;
 }
 
+void CurveEditor::cancelDrag() {
+  m_curves = m_curvesBefore;
+  m_points = m_pointsBefore;
+  edited();
+  m_dragging = false;
+  Q_EMIT interactionEnded();
+  layOut();
+}
+
 void CurveEditor::dragBy(const QPointF& pixels) {
   using editing::CurveDrag;
   const std::vector<double> shown = shownCurve(m_curvesBefore), slopes = monotoneSlopes(m_nodes, shown);
@@ -150,17 +170,52 @@ void CurveEditor::announce() {
   m_announced.clear();
   if (m_current >= 0 && std::size_t(m_current) < m_points.size()) {
     const double place = m_points[std::size_t(m_current)];
-    m_announced = tr("Point %1 of %2: %3 at %4 (%5)")
+    m_announced = tr("Point %1 of %2: %3 at %4")
                       .arg(m_current + 1)
                       .arg(m_points.size())
                       .arg(valueAt(place), 0, 'g', 4)
-                      .arg(place / m_view.axis.unit, 0, 'g', 4)
-                      .arg(m_view.axis.label);
+                      .arg(m_view.axis.place(place));
+    Q_EMIT pointedAt(place);
   }
   setAccessibleDescription(m_announced);
   QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
   QAccessible::updateAccessibility(&changed);
   Q_EMIT announced(m_announced);
+}
+
+QString CurveEditor::valuesAt(double place) const {
+  const auto value = [&](const ChannelCurves& curves, std::size_t channel) {
+    return QString::number(
+        evaluateMonotoneCubic(m_nodes, curves[channel], monotoneSlopes(m_nodes, curves[channel]), place), 'g', 3);
+  };
+  const QString where = m_view.axis.place(place);
+  if (m_channel == allChannels)
+    return tr("%1: %2 red, %3 green, %4 blue").arg(where, value(m_curves, 0), value(m_curves, 1), value(m_curves, 2));
+  return tr("%1: %2, as measured %3")
+      .arg(where, value(m_curves, std::size_t(m_channel)), value(m_ghost, std::size_t(m_channel)));
+}
+
+void CurveEditor::drawCurves(QPainter& painter, const PlotStyle& style) const {
+  for (int channel = 0; channel < 3; ++channel) {
+    const bool shown = m_channel == allChannels || m_channel == channel;
+    m_view.drawCurve(painter, m_nodes, m_ghost[std::size_t(channel)], ghostPen(channel, style, shown ? 0.45 : 0.2));
+    if (shown) m_view.drawCurve(painter, m_nodes, m_curves[std::size_t(channel)], channelPen(channel, style));
+  }
+  // The points of linked channels lie on their mean.
+  if (m_channel == allChannels) m_view.drawCurve(painter, m_nodes, shownCurve(m_curves), meanPen(style));
+}
+
+void CurveEditor::drawPoints(QPainter& painter, const PlotStyle& style) const {
+  for (std::size_t i = 0; i < m_points.size(); ++i) {
+    const QPointF at = pointPosition(i);
+    painter.setPen(QPen(style.text, 1.5));
+    painter.setBrush(m_selected[i] ? style.accent : style.background);
+    painter.drawEllipse(at, pointRadius, pointRadius);
+    if (int(i) != m_current || !hasFocus()) continue;
+    painter.setPen(QPen(style.accent, 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(at, pointRadius + 4, pointRadius + 4);
+  }
 }
 
 void CurveEditor::paintEvent(QPaintEvent*) {
@@ -177,32 +232,18 @@ void CurveEditor::paintEvent(QPaintEvent*) {
   m_view.drawFrame(painter, style);
   painter.drawText(QRectF(4, 2, width() - 8.0, line), Qt::AlignLeft, m_view.axis.title);
   painter.drawText(QRectF(4, 2, width() - 8.0, line), Qt::AlignRight, m_view.axis.valueLabel);
-  painter.drawText(QRectF(4, height() - 1.4 * line, width() - 8.0, line), Qt::AlignCenter,
-                   m_announced.isEmpty() || !hasFocus() ? m_view.axis.label : m_announced);
-  for (int channel = 0; channel < 3; ++channel) {
-    const bool shown = m_channel == allChannels || m_channel == channel;
-    QPen ghost = channelPen(channel, style);
-    QColor faint = ghost.color();
-    faint.setAlphaF(shown ? 0.4f : 0.2f);
-    ghost.setColor(faint);
-    ghost.setWidthF(1.2);
-    m_view.drawCurve(painter, m_nodes, m_ghost[std::size_t(channel)], ghost);
-    if (!shown) continue;
-    m_view.drawCurve(painter, m_nodes, m_curves[std::size_t(channel)], channelPen(channel, style));
+  const QString below = m_hovered && !m_dragging               ? valuesAt(*m_hovered)
+                        : m_announced.isEmpty() || !hasFocus() ? m_view.axis.label
+                                                               : m_announced;
+  painter.drawText(QRectF(4, height() - 1.4 * line, width() - 8.0, line), Qt::AlignCenter, below);
+  drawCurves(painter, style);
+  m_view.drawLimits(painter, style);
+  if (m_hovered && !m_dragging && !m_boxing) {
+    painter.setPen(QPen(style.text, 0.8));
+    const double x = m_view.toX(*m_hovered);
+    painter.drawLine(QPointF(x, m_view.area.top()), QPointF(x, m_view.area.bottom()));
   }
-  // The points of linked channels lie on their mean.
-  if (m_channel == allChannels) m_view.drawCurve(painter, m_nodes, shownCurve(m_curves), QPen(style.text, 0.8));
-  for (std::size_t i = 0; i < m_points.size(); ++i) {
-    const QPointF at = pointPosition(i);
-    painter.setPen(QPen(style.text, 1.5));
-    painter.setBrush(m_selected[i] ? style.accent : style.background);
-    painter.drawEllipse(at, pointRadius, pointRadius);
-    if (int(i) == m_current && hasFocus()) {
-      painter.setPen(QPen(style.accent, 2));
-      painter.setBrush(Qt::NoBrush);
-      painter.drawEllipse(at, pointRadius + 4, pointRadius + 4);
-    }
-  }
+  drawPoints(painter, style);
   if (m_boxing) {
     painter.setPen(QPen(style.accent, 1, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);

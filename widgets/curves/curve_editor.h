@@ -4,6 +4,7 @@
 
 #include <QPointF>
 #include <QWidget>
+#include <optional>
 
 #include "widgets/curves/curve_view.h"
 
@@ -13,7 +14,8 @@ namespace gonio::widgets {
 /// of points moves the three curves in proportion; else the points are those of one channel. Mouse: a drag moves the
 /// selected points, a drag beside them selects with a box, a double-click adds a point. Keyboard: Tab goes from point
 /// to point, the arrows move the selected ones (Shift: a tenth), Delete takes them away, Ctrl+A selects all, Escape
-/// none. The value of the current point is shown and announced.
+/// takes a drag back, else selects none. The value of the current point is shown and announced, that of the place under
+/// the pointer shown.
 class CurveEditor : public QWidget {
   Q_OBJECT
 
@@ -33,6 +35,9 @@ class CurveEditor : public QWidget {
   void setChannel(int channel);
   int channel() const { return m_channel; }
   void setLogarithmic(bool logarithmic);
+  /// Vertical lines with names; what lies beyond `reach` is greyed out.
+  void setLimits(const std::vector<CurveLimit>& limits, double reach = 1e300);
+  const std::vector<CurveLimit>& limits() const { return m_view.limits; }
   /// Shown instead of the curves while there are none.
   void setHint(const QString& hint);
 
@@ -51,6 +56,8 @@ class CurveEditor : public QWidget {
   void curvesEdited(const gonio::widgets::ChannelCurves& curves);
   /// The current point in words.
   void announced(const QString& text);
+  /// The place of the current point, or that under the pointer, in units of the nodes.
+  void pointedAt(double place);
 
  protected:
   bool event(QEvent* event) override;
@@ -60,6 +67,7 @@ class CurveEditor : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   bool focusNextPrevChild(bool next) override;
@@ -74,6 +82,11 @@ class CurveEditor : public QWidget {
   /// Moves the selected points by pixels from where they were when the drag began.
   void dragBy(const QPointF& pixels);
   void beginDrag();
+  void cancelDrag();
+  void hover(const QPointF& position);
+  QString valuesAt(double place) const;
+  void drawCurves(QPainter& painter, const PlotStyle& style) const;
+  void drawPoints(QPainter& painter, const PlotStyle& style) const;
   void removeSelected();
   void edited();
   void announce();
@@ -85,6 +98,8 @@ class CurveEditor : public QWidget {
   std::vector<bool> m_selected;
   int m_channel = allChannels, m_current = -1;
   bool m_dragging = false, m_boxing = false;
+  std::vector<bool> m_selectedBefore;  ///< the box, which adds to it
+  std::optional<double> m_hovered;
   QPointF m_pressed, m_boxEnd;
   ChannelCurves m_curvesBefore;
   std::vector<double> m_pointsBefore;

@@ -41,6 +41,7 @@ void CurveEditor::mousePressEvent(QMouseEvent* event) {
   const int point = pointAt(m_pressed);
   select(point, event->modifiers() & Qt::ShiftModifier);
   m_boxing = point < 0;
+  m_selectedBefore = m_selected;
   m_dragging = point >= 0;
   if (!m_dragging) return;
   beginDrag();
@@ -54,9 +55,28 @@ void CurveEditor::mouseMoveEvent(QMouseEvent* event) {
   } else if (m_boxing) {
     m_boxEnd = event->position();
     const QRectF box = QRectF(m_pressed, m_boxEnd).normalized();
-    for (std::size_t i = 0; i < m_points.size(); ++i) m_selected[i] = box.contains(pointPosition(i));
+    for (std::size_t i = 0; i < m_points.size(); ++i)
+      m_selected[i] = m_selectedBefore[i] || box.contains(pointPosition(i));
     update();
+  } else {
+    hover(event->position());
   }
+}
+
+void CurveEditor::hover(const QPointF& position) {
+  if (m_nodes.empty()) return;
+  if (m_view.area.contains(position)) {
+    m_hovered = m_view.toPlace(position.x());
+    Q_EMIT pointedAt(*m_hovered);
+  } else {
+    m_hovered.reset();
+  }
+  update();
+}
+
+void CurveEditor::leaveEvent(QEvent*) {
+  m_hovered.reset();
+  update();
 }
 
 void CurveEditor::mouseReleaseEvent(QMouseEvent* event) {
@@ -120,6 +140,7 @@ void CurveEditor::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Delete:
       return removeSelected();
     case Qt::Key_Escape:
+      if (m_dragging) return cancelDrag();
       if (m_current < 0) return QWidget::keyPressEvent(event);
       return select(-1, false);
     default:

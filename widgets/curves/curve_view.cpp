@@ -16,6 +16,10 @@ constexpr double decades = 4;
 constexpr double stepPixels = 2;
 }  // namespace
 
+QString CurveAxis::place(double at) const {
+  return QStringLiteral("%1 %2%3").arg(symbol, QString::number(at / unit, 'g', 3), suffix);
+}
+
 void CurveView::fitTo(const ChannelCurves& curves, const ChannelCurves& ghost) {
   double largest = 0;
   for (const ChannelCurves* set : {&curves, &ghost})
@@ -77,14 +81,33 @@ void CurveView::drawFrame(QPainter& painter, const PlotStyle& style) const {
     painter.drawText(QRectF(x - width, area.bottom() + 2, 2 * width, metrics.height()), Qt::AlignCenter, text);
     freeFrom = x + width;
   }
-  for (const auto& [place, name] : axis.limits) {
-    const double x = toX(place);
+  painter.setPen(style.text);
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(area);
+}
+
+void CurveView::drawLimits(QPainter& painter, const PlotStyle& style) const {
+  const QFontMetricsF metrics(painter.fontMetrics());
+  const double line = metrics.height();
+  if (reach < last) {
+    QColor veil = style.text;
+    veil.setAlphaF(0.12f);
+    painter.fillRect(QRectF(QPointF(toX(reach), area.top()), area.bottomRight()), veil);
+  }
+  double top = area.top() + 2;
+  for (const CurveLimit& limit : limits) {
+    const double x = toX(limit.place), width = metrics.horizontalAdvance(limit.name);
     painter.setPen(QPen(style.text, 1, Qt::DotLine));
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-    painter.drawText(QRectF(x - 200, area.top() + 2, 196, metrics.height()), Qt::AlignRight, name);
+    const bool left = x - width - 6 > area.left();
+    const QRectF text(left ? x - width - 4 : x + 4, top, width + 1, line);
+    QColor paper = style.background;
+    paper.setAlphaF(0.8f);
+    painter.fillRect(text, paper);
+    painter.setPen(style.text);
+    painter.drawText(text, Qt::AlignLeft, limit.name);
+    top += line;
   }
-  painter.setPen(style.text);
-  painter.drawRect(area);
 }
 
 void CurveView::drawCurve(QPainter& painter, const std::vector<double>& nodes, const std::vector<double>& curve,
@@ -110,5 +133,16 @@ QPen channelPen(int channel, const PlotStyle& style) {
   if (channel == 2) pen.setDashPattern({2, 2});
   return pen;
 }
+
+QPen ghostPen(int channel, const PlotStyle& style, double opacity) {
+  QPen pen = channelPen(channel, style);
+  QColor faint = pen.color();
+  faint.setAlphaF(float(opacity));
+  pen.setColor(faint);
+  pen.setWidthF(1.2);
+  return pen;
+}
+
+QPen meanPen(const PlotStyle& style) { return QPen(style.text, 0.8); }
 
 }  // namespace gonio::widgets
