@@ -19,8 +19,8 @@ namespace gonio::app {
 
 namespace {
 const QString sectionKeys[] = {QStringLiteral("inspector/source"), QStringLiteral("inspector/model"),
-                               QStringLiteral("inspector/plausibility"), QStringLiteral("inspector/parameters"),
-                               QStringLiteral("inspector/edits")};
+                               QStringLiteral("inspector/plausibility"), QStringLiteral("inspector/edits"),
+                               QStringLiteral("inspector/parameters")};
 constexpr int preferredEms = 28;
 }  // namespace
 
@@ -50,8 +50,8 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
   addSection(tr("Source"), m_source);
   addSection(tr("Model"), m_model);
   addSection(tr("Plausibility"), m_plausibility);
-  addSection(tr("Parameters"), m_parameters);
   addSection(tr("Edits"), m_edits);
+  addSection(tr("Parameters"), m_parameters);
   layout->addStretch();
   setWidget(content);
   setWidgetResizable(true);

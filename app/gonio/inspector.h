@@ -21,7 +21,7 @@ namespace gonio::app {
 
 class PlausibilityMonitor;
 
-/// The right side of the window: Source, Model, Plausibility, Parameters, Edits of a document, in sections that fold.
+/// The right side of the window: Source, Model, Plausibility, Edits, Parameters of a document, in sections that fold.
 class Inspector : public QScrollArea {
   Q_OBJECT
 
