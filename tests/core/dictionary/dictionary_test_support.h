@@ -54,6 +54,14 @@ inline Matrix<double> plantedSignals(const Sizes& sizes, const std::vector<ModeM
 
 inline constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 12, .thetaDCount = 12, .phiDCount = 16};
 
+inline Ensemble randomEnsemble(int dictionaries) {
+  std::mt19937_64 random(1);
+  Ensemble ensemble{.grid = smallGrid, .dictionaries = {}, .learnedFrom = {}};
+  for (int d = 0; d < dictionaries; ++d)
+    ensemble.dictionaries.push_back({randomDictionary(modeSizes(smallGrid), random), 10});
+  return ensemble;
+}
+
 /// GGX materials of rising roughness over a small grid.
 inline TrainingMaterials ggxMaterials(int materials) {
   TrainingMaterials result;

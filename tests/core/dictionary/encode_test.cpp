@@ -16,14 +16,6 @@ using namespace gonio::dictionary::test;
 
 namespace {
 
-Ensemble randomEnsemble(int dictionaries) {
-  std::mt19937_64 random(1);
-  Ensemble ensemble{.grid = smallGrid, .dictionaries = {}, .learnedFrom = {}};
-  for (int d = 0; d < dictionaries; ++d)
-    ensemble.dictionaries.push_back({randomDictionary(modeSizes(smallGrid), random), 10});
-  return ensemble;
-}
-
 /// Root mean square of the differences of valid cells over that of the values.
 double relativeDifference(const TabulatedBrdf& a, const TabulatedBrdf& b) {
   double difference = 0, total = 0;

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/dictionary/code_interpolation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "core/dictionary/decode.h"
+#include "core/dictionary/procrustes.h"
+#include "core/math/parallel.h"
+#include "core/support/error.h"
+
+namespace gonio::dictionary {
+
+namespace {
+
+void check(const Ensemble& ensemble, std::span<const SparseCode> codes, std::span<const double> weights) {
+  if (codes.empty() || codes.size() != weights.size())
+    throw Error("interpolation: found " + std::to_string(weights.size()) + " weights for " +
+                std::to_string(codes.size()) + " materials");
+  double sum = 0;
+  for (const double weight : weights) {
+    if (!(weight >= 0 && weight <= 1))
+      throw Error("interpolation: found the weight " + std::to_string(weight) + ", expected 0 to 1");
+    sum += weight;
+  }
+  if (std::abs(sum - 1) > 1e-9)
+    throw Error("interpolation: the weights add up to " + std::to_string(sum) + ", expected 1");
+  for (const SparseCode& code : codes) {
+    checkCode(ensemble, code);
+    if (code.transform != codes.front().transform)
+      throw Error("interpolation: found codes of different transforms, " +
+                  std::string(dataTransformNames[std::size_t(codes.front().transform)]) + " and " +
+                  std::string(dataTransformNames[std::size_t(code.transform)]) + ": encode one of them again");
+  }
+}
+
+/// Weighted sum of codes that share a dictionary: its coefficients are those of both.
+std::vector<Coefficient<float>> sumOverOneDictionary(std::span<const SparseCode> codes, std::span<const double> weights,
+                                                     std::size_t channel) {
+  std::map<std::uint32_t, double> sums;
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    for (const Coefficient<float>& c : codes[i].channels[channel].coefficients)
+      sums[c.index] += weights[i] * double(c.value);
+  std::vector<Coefficient<float>> result;
+  for (const auto& [index, value] : sums)
+    if (value != 0) result.push_back({index, float(value)});
+  return result;
+}
+
+/// The dense sum over the first code's dictionary.
+Eigen::ArrayXf sumOverFirst(const Ensemble& ensemble, std::span<const SparseCode> codes,
+                            std::span<const double> weights, std::size_t channel) {
+  const Dictionary& first = ensemble.dictionaries[std::size_t(codes.front().channels[channel].dictionary)];
+  Eigen::ArrayXf sum = Eigen::ArrayXf::Zero(Eigen::Index(ensemble.grid.size())), carried(sum.size());
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const ChannelCode& code = codes[i].channels[channel];
+    if (weights[i] == 0) continue;
+    if (code.dictionary == codes.front().channels[channel].dictionary) {
+      for (const Coefficient<float>& c : code.coefficients) sum[c.index] += float(weights[i]) * c.value;
+      continue;
+    }
+    const auto rotations = rotationsBetween(first, ensemble.dictionaries[std::size_t(code.dictionary)]);
+    compose<float>({rotations[0].cast<float>(), rotations[1].cast<float>(), rotations[2].cast<float>()},
+                   code.coefficients, carried.data());
+    sum += float(weights[i]) * carried;
+  }
+  return sum;
+}
+
+ChannelCode interpolateChannel(const Ensemble& ensemble, std::span<const SparseCode> codes,
+                               std::span<const double> weights, std::size_t channel, std::size_t coefficients) {
+  ChannelCode result;
+  result.dictionary = codes.front().channels[channel].dictionary;
+  const bool share = std::all_of(codes.begin(), codes.end(), [&](const SparseCode& code) {
+    return code.channels[channel].dictionary == result.dictionary;
+  });
+  if (share) {
+    result.coefficients = sumOverOneDictionary(codes, weights, channel);
+  } else {
+    const Eigen::ArrayXf sum = sumOverFirst(ensemble, codes, weights, channel);
+    keepLargest(std::span(sum.data(), std::size_t(sum.size())), coefficients, result.coefficients);
+  }
+  std::sort(result.coefficients.begin(), result.coefficients.end(), isLarger<float>);
+  result.coefficients.resize(std::min(result.coefficients.size(), coefficients));
+  return result;
+}
+
+}  // namespace
+
+std::array<Eigen::MatrixXd, 3> rotationsBetween(const Dictionary& u, const Dictionary& v) {
+  std::array<Eigen::MatrixXd, 3> rotations;
+  for (std::size_t mode = 0; mode < 3; ++mode)
+    rotations[mode] = orthogonalProcrustes(u.modes[mode].transpose() * v.modes[mode]);
+  return rotations;
+}
+
+SparseCode interpolateCodes(const Ensemble& ensemble, std::span<const SparseCode> codes,
+                            std::span<const double> weights, std::size_t coefficients) {
+  check(ensemble, codes, weights);
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    if (weights[i] == 1) return codes[i];
+  SparseCode result = codes.front();
+  parallelForBlocks(3, 1, [&](std::size_t channel, std::size_t) {
+    result.channels[channel] = interpolateChannel(ensemble, codes, weights, channel, coefficients);
+  });
+  return result;
+}
+
+}  // namespace gonio::dictionary
