@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// Twin of core/factorization/pdv_brdf.cpp: a reflectance straight from its factor curves, read from a small texture that
-// widgets/preview/factor_texture.h fills: one row of rgb a term, axis and set. FACTOR_TERMS and FACTOR_AXES (2: F1 F2,
-// 3: and F3) are set by the renderer.
+// Twin of core/factorization/pdv_brdf.cpp: a reflectance straight from its factor curves, read from a small buffer that
+// widgets/preview/factor_texture.h fills: rgb by place, set, term, axis, the last fastest, so that all terms at a place
+// lie side by side. FACTOR_TERMS and FACTOR_AXES (2: F1 F2, 3: and F3) are set by the renderer.
 #include "math.glsl"
 
-uniform sampler2D factorCurves;
+uniform samplerBuffer factorCurves;
+uniform int factorPlaceCount;
+const int factorStride = 2 * FACTOR_TERMS * FACTOR_AXES;
 uniform vec3 factorEnds;           // of theta_R, |Dp|, |phi|
 uniform float factorHighest[2];    // edited, original
 uniform int factorTransform[2];    // DataTransform
 
-// The texture is even in theta_R, in the root of |Dp| and in |phi|.
+// The places are even in theta_R, in the root of |Dp| and in |phi|.
 vec3 factorPlaces(vec3 wi, vec3 wo) {
   float sinR = length(wo.xy);
   vec2 o = sinR > 0.0 ? wo.xy / sinR : vec2(1.0, 0.0);
@@ -22,14 +24,12 @@ vec3 factorPlaces(vec3 wi, vec3 wo) {
 #endif
   vec3 share = clamp(at / factorEnds, 0.0, 1.0);
   share.y = sqrt(share.y);
-  return share * float(textureSize(factorCurves, 0).x - 1);
+  return share * float(factorPlaceCount - 1);
 }
 
 // By hand: drivers filter with weights of a few bits.
-vec3 factorCurve(float place, int row) {
-  float before = min(floor(place), float(textureSize(factorCurves, 0).x - 2));
-  ivec2 at = ivec2(int(before), row);
-  return mix(texelFetch(factorCurves, at, 0).rgb, texelFetch(factorCurves, at + ivec2(1, 0), 0).rgb, place - before);
+vec3 factorCurve(int at, float share) {
+  return mix(texelFetch(factorCurves, at).rgb, texelFetch(factorCurves, at + factorStride).rgb, share);
 }
 
 vec3 factorInverse(int transform, vec3 y, float weight) {
@@ -43,12 +43,15 @@ vec3 factorInverse(int transform, vec3 y, float weight) {
 // Linear RGB in 1/sr of the edited (0) or the original (1) curves at factorPlaces().
 vec3 evaluateFactors(vec3 places, float cosines, int set) {
   vec3 sum = vec3(0.0);
+  vec3 before = min(floor(places), float(factorPlaceCount - 2));
+  ivec3 at = ivec3(before) * factorStride + set * FACTOR_TERMS * FACTOR_AXES;
+  vec3 share = places - before;
   for (int term = 0; term < FACTOR_TERMS; ++term) {
-    int row = (set * FACTOR_TERMS + term) * FACTOR_AXES;
-    vec3 product = factorCurve(places.x, row) * factorCurve(places.y, row + 1);
+    vec3 product = factorCurve(at.x, share.x) * factorCurve(at.y + 1, share.y);
 #if FACTOR_AXES == 3
-    product *= factorCurve(places.z, row + 2);
+    product *= factorCurve(at.z + 2, share.z);
 #endif
+    at += FACTOR_AXES;
     sum += product;
   }
   return factorInverse(factorTransform[set], clamp(sum, vec3(0.0), vec3(factorHighest[set])), max(cosines, 1e-3));

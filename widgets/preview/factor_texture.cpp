@@ -17,7 +17,7 @@ using editing::FactorEdit;
 using factorization::PdvFactors;
 using factorization::PdvTerm;
 
-constexpr int width = 1024;
+constexpr int mostPlaces = 1024;
 constexpr int deviationAxis = 1, phiAxis = 2;
 using Curve = std::vector<double> PdvTerm::*;
 constexpr Curve curvesOfTerm[] = {&PdvTerm::f1, &PdvTerm::f2, &PdvTerm::f3};
@@ -34,7 +34,8 @@ double endOf(const PdvFactors& a, const PdvFactors& b, int axis) {
   return end > 0 ? end : 1;
 }
 
-void fillRow(glm::vec4* row, const PdvFactors& f, int term, int axis, double end, int axes) {
+void fillCurve(glm::vec4* texels, int stride, int places, const PdvFactors& f, int term, int axis, double end,
+               int axes) {
   const std::vector<double>& nodes = f.*nodesOfAxis[axis];
   for (int channel = 0; channel < 3; ++channel) {
     const PdvTerm& curves = f.channels[std::size_t(channel)][std::size_t(term)];
@@ -42,10 +43,10 @@ void fillRow(glm::vec4* row, const PdvFactors& f, int term, int axis, double end
     const std::vector<double> slopes = monotoneSlopes(nodes, values);
     // Without an axis of its own the one value of F3 goes with F1.
     const double factor = axis == 0 && axes == 2 ? curves.f3.front() : 1;
-    for (int i = 0; i < width; ++i) {
-      const double share = i / (width - 1.0);
+    for (int i = 0; i < places; ++i) {
+      const double share = i / (places - 1.0);
       const double x = end * (axis == deviationAxis ? share * share : share);
-      row[i][channel] = float(factor * evaluateMonotoneCubic(nodes, values, slopes, x));
+      texels[i * stride][channel] = float(factor * evaluateMonotoneCubic(nodes, values, slopes, x));
     }
   }
 }
@@ -62,32 +63,31 @@ QStringList FactorTexture::definitions(const FactorEdit& edit) {
 void FactorTexture::update(QOpenGLFunctions_4_1_Core& gl, const FactorEdit& edit) {
   const bool known = texture_ != 0 && edit.original == original_ && edit.edited == edited_;
   if (texture_ == 0) gl.glGenTextures(1, &texture_);
-  gl.glBindTexture(GL_TEXTURE_2D, texture_);
+  gl.glBindTexture(GL_TEXTURE_BUFFER, texture_);
   if (known) return;
   original_ = edit.original;
   edited_ = edit.edited;
-  const int axes = axesOf(edit), terms = termsOf(edit), height = 2 * terms * axes;
-  std::vector<glm::vec4> texels(std::size_t(width) * std::size_t(height), glm::vec4(0));
+  const int axes = axesOf(edit), terms = termsOf(edit), stride = 2 * terms * axes;
+  GLint mostTexels = 0;
+  gl.glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &mostTexels);
+  places_ = std::clamp(mostTexels / stride, 2, mostPlaces);
+  std::vector<glm::vec4> texels(std::size_t(stride) * std::size_t(places_), glm::vec4(0));
   const PdvFactors* sets[] = {edited_.get(), original_.get()};
   for (int set = 0; set < 2; ++set)
     for (int term = 0; term < sets[set]->terms(); ++term)
       for (int axis = 0; axis < axes; ++axis)
-        fillRow(texels.data() + ((set * terms + term) * axes + axis) * width, *sets[set], term, axis,
-                endOf(*edited_, *original_, axis), axes);
-  if (height == height_) {
-    gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, texels.data());
-    return;
-  }
-  height_ = height;
-  gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, texels.data());
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-    gl.glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+        fillCurve(texels.data() + (set * terms + term) * axes + axis, stride, places_, *sets[set], term, axis,
+                  endOf(*edited_, *original_, axis), axes);
+  if (buffer_ == 0) gl.glGenBuffers(1, &buffer_);
+  gl.glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
+  gl.glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(), GL_DYNAMIC_DRAW);
+  gl.glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_);
+  gl.glBindBuffer(GL_TEXTURE_BUFFER, 0);
 }
 
 void FactorTexture::setUniforms(QOpenGLShaderProgram& program, int unit) const {
   program.setUniformValue("factorCurves", unit);
+  program.setUniformValue("factorPlaceCount", places_);
   const auto end = [this](int axis) { return float(endOf(*edited_, *original_, axis)); };
   program.setUniformValue("factorEnds", QVector3D(end(0), end(deviationAxis), end(phiAxis)));
   const PdvFactors* sets[] = {edited_.get(), original_.get()};
@@ -100,6 +100,7 @@ void FactorTexture::setUniforms(QOpenGLShaderProgram& program, int unit) const {
 
 void FactorTexture::release(QOpenGLFunctions_4_1_Core& gl) {
   if (texture_) gl.glDeleteTextures(1, &texture_);
+  if (buffer_) gl.glDeleteBuffers(1, &buffer_);
   *this = {};
 }
 

@@ -9,9 +9,10 @@
 
 namespace gonio::widgets {
 
-/// The curves of a factor edit on the graphics card, for shaders/preview/factors.glsl: resampled to 1,024 texels, even
-/// in theta_R, in the root of |Dp| (where sharp highlights have their nodes) and in |phi|. While curves are dragged
-/// only these texels change, in place: 64 kB a term in the form with two factors.
+/// The curves of a factor edit on the graphics card, for shaders/preview/factors.glsl: resampled to 1,024 places, even
+/// in theta_R, in the root of |Dp| (where sharp highlights have their nodes) and in |phi|; fewer where the driver's
+/// buffers do not hold as many. A texture buffer, since it is read without the arithmetic of pictures. While curves are
+/// dragged only these texels change: 64 kB a term in the form with two factors.
 class FactorTexture {
  public:
   /// What the shader is compiled for.
@@ -25,8 +26,8 @@ class FactorTexture {
 
  private:
   editing::FactorEdit::Curves original_, edited_;
-  GLuint texture_ = 0;
-  int height_ = 0;
+  GLuint texture_ = 0, buffer_ = 0;
+  int places_ = 0;
 };
 
 }  // namespace gonio::widgets
