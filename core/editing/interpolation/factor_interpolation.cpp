@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/editing/interpolation/interpolation_spaces.h"
+#include "core/factorization/deviation_grid.h"
+#include "core/factorization/pdv_blend.h"
+
+namespace gonio::editing {
+
+namespace {
+
+using factorization::PdvFactors;
+using Factors = std::shared_ptr<const PdvFactors>;
+
+class FactorInterpolation final : public Interpolation {
+ public:
+  /// @throws Error when the factors cannot be blended.
+  FactorInterpolation(std::vector<Table> tables, std::vector<Factors> factors)
+      : Interpolation(std::move(tables)), factors_(std::move(factors)) {
+    const std::vector<double> even(materials(), 1 / double(materials()));
+    blended(even);
+  }
+
+ private:
+  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    return factorization::makePdvBrdf(blended(weights));
+  }
+  PdvFactors blended(std::span<const double> weights) const {
+    std::vector<const PdvFactors*> ends;
+    for (const Factors& factors : factors_) ends.push_back(factors.get());
+    return factorization::blended(ends, weights);
+  }
+
+  std::vector<Factors> factors_;
+};
+
+/// The axes that all factorisations share: those of the first material that has factors, else those of the set.
+factorization::PdvOptions sharedOptions(std::span<const InterpolationEnd> ends, const InterpolationOptions& options,
+                                        const TaskControl& control) {
+  factorization::PdvOptions shared = options.pdv;
+  std::vector<Interpolation::Table> tables;
+  for (const InterpolationEnd& end : ends) {
+    if (end.factors && shared.deviationNodes.empty()) shared.deviationNodes = end.factors->deviationNodes;
+    tables.push_back(end.table);
+  }
+  if (shared.deviationNodes.empty() && !tables.empty())
+    shared.deviationNodes = factorization::deviationNodes(tables, factorization::defaultDeviations, control);
+  return shared;
+}
+
+}  // namespace
+
+std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationEnd> ends,
+                                                    const InterpolationOptions& options, const TaskControl& control) {
+  constexpr double nodesShare = 0.1;
+  const factorization::PdvOptions shared = sharedOptions(ends, options, control.between(0, nodesShare));
+  std::vector<Factors> factors;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const double each = (1 - nodesShare) / double(ends.size()), begin = nodesShare + double(i) * each;
+    factors.push_back(ends[i].factors ? ends[i].factors
+                                      : std::make_shared<const PdvFactors>(
+                                            factorizePdv(*ends[i].table, shared, control.between(begin, begin + each))
+                                                .factors));
+  }
+  return std::make_shared<const FactorInterpolation>(tablesOf(ends), std::move(factors));
+}
+
+}  // namespace gonio::editing

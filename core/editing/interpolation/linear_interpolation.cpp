@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/weighted_sum.h"
+#include "core/editing/interpolation/interpolation_spaces.h"
+
+namespace gonio::editing {
+
+namespace {
+
+class LinearInterpolation final : public Interpolation {
+ public:
+  explicit LinearInterpolation(std::vector<Table> tables)
+      : Interpolation(std::move(tables)), sameGrid_(onOneGrid(this->tables())) {}
+
+ private:
+  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    return weightedSum(std::vector<std::shared_ptr<const Brdf>>(tables().begin(), tables().end()),
+                       std::vector<double>(weights.begin(), weights.end()));
+  }
+  Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
+    return weightedSum(sameGrid_, weights, control);
+  }
+
+  std::vector<Table> sameGrid_;
+};
+
+}  // namespace
+
+std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationEnd> ends) {
+  std::vector<Interpolation::Table> tables;
+  for (const InterpolationEnd& end : ends) tables.push_back(end.table);
+  return tables;
+}
+
+std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Table>& tables) {
+  std::vector<Interpolation::Table> result;
+  for (const Interpolation::Table& table : tables) result.push_back(onGrid(table, tables[0]->grid()));
+  return result;
+}
+
+std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationEnd> ends) {
+  return std::make_shared<const LinearInterpolation>(tablesOf(ends));
+}
+
+}  // namespace gonio::editing

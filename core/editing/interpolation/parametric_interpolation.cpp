@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/weighted_sum.h"
+#include "core/editing/differential_edit.h"
+#include "core/editing/interpolation/interpolation_spaces.h"
+#include "core/models/parameter_blend.h"
+#include "core/models/registry.h"
+
+namespace gonio::editing {
+
+namespace {
+
+using models::ParameterValues;
+
+/// The model alone at the blended parameters.
+class ParameterInterpolation : public Interpolation {
+ public:
+  ParameterInterpolation(std::vector<Table> tables, const models::Model& model, std::vector<ParameterValues> fitted)
+      : Interpolation(std::move(tables)), model_(model), fitted_(std::move(fitted)) {}
+
+ protected:
+  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    return model_.instantiate(models::blended(model_.spec(), fitted_, weights));
+  }
+  std::optional<ParameterValues> blendedParameters(std::span<const double> weights) const override {
+    return models::blended(model_.spec(), fitted_, weights);
+  }
+
+  /// The edit that moves a material to the blended parameters.
+  DifferentialEdit move(std::size_t material, std::span<const double> weights) const {
+    return {&model_, fitted_[material], models::blended(model_.spec(), fitted_, weights), 1, true};
+  }
+
+ private:
+  const models::Model& model_;
+  std::vector<ParameterValues> fitted_;
+};
+
+/// The materials moved to the blended parameters, blended.
+class DifferentialInterpolation final : public ParameterInterpolation {
+ public:
+  DifferentialInterpolation(std::vector<Table> tables, const models::Model& model, std::vector<ParameterValues> fitted)
+      : ParameterInterpolation(std::move(tables), model, std::move(fitted)), sameGrid_(onOneGrid(this->tables())) {}
+
+ private:
+  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    std::vector<std::shared_ptr<const Brdf>> moved;
+    for (std::size_t i = 0; i < materials(); ++i) {
+      const DifferentialEdit edit = move(i, weights);
+      moved.push_back(applyEdits(tables()[i], std::span(&edit, 1)));
+    }
+    return weightedSum(std::move(moved), {weights.begin(), weights.end()});
+  }
+  Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
+    std::vector<Table> moved;
+    for (std::size_t i = 0; i < materials(); ++i) {
+      const DifferentialEdit edit = move(i, weights);
+      const double begin = double(i) / double(materials()), end = double(i + 1) / double(materials());
+      // What has no weight is not looked at.
+      moved.push_back(weights[i] > 0 ? bakeEdits(sameGrid_[i], std::span(&edit, 1), control.between(begin, end))
+                                     : sameGrid_[i]);
+    }
+    return weightedSum(moved, weights, {.stop = control.stop});
+  }
+
+  std::vector<Table> sameGrid_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationEnd> ends, bool keepDetail,
+                                                       const InterpolationOptions& options,
+                                                       const TaskControl& control) {
+  const models::Model& model = options.model ? *options.model : models::ggx();
+  std::vector<ParameterValues> fitted;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const double begin = double(i) / double(ends.size()), end = double(i + 1) / double(ends.size());
+    fitted.push_back(fitting::fit(*ends[i].table, model, options.fit, control.between(begin, end)).parameters);
+    control.throwIfStopped();
+  }
+  if (keepDetail)
+    return std::make_shared<const DifferentialInterpolation>(tablesOf(ends), model, std::move(fitted));
+  return std::make_shared<const ParameterInterpolation>(tablesOf(ends), model, std::move(fitted));
+}
+
+}  // namespace gonio::editing

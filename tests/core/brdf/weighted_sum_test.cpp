@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/weighted_sum.h"
+
+#include <QTest>
+#include <random>
+
+#include "tests/support/function_brdf.h"
+#include "tests/support/sampling_check.h"
+
+using namespace gonio;
+using namespace gonio::testing;
+
+namespace {
+
+constexpr HalfDifferenceGrid grid{.thetaHCount = 12, .thetaDCount = 10, .phiDCount = 18};
+
+std::shared_ptr<const Brdf> shared(std::unique_ptr<const Brdf> brdf) { return brdf; }
+const std::shared_ptr<const Brdf> matte = shared(ggx(Rgb(0.3, 0.2, 0.1), Rgb(0.2), 0.6, 0.1));
+const std::shared_ptr<const Brdf> shiny = shared(ggx(Rgb(0.05), Rgb(0.9), 0.2, 0.5));
+
+}  // namespace
+
+class WeightedSumTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void valuesAreTheSum() {
+    const auto sum = weightedSum({matte, shiny, matte}, {0.25, 0.5, 0});
+    std::mt19937_64 random(1);
+    std::vector<DirectionPair> pairs(200);
+    for (DirectionPair& pair : pairs) pair = {randomDirection(random), randomDirection(random)};
+    std::vector<Rgb> values(pairs.size());
+    sum->evaluate(pairs, values);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto& [wi, wo] = pairs[i];
+      QVERIFY(glm::length(values[i] - (0.25 * matte->evaluate(wi, wo) + 0.5 * shiny->evaluate(wi, wo))) < 1e-14);
+    }
+    QVERIFY(sum->isIsotropic());
+    const auto turned =
+        std::make_shared<const FunctionBrdf>([](const Direction&, const Direction&) { return Rgb(1); }, false);
+    QVERIFY(!weightedSum({matte, turned}, {0.5, 0.5})->isIsotropic());
+    QVERIFY(weightedSum({matte, turned}, {1, 0})->isIsotropic());
+  }
+
+  void drawsFromAllTerms() {
+    const auto sum = weightedSum({matte, shiny}, {0.3, 1.2});
+    checkSampling(*sum, fromSpherical(0.7, 0.3));
+  }
+
+  void tables() {
+    const std::shared_ptr<const TabulatedBrdf> a = bakeTable(*matte, grid), b = bakeTable(*shiny, grid);
+    std::vector<std::uint8_t> flags(b->valid().begin(), b->valid().end());
+    const std::size_t hole = grid.index(3, 2, 5);
+    flags[hole] = 0;
+    const auto holed = std::make_shared<const TabulatedBrdf>(
+        grid, std::vector<TabulatedBrdf::Value>(b->values().begin(), b->values().end()), flags);
+    const std::shared_ptr<const TabulatedBrdf> terms[] = {a, holed};
+    const auto sum = weightedSum(terms, std::vector{0.25, 0.75});
+    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+      QCOMPARE(sum->valid()[cell] != 0, a->valid()[cell] && flags[cell]);
+      if (!sum->valid()[cell]) continue;
+      const Rgb expected = 0.25 * Rgb(a->values()[cell]) + 0.75 * Rgb(b->values()[cell]);
+      QVERIFY(glm::length(Rgb(sum->values()[cell]) - expected) <= 1e-7 * glm::length(expected));
+    }
+    // What has no weight takes nothing away.
+    QVERIFY(weightedSum(terms, std::vector{1.0, 0.0})->valid()[hole] != 0);
+  }
+
+  void tableOnAnotherGrid() {
+    constexpr HalfDifferenceGrid coarse{.thetaHCount = 6, .thetaDCount = 5, .phiDCount = 9};
+    const std::shared_ptr<const TabulatedBrdf> fine = bakeTable(*matte, grid);
+    QVERIFY(onGrid(fine, grid) == fine);
+    // The coarse nodes are nodes of the fine grid.
+    const auto other = onGrid(fine, coarse);
+    for (std::size_t cell = 0; cell < coarse.size(); ++cell) {
+      const std::size_t phi = cell % 9, td = cell / 9 % 5, th = cell / 45;
+      const std::size_t at = grid.index(int(2 * th), int(2 * td), int(2 * phi));
+      QCOMPARE(other->valid()[cell], fine->valid()[at]);
+      if (other->valid()[cell]) QVERIFY(glm::length(Rgb(other->values()[cell]) - Rgb(fine->values()[at])) < 1e-6);
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(WeightedSumTest)
+#include "weighted_sum_test.moc"
