@@ -24,6 +24,7 @@ class FactorInterpolation final : public Interpolation {
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
     return factorization::makePdvBrdf(blended(weights));
   }
+  std::optional<PdvFactors> blendedFactors(std::span<const double> weights) const override { return blended(weights); }
   PdvFactors blended(std::span<const double> weights) const {
     std::vector<const PdvFactors*> ends;
     for (const Factors& factors : factors_) ends.push_back(factors.get());
@@ -33,17 +34,15 @@ class FactorInterpolation final : public Interpolation {
   std::vector<Factors> factors_;
 };
 
-/// The axes that all factorisations share: those of the first material that has factors, else those of the set.
+/// What all factorisations share: that of the first material that has factors, else nodes for the set.
 factorization::PdvOptions sharedOptions(std::span<const InterpolationEnd> ends, const InterpolationOptions& options,
                                         const TaskControl& control) {
+  for (const InterpolationEnd& end : ends)
+    if (end.factors)
+      return {end.factors->form, end.factors->transform, end.factors->terms(), end.factors->deviationNodes};
   factorization::PdvOptions shared = options.pdv;
-  std::vector<Interpolation::Table> tables;
-  for (const InterpolationEnd& end : ends) {
-    if (end.factors && shared.deviationNodes.empty()) shared.deviationNodes = end.factors->deviationNodes;
-    tables.push_back(end.table);
-  }
-  if (shared.deviationNodes.empty() && !tables.empty())
-    shared.deviationNodes = factorization::deviationNodes(tables, factorization::defaultDeviations, control);
+  if (shared.deviationNodes.empty() && !ends.empty())
+    shared.deviationNodes = factorization::deviationNodes(tablesOf(ends), factorization::defaultDeviations, control);
   return shared;
 }
 
@@ -56,10 +55,10 @@ std::shared_ptr<const Interpolation> prepareFactors(std::span<const Interpolatio
   std::vector<Factors> factors;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const double each = (1 - nodesShare) / double(ends.size()), begin = nodesShare + double(i) * each;
-    factors.push_back(ends[i].factors ? ends[i].factors
-                                      : std::make_shared<const PdvFactors>(
-                                            factorizePdv(*ends[i].table, shared, control.between(begin, begin + each))
-                                                .factors));
+    factors.push_back(ends[i].factors
+                          ? ends[i].factors
+                          : std::make_shared<const PdvFactors>(
+                                factorizePdv(*ends[i].table, shared, control.between(begin, begin + each)).factors));
   }
   return std::make_shared<const FactorInterpolation>(tablesOf(ends), std::move(factors));
 }

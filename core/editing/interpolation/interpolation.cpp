@@ -58,6 +58,21 @@ std::optional<models::ParameterValues> Interpolation::parameters(std::span<const
   return blendedParameters(weights);
 }
 
+std::vector<DifferentialEdit> Interpolation::moves(std::span<const double> weights) const {
+  checkWeights(weights, materials());
+  return movesTo(weights);
+}
+
+std::optional<factorization::PdvFactors> Interpolation::factors(std::span<const double> weights) const {
+  checkWeights(weights, materials());
+  return blendedFactors(weights);
+}
+
+std::optional<dictionary::SparseCode> Interpolation::code(std::span<const double> weights) const {
+  checkWeights(weights, materials());
+  return blendedCode(weights);
+}
+
 Interpolation::Table Interpolation::blendedTable(std::span<const double> weights, const TaskControl& control) const {
   return bakeTable(*blendedBrdf(weights), tables_[0]->grid(), control);
 }
@@ -73,6 +88,8 @@ std::shared_ptr<const Interpolation> prepareInterpolation(InterpolationSpace spa
       return prepareParametric(ends, true, options, control);
     case InterpolationSpace::factors:
       return prepareFactors(ends, options, control);
+    case InterpolationSpace::dictionary:
+      return prepareDictionary(ends, options, control);
     default:
       return prepareLinear(ends);
   }

@@ -13,6 +13,8 @@ std::shared_ptr<const Interpolation> prepareParametric(std::span<const Interpola
                                                        const InterpolationOptions& options, const TaskControl& control);
 std::shared_ptr<const Interpolation> prepareFactors(std::span<const InterpolationEnd> ends,
                                                     const InterpolationOptions& options, const TaskControl& control);
+std::shared_ptr<const Interpolation> prepareDictionary(std::span<const InterpolationEnd> ends,
+                                                       const InterpolationOptions& options, const TaskControl& control);
 
 /// The ends' own tables.
 std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationEnd> ends);

@@ -20,6 +20,14 @@ class LinearInterpolation final : public Interpolation {
   Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
     return weightedSum(sameGrid_, weights, control);
   }
+  std::optional<TransformedMixture> mixture() const override {
+    TransformedMixture mixture{DataTransform::none, {}};
+    for (const Table& table : sameGrid_)
+      mixture.tables.push_back({table->grid(),
+                                {table->values().begin(), table->values().end()},
+                                {table->valid().begin(), table->valid().end()}});
+    return mixture;
+  }
 
   std::vector<Table> sameGrid_;
 };

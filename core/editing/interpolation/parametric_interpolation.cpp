@@ -26,12 +26,6 @@ class ParameterInterpolation : public Interpolation {
     return models::blended(model_.spec(), fitted_, weights);
   }
 
-  /// The edit that moves a material to the blended parameters.
-  DifferentialEdit move(std::size_t material, std::span<const double> weights) const {
-    return {&model_, fitted_[material], models::blended(model_.spec(), fitted_, weights), 1, true};
-  }
-
- private:
   const models::Model& model_;
   std::vector<ParameterValues> fitted_;
 };
@@ -43,22 +37,26 @@ class DifferentialInterpolation final : public ParameterInterpolation {
       : ParameterInterpolation(std::move(tables), model, std::move(fitted)), sameGrid_(onOneGrid(this->tables())) {}
 
  private:
+  std::vector<DifferentialEdit> movesTo(std::span<const double> weights) const override {
+    const ParameterValues target = blendedParameters(weights).value();
+    std::vector<DifferentialEdit> edits;
+    for (const ParameterValues& fitted : fitted_) edits.push_back({&model_, fitted, target, 1, true});
+    return edits;
+  }
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    const std::vector<DifferentialEdit> edits = movesTo(weights);
     std::vector<std::shared_ptr<const Brdf>> moved;
-    for (std::size_t i = 0; i < materials(); ++i) {
-      const DifferentialEdit edit = move(i, weights);
-      moved.push_back(applyEdits(tables()[i], std::span(&edit, 1)));
-    }
+    for (std::size_t i = 0; i < materials(); ++i)
+      moved.push_back(applyEdits(tables()[i], std::span(edits).subspan(i, 1)));
     return weightedSum(std::move(moved), {weights.begin(), weights.end()});
   }
   Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
-    std::vector<Table> moved;
+    const std::vector<DifferentialEdit> edits = movesTo(weights);
+    std::vector<Table> moved = sameGrid_;
     for (std::size_t i = 0; i < materials(); ++i) {
-      const DifferentialEdit edit = move(i, weights);
+      if (!(weights[i] > 0)) continue;
       const double begin = double(i) / double(materials()), end = double(i + 1) / double(materials());
-      // What has no weight is not looked at.
-      moved.push_back(weights[i] > 0 ? bakeEdits(sameGrid_[i], std::span(&edit, 1), control.between(begin, end))
-                                     : sameGrid_[i]);
+      moved[i] = bakeEdits(sameGrid_[i], std::span(edits).subspan(i, 1), control.between(begin, end));
     }
     return weightedSum(moved, weights, {.stop = control.stop});
   }
@@ -78,8 +76,7 @@ std::shared_ptr<const Interpolation> prepareParametric(std::span<const Interpola
     fitted.push_back(fitting::fit(*ends[i].table, model, options.fit, control.between(begin, end)).parameters);
     control.throwIfStopped();
   }
-  if (keepDetail)
-    return std::make_shared<const DifferentialInterpolation>(tablesOf(ends), model, std::move(fitted));
+  if (keepDetail) return std::make_shared<const DifferentialInterpolation>(tablesOf(ends), model, std::move(fitted));
   return std::make_shared<const ParameterInterpolation>(tablesOf(ends), model, std::move(fitted));
 }
 

@@ -3,6 +3,7 @@
 #include "core/brdf/weighted_sum.h"
 
 #include <QTest>
+#include <cmath>
 #include <random>
 
 #include "tests/support/function_brdf.h"
@@ -19,16 +20,20 @@ std::shared_ptr<const Brdf> shared(std::unique_ptr<const Brdf> brdf) { return br
 const std::shared_ptr<const Brdf> matte = shared(ggx(Rgb(0.3, 0.2, 0.1), Rgb(0.2), 0.6, 0.1));
 const std::shared_ptr<const Brdf> shiny = shared(ggx(Rgb(0.05), Rgb(0.9), 0.2, 0.5));
 
+std::shared_ptr<const Brdf> sumOf(std::vector<std::shared_ptr<const Brdf>> terms, std::vector<double> weights) {
+  return weightedSum(std::move(terms), std::move(weights));
+}
+
 }  // namespace
 
 class WeightedSumTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void valuesAreTheSum() {
-    const auto sum = weightedSum({matte, shiny, matte}, {0.25, 0.5, 0});
+    const auto sum = sumOf({matte, shiny, matte}, {0.25, 0.5, 0});
     std::mt19937_64 random(1);
     std::vector<DirectionPair> pairs(200);
-    for (DirectionPair& pair : pairs) pair = {randomDirection(random), randomDirection(random)};
+    for (DirectionPair& pair : pairs) pair = {randomUpper(random), randomUpper(random)};
     std::vector<Rgb> values(pairs.size());
     sum->evaluate(pairs, values);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -38,13 +43,18 @@ class WeightedSumTest : public QObject {
     QVERIFY(sum->isIsotropic());
     const auto turned =
         std::make_shared<const FunctionBrdf>([](const Direction&, const Direction&) { return Rgb(1); }, false);
-    QVERIFY(!weightedSum({matte, turned}, {0.5, 0.5})->isIsotropic());
-    QVERIFY(weightedSum({matte, turned}, {1, 0})->isIsotropic());
+    QVERIFY(!sumOf({matte, turned}, {0.5, 0.5})->isIsotropic());
+    QVERIFY(sumOf({matte, turned}, {1, 0})->isIsotropic());
   }
 
   void drawsFromAllTerms() {
-    const auto sum = weightedSum({matte, shiny}, {0.3, 1.2});
-    checkSampling(*sum, fromSpherical(0.7, 0.3));
+    const auto sum = sumOf({matte, shiny}, {0.3, 1.2});
+    for (const double theta : {0.0, 0.7, 1.4}) {
+      const tests::SamplingCheck check = tests::checkSampling(*sum, fromSpherical(theta, 0.3));
+      QVERIFY(check.valid);
+      QVERIFY(std::abs(check.integral - 1) < 1e-4);
+      QVERIFY(check.pValue > 1e-5);
+    }
   }
 
   void tables() {
@@ -54,7 +64,7 @@ class WeightedSumTest : public QObject {
     flags[hole] = 0;
     const auto holed = std::make_shared<const TabulatedBrdf>(
         grid, std::vector<TabulatedBrdf::Value>(b->values().begin(), b->values().end()), flags);
-    const std::shared_ptr<const TabulatedBrdf> terms[] = {a, holed};
+    const std::vector<std::shared_ptr<const TabulatedBrdf>> terms{a, holed};
     const auto sum = weightedSum(terms, std::vector{0.25, 0.75});
     for (std::size_t cell = 0; cell < grid.size(); ++cell) {
       QCOMPARE(sum->valid()[cell] != 0, a->valid()[cell] && flags[cell]);

@@ -23,7 +23,8 @@ PdvFactors factors(double strength, double width, int nodes = 21, int terms = 2)
     for (int l = 0; l < terms; ++l) {
       PdvTerm term;
       for (const double theta : f.thetaNodes) term.f1.push_back(l == 0 ? strength * (1 + theta) : 0.1 * strength);
-      for (const double d : f.deviationNodes) term.f2.push_back(l == 0 ? std::max(0.0, 1 - d / width) : std::cos(3 * d));
+      for (const double d : f.deviationNodes)
+        term.f2.push_back(l == 0 ? std::max(0.0, 1 - d / width) : std::cos(3 * d));
       for (const double phi : f.phiNodes) term.f3.push_back(l == 0 ? 1 : std::cos(phi));
       channel.push_back(term);
     }
@@ -53,9 +54,12 @@ class PdvBlendTest : public QObject {
     for (int l = 0; l < 2; ++l) {
       const auto& [f1, f2, f3] = c.channels[2][std::size_t(l)];
       const PdvTerm &ta = a.channels[2][std::size_t(l)], &tb = b.channels[2][std::size_t(l)];
-      for (std::size_t i = 0; i < f1.size(); ++i) QVERIFY(std::abs(f1[i] - (0.75 * ta.f1[i] + 0.25 * tb.f1[i])) < 1e-15);
-      for (std::size_t i = 0; i < f2.size(); ++i) QVERIFY(std::abs(f2[i] - (0.75 * ta.f2[i] + 0.25 * tb.f2[i])) < 1e-15);
-      for (std::size_t i = 0; i < f3.size(); ++i) QVERIFY(std::abs(f3[i] - (0.75 * ta.f3[i] + 0.25 * tb.f3[i])) < 1e-15);
+      for (std::size_t i = 0; i < f1.size(); ++i)
+        QVERIFY(std::abs(f1[i] - (0.75 * ta.f1[i] + 0.25 * tb.f1[i])) < 1e-15);
+      for (std::size_t i = 0; i < f2.size(); ++i)
+        QVERIFY(std::abs(f2[i] - (0.75 * ta.f2[i] + 0.25 * tb.f2[i])) < 1e-15);
+      for (std::size_t i = 0; i < f3.size(); ++i)
+        QVERIFY(std::abs(f3[i] - (0.75 * ta.f3[i] + 0.25 * tb.f3[i])) < 1e-15);
     }
   }
 
@@ -79,10 +83,10 @@ class PdvBlendTest : public QObject {
   void signsOfFurtherTermsDoNotMatter() {
     const PdvFactors a = factors(1, 0.4), b = factors(2, 0.4);
     PdvFactors turned = b;
-    for (auto& channel : turned.channels)
-      for (double* curve : {channel[1].f1.data(), channel[1].f2.data()})
-        for (std::size_t i = 0; i < (curve == channel[1].f1.data() ? channel[1].f1 : channel[1].f2).size(); ++i)
-          curve[i] = -curve[i];
+    for (auto& channel : turned.channels) {
+      for (double& value : channel[1].f1) value = -value;
+      for (double& value : channel[1].f2) value = -value;
+    }
     const PdvFactors expected = blend(a, b, 0.5), c = blend(a, turned, 0.5);
     QVERIFY(largestDifference(c.channels[1][1].f1, expected.channels[1][1].f1) < 1e-15);
     QVERIFY(largestDifference(c.channels[1][1].f2, expected.channels[1][1].f2) < 1e-15);
