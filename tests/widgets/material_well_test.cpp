@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/interpolation/material_well.h"
+
+#include <QDropEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <QUrl>
+
+#include "widgets/library/material_drag.h"
+
+using namespace gonio::widgets;
+
+class MaterialWellTest : public QObject {
+  Q_OBJECT
+ private:
+  std::unique_ptr<MaterialWell> m_well;
+
+  bool drop(const QMimeData& data) {
+    QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, &data, Qt::LeftButton, {});
+    enter.ignore();
+    QApplication::sendEvent(m_well.get(), &enter);
+    if (!enter.isAccepted()) return false;
+    QDropEvent event(QPointF(9, 9), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(m_well.get(), &event);
+    return true;
+  }
+  bool isWritten(const QString& text) const {
+    for (const QLabel* label : m_well->findChildren<QLabel*>())
+      if (label->text().contains(text)) return true;
+    return false;
+  }
+
+ private Q_SLOTS:
+  void init() {
+    m_well = std::make_unique<MaterialWell>('B');
+    m_well->resize(320, 100);
+    m_well->show();
+  }
+
+  /// A thumbnail gives the library's id, a file its path; what is neither is not taken.
+  void takesThumbnailsAndFiles() {
+    QSignalSpy dropped(m_well.get(), &MaterialWell::materialDropped);
+    const std::unique_ptr<QMimeData> thumbnail(toDrag("library:sgd/nickel"));
+    QVERIFY(drop(*thumbnail));
+    QMimeData file;
+    file.setUrls({QUrl::fromLocalFile("/some/where/chrome.binary")});
+    QVERIFY(drop(file));
+    QMimeData text;
+    text.setText("chrome");
+    QVERIFY(!drop(text));
+    QCOMPARE(dropped.count(), 2);
+    QCOMPARE(dropped[0][0].toString(), QStringLiteral("library:sgd/nickel"));
+    QCOMPARE(dropped[1][0].toString(), QStringLiteral("/some/where/chrome.binary"));
+  }
+
+  void tellsWhatWillHappen() {
+    QVERIFY(isWritten("Drop a material here"));
+    const std::unique_ptr<QMimeData> thumbnail(toDrag("library:sgd/nickel"));
+    QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, thumbnail.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(m_well.get(), &enter);
+    QVERIFY(isWritten("Take it as B"));
+    QDragLeaveEvent leave;
+    QApplication::sendEvent(m_well.get(), &leave);
+    QVERIFY(isWritten("Drop a material here"));
+  }
+
+  void showsNameAndNote() {
+    m_well->setContent({.name = "nickel", .toolTip = "SGD fit", .picture = {}, .note = "40 %"});
+    QVERIFY(isWritten("nickel") && isWritten("40 %"));
+    QVERIFY(m_well->accessibleName().contains("nickel") && m_well->toolTip().contains("SGD fit"));
+    m_well->setContent({.name = QString(200, 'x'), .toolTip = {}, .picture = {}});
+    QVERIFY(m_well->minimumSizeHint().width() < 320);
+  }
+
+  /// All of it by keys: the buttons are in the tab order, Delete empties, and only what is there can be emptied.
+  void theKeyboardReachesAll() {
+    QSignalSpy current(m_well.get(), &MaterialWell::currentWanted), file(m_well.get(), &MaterialWell::fileWanted),
+        cleared(m_well.get(), &MaterialWell::clearWanted);
+    m_well->setFocus();
+    QTest::keyClick(m_well.get(), Qt::Key_Delete);
+    QCOMPARE(cleared.count(), 0);
+    m_well->setContent({.name = "nickel", .toolTip = {}, .picture = {}});
+    QTest::keyClick(m_well.get(), Qt::Key_Delete);
+    QCOMPARE(cleared.count(), 1);
+    for (QToolButton* button : {m_well->currentButton(), m_well->fileButton(), m_well->clearButton()}) {
+      QVERIFY(button->focusPolicy() & Qt::TabFocus && !button->accessibleName().isEmpty());
+      button->setFocus();
+      QTest::keyClick(button, Qt::Key_Space);
+    }
+    QCOMPARE(current.count(), 1);
+    QCOMPARE(file.count(), 1);
+    QCOMPARE(cleared.count(), 2);
+    m_well->setCurrentAvailable(false);
+    QVERIFY(!m_well->currentButton()->isEnabled());
+  }
+};
+
+QTEST_MAIN(MaterialWellTest)
+#include "material_well_test.moc"

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <vector>
+
+namespace gonio::widgets {
+
+/// Small spheres between materials, a row for each way to blend them and a column for each step, so that the ways are
+/// seen side by side. A click, or Enter on the cell that the arrow keys chose, asks for that way at that step.
+class BlendStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  struct Row {
+    QString name;
+    QString toolTip;
+    std::vector<QImage> pictures;  ///< one a step; null ones are still to come
+    QString note = {};             ///< why there are no pictures: "waiting", "cancelled", what went wrong
+    bool failed = false;
+  };
+
+  explicit BlendStrip(QWidget* parent = nullptr);
+
+  /// @param steps labels of the columns: "0", "1/6"
+  void setSteps(const QStringList& steps);
+  void setRows(std::vector<Row> rows);
+  void setRow(int row, Row content);
+  const std::vector<Row>& rows() const { return m_rows; }
+  /// The way that is in use.
+  void setCurrentRow(int row);
+  int currentRow() const { return m_currentRow; }
+  /// Marks a place among the columns, in [0, 1]; a negative one is not on the strip.
+  void setMark(double share);
+  /// Shown while there are no rows.
+  void setEmptyText(const QString& text);
+  QRectF cell(int row, int step) const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ Q_SIGNALS:
+  void chosen(int row, int step);
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+
+ private:
+  struct Cell {
+    int row, step;
+  };
+  double side() const;
+  double labelWidth() const;
+  double headerHeight() const;
+  QRectF rowArea(int row) const;
+  Cell cellAt(const QPointF& position) const;
+  void drawRow(QPainter& painter, int row) const;
+  void drawSteps(QPainter& painter) const;
+  void moveCursor(int rows, int steps);
+
+  QStringList m_steps;
+  std::vector<Row> m_rows;
+  QString m_emptyText;
+  int m_currentRow = 0;
+  double m_mark = -1;
+  Cell m_cursor{0, 0};
+};
+
+}  // namespace gonio::widgets

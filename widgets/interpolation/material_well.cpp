@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/interpolation/material_well.h"
+
+#include <QDragEnterEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMimeData>
+#include <QPainter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/inputs/icons.h"
+#include "widgets/interpolation/sphere_picture.h"
+#include "widgets/library/material_drag.h"
+
+namespace gonio::widgets {
+
+namespace {
+constexpr double pictureLines = 4.2;
+}
+
+MaterialWell::MaterialWell(QChar letter, QWidget* parent)
+    : QFrame(parent),
+      m_letter(letter),
+      m_picture(new QWidget),
+      m_name(new QLabel),
+      m_note(new QLabel),
+      m_current(addButton(tr("Current"), tr("Takes the open material as it is now, with its edits"))),
+      m_file(addButton(tr("File..."), tr("Takes a measured file or a document"))),
+      m_clear(addButton({}, tr("Empties this place"))) {
+  m_clear->setIcon(glyphIcon(Glyph::close));
+  m_clear->setAutoRaise(true);
+  connect(m_current, &QToolButton::clicked, this, &MaterialWell::currentWanted);
+  connect(m_file, &QToolButton::clicked, this, &MaterialWell::fileWanted);
+  connect(m_clear, &QToolButton::clicked, this, &MaterialWell::clearWanted);
+  const int line = fontMetrics().height();
+  m_picture->setFixedSize(QSizeF(pictureLines * line, pictureLines * line).toSize());
+  m_picture->setAttribute(Qt::WA_TransparentForMouseEvents);
+  for (QLabel* label : {m_name, m_note}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setMinimumWidth(1);  // a long name must not widen the panel
+  }
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(2);
+  buttons->addWidget(m_current);
+  buttons->addWidget(m_file);
+  buttons->addWidget(m_clear);
+  buttons->addStretch();
+  auto* right = new QVBoxLayout;
+  right->setSpacing(1);
+  right->addWidget(m_name);
+  right->addWidget(m_note);
+  right->addLayout(buttons);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(5, 4, 5, 4);
+  layout->addWidget(m_picture);
+  layout->addLayout(right, 1);
+  setFocusPolicy(Qt::StrongFocus);
+  setAcceptDrops(true);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  setContent({});
+}
+
+QToolButton* MaterialWell::addButton(const QString& text, const QString& toolTip) {
+  auto* button = new QToolButton(this);
+  button->setText(text);
+  button->setToolTip(toolTip);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+void MaterialWell::setContent(const WellContent& content) {
+  m_content = content;
+  setToolTip(content.failed           ? content.toolTip
+             : content.name.isEmpty() ? tr("Drop a material of the library or a file here")
+                                      : tr("%1\nDrop another one here to replace it").arg(content.toolTip));
+  m_clear->setVisible(!content.name.isEmpty() || content.failed);
+  const QString what = content.name.isEmpty() ? tr("empty") : content.name;
+  setAccessibleName(tr("Material %1: %2").arg(m_letter).arg(what));
+  setAccessibleDescription(content.note);
+  m_current->setAccessibleName(tr("Material %1: take the current one").arg(m_letter));
+  m_file->setAccessibleName(tr("Material %1: from a file").arg(m_letter));
+  m_clear->setAccessibleName(tr("Material %1: empty it").arg(m_letter));
+  showTexts();
+  update();
+}
+
+void MaterialWell::setCurrentAvailable(bool available) { m_current->setEnabled(available); }
+
+void MaterialWell::showTexts() {
+  const bool empty = m_content.name.isEmpty();
+  const int room = std::max(20, width() - m_picture->width() - 3 * fontMetrics().height() / 2);
+  const QString name = tr("%1  %2").arg(m_letter).arg(empty ? tr("empty") : m_content.name);
+  m_name->setText(fontMetrics().elidedText(name, Qt::ElideMiddle, room));
+  const QString note = m_content.note.isEmpty() && empty ? tr("Drop a material here") : m_content.note;
+  m_note->setText(fontMetrics().elidedText(note, Qt::ElideRight, room));
+  m_note->setForegroundRole(m_content.failed ? QPalette::WindowText : QPalette::PlaceholderText);
+}
+
+void MaterialWell::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  showTexts();
+}
+
+void MaterialWell::keyPressEvent(QKeyEvent* event) {
+  const bool empties = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
+  if (empties && !m_clear->isHidden()) return Q_EMIT clearWanted();
+  QFrame::keyPressEvent(event);
+}
+
+void MaterialWell::dragEnterEvent(QDragEnterEvent* event) {
+  if (draggedMaterial(event->mimeData()).isEmpty()) return;
+  m_dropping = true;
+  m_note->setText(tr("Take it as %1").arg(m_letter));
+  update();
+  event->acceptProposedAction();
+}
+
+void MaterialWell::dragLeaveEvent(QDragLeaveEvent*) {
+  m_dropping = false;
+  showTexts();
+  update();
+}
+
+void MaterialWell::dropEvent(QDropEvent* event) {
+  m_dropping = false;
+  showTexts();
+  update();
+  event->acceptProposedAction();
+  Q_EMIT materialDropped(draggedMaterial(event->mimeData()));
+}
+
+void MaterialWell::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  const bool marked = m_dropping || hasFocus();
+  const bool empty = m_content.name.isEmpty();
+  const QColor line = palette().color(marked ? QPalette::Highlight : QPalette::Mid);
+  painter.setPen(QPen(line, marked ? 2 : 1, empty && !marked ? Qt::DashLine : Qt::SolidLine));
+  painter.setBrush(palette().color(QPalette::Base));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+  paintSphere(painter, m_content.picture, QRectF(m_picture->geometry()), palette());
+  if (!m_content.failed) return;
+  painter.setPen(palette().color(QPalette::Text));
+  const double side = fontMetrics().height() * 1.4;
+  const QPointF centre = QRectF(m_picture->geometry()).center();
+  paintGlyph(painter, Glyph::warning, {centre.x() - side / 2, centre.y() - side / 2, side, side});
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_material_well.cpp"
