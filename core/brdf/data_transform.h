@@ -38,6 +38,21 @@ inline double transformed(DataTransform transform, double rho, double weight) {
   }
 }
 
+/// d rho / d y, by which a small error of y is one of the reflectance; at least 0.01, where that of the root vanishes.
+/// @param rho 1/sr, >= 0; @param weight cosineWeight() of the pair.
+inline double reflectanceSlope(DataTransform transform, double rho, double weight) {
+  switch (transform) {
+    case DataTransform::logPlus:
+      return 1 + rho;
+    case DataTransform::cosineLog:
+      return rho + 1 / weight;
+    case DataTransform::root:
+      return std::max(2 * std::sqrt(rho), 0.01);
+    default:
+      return 1;
+  }
+}
+
 /// What inverses give at most, 1/sr: beyond y = 89 a logarithm's inverse leaves the range of the tables' floats.
 /// Whoever fills a table with inverses counts those that reach it.
 inline constexpr double largestReflectance = std::numeric_limits<float>::max();

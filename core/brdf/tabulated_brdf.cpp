@@ -124,25 +124,31 @@ void TabulatedBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb
   evaluate(pairs, values, TableLookup::trilinear);
 }
 
-void TabulatedBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values, TableLookup mode) const {
+void TabulatedBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values, TableLookup mode,
+                             std::span<std::uint8_t> measured) const {
   constexpr std::size_t capacity = HalfDifferenceBlock::capacity;
   HalfDifferenceBlock block;
   for (std::size_t begin = 0; begin < pairs.size(); begin += capacity) {
     const auto part = pairs.subspan(begin, std::min(capacity, pairs.size() - begin));
     const auto results = values.subspan(begin, part.size());
+    const auto flags = measured.empty() ? measured : measured.subspan(begin, part.size());
     toHalfDifference(part, block);
     for (std::size_t i = 0; i < part.size(); ++i)
       if (isBelowHorizon(part[i].wi) || isBelowHorizon(part[i].wo)) block.valid[i] = 0;
     if (mode == TableLookup::trilinear) {
-      lookupTrilinear(block, results);
+      lookupTrilinear(block, results, flags);
     } else {
-      for (std::size_t i = 0; i < part.size(); ++i)
-        results[i] = lookup({block.thetaH[i], block.thetaD[i], block.phiD[i], block.valid[i] != 0}, mode);
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        bool valid;
+        results[i] = lookup({block.thetaH[i], block.thetaD[i], block.phiD[i], block.valid[i] != 0}, mode, &valid);
+        if (!flags.empty()) flags[i] = valid;
+      }
     }
   }
 }
 
-void TabulatedBrdf::lookupTrilinear(const HalfDifferenceBlock& block, std::span<Rgb> values) const {
+void TabulatedBrdf::lookupTrilinear(const HalfDifferenceBlock& block, std::span<Rgb> values,
+                                    std::span<std::uint8_t> measured) const {
   HalfDifferenceGrid::Position positions[HalfDifferenceBlock::capacity];
   for (std::size_t i = 0; i < values.size(); ++i) {
     positions[i] = grid_.position(block.thetaH[i], block.thetaD[i], block.phiD[i]);
@@ -151,9 +157,11 @@ void TabulatedBrdf::lookupTrilinear(const HalfDifferenceBlock& block, std::span<
     for (const std::size_t row : corners.rows) __builtin_prefetch(values_.data() + row + std::size_t(corners.f.low));
     __builtin_prefetch(interior_.data() + corners.rows[0] + std::size_t(corners.f.low));
   }
-  bool valid;
-  for (std::size_t i = 0; i < values.size(); ++i)
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    bool valid = false;
     values[i] = block.valid[i] ? interpolate(Corners(grid_, positions[i]), valid) : Rgb(0);
+    if (!measured.empty()) measured[i] = valid;
+  }
 }
 
 Rgb TabulatedBrdf::lookup(const HalfDifference& at, TableLookup mode, bool* valid) const {

@@ -35,7 +35,9 @@ class TabulatedBrdf final : public Brdf {
   using Brdf::evaluate;
   /// Trilinear. About 50 ns a pair (long batches; a single pair costs some 100 ns).
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
-  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values, TableLookup lookup) const;
+  /// @param measured when not empty: a flag a pair, 0 where all corners are invalid.
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values, TableLookup lookup,
+                std::span<std::uint8_t> measured = {}) const;
   /// At half-difference coordinates; 0 where all corners are invalid, with `*valid` (when given) telling which.
   Rgb lookup(const HalfDifference& at, TableLookup lookup, bool* valid = nullptr) const;
 
@@ -50,7 +52,7 @@ class TabulatedBrdf final : public Brdf {
  private:
   struct Corners;
   void markInterior();
-  void lookupTrilinear(const HalfDifferenceBlock& block, std::span<Rgb> values) const;
+  void lookupTrilinear(const HalfDifferenceBlock& block, std::span<Rgb> values, std::span<std::uint8_t> measured) const;
   Rgb interpolate(const Corners& corners, bool& valid) const;
 
   HalfDifferenceGrid grid_;

@@ -13,6 +13,7 @@ namespace gonio::factorization {
 namespace {
 
 constexpr std::size_t steps = 2000;
+constexpr double evenShare = 1.0 / 3;
 constexpr int viewers = 30, azimuths = 8;
 
 /// Mean of ln(1 + rho) over viewers, azimuths that are on the disk, and channels, at one deviation.
@@ -67,6 +68,9 @@ std::vector<double> deviationNodes(std::span<const std::shared_ptr<const Tabulat
           for (const auto& table : tables) energy[j] += energyAt(*table, (double(j) + 0.5) * largestDeviation / steps);
       },
       control);
+  double total = 0;
+  for (const double e : energy) total += e;
+  for (double& e : energy) e = (1 - evenShare) * e + evenShare * total / double(steps);
   return deviationNodes(energy, count);
 }
 

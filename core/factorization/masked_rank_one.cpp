@@ -16,6 +16,15 @@ constexpr std::size_t rowsOfABlock = 6;
 
 double ratio(double above, double below) { return below > 0 ? above / below : 0; }
 
+/// One behind the last cell that counts, for each row along the last mode. Often these are short.
+std::vector<std::size_t> rowEnds(const MaskedTensor& t) {
+  const auto length = std::size_t(t.sizes[2]);
+  std::vector<std::size_t> ends(std::size_t(t.sizes[0]) * std::size_t(t.sizes[1]), length);
+  for (std::size_t row = 0; row < ends.size(); ++row)
+    while (ends[row] > 0 && !(t.weights[row * length + ends[row] - 1] > 0)) --ends[row];
+  return ends;
+}
+
 /// What a sweep needs of the tensor: sums over the last mode for all (i, j), then sums over the first two.
 class Sweep {
  public:
@@ -28,7 +37,7 @@ class Sweep {
         above_(m_ * n_),
         below_(m_ * n_),
         c_(p_),
-        c2_(p_) {}
+        ends_(rowEnds(tensor)) {}
 
   /// One round of updates; the fall of the squared norm that the term now explains.
   double run() {
@@ -43,28 +52,32 @@ class Sweep {
 
  private:
   void contractLast() {
-    for (std::size_t k = 0; k < p_; ++k) {
-      c_[k] = float(term_.c[k]);
-      c2_[k] = c_[k] * c_[k];
-    }
+    for (std::size_t k = 0; k < p_; ++k) c_[k] = float(term_.c[k]);
     parallelForBlocks(m_, rowsOfABlock, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t row = begin * n_; row < end * n_; ++row) {
-        const float *values = t_.values.data() + row * p_, *mask = t_.mask.data() + row * p_;
-        constexpr std::size_t lanes = 8;
-        float sums[lanes] = {}, squares[lanes] = {};
-        std::size_t k = 0;
-        for (; k + lanes <= p_; k += lanes)
-          for (std::size_t lane = 0; lane < lanes; ++lane) {
-            sums[lane] += values[k + lane] * c_[k + lane];
-            squares[lane] += mask[k + lane] * c2_[k + lane];
-          }
-        double sum = 0, square = 0;
-        for (std::size_t lane = 0; lane < lanes; ++lane) sum += sums[lane], square += squares[lane];
-        for (; k < p_; ++k) sum += values[k] * c_[k], square += mask[k] * c2_[k];
-        above_[row] = sum;
-        below_[row] = square;
-      }
+      for (std::size_t row = begin * n_; row < end * n_; ++row) contractRow(row);
     });
+  }
+
+  void contractRow(std::size_t row) {
+    constexpr std::size_t lanes = 8;
+    const float *values = t_.values.data() + row * p_, *weights = t_.weights.data() + row * p_;
+    const std::size_t count = ends_[row];
+    float sums[lanes] = {}, squares[lanes] = {};
+    std::size_t k = 0;
+    for (; k + lanes <= count; k += lanes)
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const float weighted = weights[k + lane] * c_[k + lane];
+        sums[lane] += weighted * values[k + lane];
+        squares[lane] += weighted * c_[k + lane];
+      }
+    double sum = 0, square = 0;
+    for (std::size_t lane = 0; lane < lanes; ++lane) sum += sums[lane], square += squares[lane];
+    for (; k < count; ++k) {
+      const float weighted = weights[k] * c_[k];
+      sum += weighted * values[k], square += weighted * c_[k];
+    }
+    above_[row] = sum;
+    below_[row] = square;
   }
 
   void updateA() {
@@ -99,11 +112,13 @@ class Sweep {
         std::fill(rowSum.begin(), rowSum.end(), 0.0f);
         std::fill(rowSquare.begin(), rowSquare.end(), 0.0f);
         for (std::size_t j = 0; j < n_; ++j) {
-          const float weight = float(term_.a[i] * term_.b[j]), weight2 = weight * weight;
-          const float *values = t_.values.data() + (i * n_ + j) * p_, *mask = t_.mask.data() + (i * n_ + j) * p_;
-          for (std::size_t k = 0; k < p_; ++k) {
-            rowSum[k] += weight * values[k];
-            rowSquare[k] += weight2 * mask[k];
+          const std::size_t row = i * n_ + j, count = ends_[row];
+          const float product = float(term_.a[i] * term_.b[j]);
+          const float *values = t_.values.data() + row * p_, *weights = t_.weights.data() + row * p_;
+          for (std::size_t k = 0; k < count; ++k) {
+            const float weighted = product * weights[k];
+            rowSum[k] += weighted * values[k];
+            rowSquare[k] += weighted * product;
           }
         }
         for (std::size_t k = 0; k < p_; ++k) sum[k] += rowSum[k], square[k] += rowSquare[k];
@@ -126,7 +141,8 @@ class Sweep {
   RankOne& term_;
   std::size_t m_, n_, p_;
   std::vector<double> above_, below_;
-  std::vector<float> c_, c2_;
+  std::vector<float> c_;
+  std::vector<std::size_t> ends_;
 };
 
 /// Means over the cells that count, for a start inside of the positive factors.
@@ -140,8 +156,8 @@ RankOne marginalMeans(const MaskedTensor& t) {
     for (index[0] = 0; index[0] < t.sizes[0]; ++index[0])
       for (index[1] = 0; index[1] < t.sizes[1]; ++index[1])
         for (index[2] = 0; index[2] < t.sizes[2]; ++index[2], ++at) {
-          sum[std::size_t(index[mode])] += t.values[at];
-          count[std::size_t(index[mode])] += t.mask[at];
+          sum[std::size_t(index[mode])] += double(t.weights[at]) * double(t.values[at]);
+          count[std::size_t(index[mode])] += double(t.weights[at]);
         }
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = ratio(sum[i], count[i]);
     *factors[mode] = sum;
@@ -149,16 +165,24 @@ RankOne marginalMeans(const MaskedTensor& t) {
   return start;
 }
 
-/// The fibres through the largest entry: exact where the tensor has rank one.
+/// The fibres through the entry of the largest part in the norm: exact where the tensor has rank one.
 RankOne crossOfLargest(const MaskedTensor& t) {
-  const auto largest =
-      std::max_element(t.values.begin(), t.values.end(), [](float x, float y) { return std::abs(x) < std::abs(y); });
-  const int at = int(largest - t.values.begin()), n = t.sizes[1], p = t.sizes[2];
+  std::size_t largest = 0;
+  float most = 0;
+  for (std::size_t at = 0; at < t.values.size(); ++at) {
+    const float part = t.weights[at] * t.values[at] * t.values[at];
+    if (part > most) most = part, largest = at;
+  }
+  const int at = int(largest), n = t.sizes[1], p = t.sizes[2];
   const int i = at / (n * p), j = at / p % n, k = at % p;
+  const auto entry = [&](int x, int y, int z) {
+    const std::size_t cell = t.index(x, y, z);
+    return t.weights[cell] > 0 ? double(t.values[cell]) : 0;
+  };
   RankOne start;
-  for (int x = 0; x < t.sizes[0]; ++x) start.a.push_back(t.values[t.index(x, j, k)]);
-  for (int x = 0; x < n; ++x) start.b.push_back(t.values[t.index(i, x, k)]);
-  for (int x = 0; x < p; ++x) start.c.push_back(t.values[t.index(i, j, x)]);
+  for (int x = 0; x < t.sizes[0]; ++x) start.a.push_back(entry(x, j, k));
+  for (int x = 0; x < n; ++x) start.b.push_back(entry(i, x, k));
+  for (int x = 0; x < p; ++x) start.c.push_back(entry(i, j, x));
   return start;
 }
 
@@ -180,7 +204,7 @@ double MaskedTensor::squaredNorm() const {
   constexpr std::size_t block = 1 << 14;
   return parallelSumBlocks(values.size(), block, [&](std::size_t begin, std::size_t end) {
     double sum = 0;
-    for (std::size_t i = begin; i < end; ++i) sum += double(values[i]) * double(values[i]);
+    for (std::size_t i = begin; i < end; ++i) sum += double(weights[i]) * double(values[i]) * double(values[i]);
     return sum;
   });
 }
@@ -206,8 +230,7 @@ void subtract(MaskedTensor& tensor, const RankOne& term) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t j = 0; j < n; ++j) {
         const double weight = term.a[i] * term.b[j];
-        for (std::size_t k = 0, at = (i * n + j) * p; k < p; ++k, ++at)
-          tensor.values[at] -= tensor.mask[at] * float(weight * term.c[k]);
+        for (std::size_t k = 0, at = (i * n + j) * p; k < p; ++k, ++at) tensor.values[at] -= float(weight * term.c[k]);
       }
   });
 }

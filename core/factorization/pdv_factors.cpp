@@ -7,10 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "core/coordinates/half_difference_block.h"
-#include "core/coordinates/projected_deviation.h"
 #include "core/factorization/deviation_grid.h"
-#include "core/factorization/masked_rank_one.h"
+#include "core/factorization/pdv_samples.h"
 #include "core/math/parallel.h"
 
 namespace gonio::factorization {
@@ -20,81 +18,12 @@ namespace {
 constexpr int thetaCount = 90, phiCount = 180;
 /// How far above the largest transformed value of the measurement the model may go.
 constexpr double headroom = 2;
-/// The last nodes stand on the limit itself.
-const double smallestCosine = std::cos(largestPolarAngle) * (1 - 1e-9);
 
 std::vector<double> evenNodes(int count, double last) {
   std::vector<double> nodes;
   for (int i = 0; i < count; ++i) nodes.push_back(last * i / (count - 1));
   return nodes;
 }
-
-/// The measurement over the nodes: transformed, the mean of phi and -phi, one tensor a channel with the same mask.
-class Samples {
- public:
-  Samples(const TabulatedBrdf& table, const PdvFactors& axes, const TaskControl& control)
-      : table_(table), axes_(axes), phis_(evenNodes(phiCount, pi)) {
-    for (MaskedTensor& channel : channels_) {
-      channel.sizes[0] = int(axes.thetaNodes.size());
-      channel.sizes[1] = int(axes.deviationNodes.size());
-      channel.sizes[2] = int(axes.phiNodes.size());
-      const std::size_t count = channel.index(channel.sizes[0], 0, 0);
-      channel.values.assign(count, 0);
-      channel.mask.assign(count, 0);
-    }
-    parallelForBlocks(
-        axes.thetaNodes.size(), 1, [&](std::size_t i, std::size_t) { sampleViewer(int(i)); }, control);
-  }
-  std::array<MaskedTensor, 3>& channels() { return channels_; }
-
- private:
-  void sampleViewer(int i) {
-    const bool flat = axes_.phiNodes.size() == 1;
-    for (int j = 0; j < channels_[0].sizes[1]; ++j) {
-      glm::dvec3 rowSum(0);
-      double rowCount = 0;
-      for (int k = 0; k < phiCount; ++k) {
-        glm::dvec3 y;
-        if (!sample(axes_.thetaNodes[std::size_t(i)], axes_.deviationNodes[std::size_t(j)], phis_[std::size_t(k)], y))
-          continue;
-        rowSum += y;
-        ++rowCount;
-        if (!flat) store(channels_[0].index(i, j, k), y);
-      }
-      if (flat && rowCount > 0) store(channels_[0].index(i, j, 0), rowSum / rowCount);
-    }
-  }
-
-  void store(std::size_t at, const glm::dvec3& y) {
-    for (int channel = 0; channel < 3; ++channel) {
-      channels_[std::size_t(channel)].values[at] = float(y[channel]);
-      channels_[std::size_t(channel)].mask[at] = 1;
-    }
-  }
-
-  bool sample(double thetaR, double deviation, double phi, glm::dvec3& y) const {
-    const ProjectedDirections at = fromProjectedDeviation({thetaR, deviation, phi});
-    if (!at.valid || at.pair.wi.z < smallestCosine) return false;
-    const double weight = cosineWeight(at.pair.wi.z, at.pair.wo.z);
-    y = glm::dvec3(0);
-    double count = 0;
-    for (const double side : {1.0, -1.0}) {
-      const Direction wi(at.pair.wi.x, side * at.pair.wi.y, at.pair.wi.z);
-      bool measured = false;
-      const Rgb rho = table_.lookup(toHalfDifference(wi, at.pair.wo), TableLookup::trilinear, &measured);
-      if (!measured) continue;
-      ++count;
-      for (int channel = 0; channel < 3; ++channel) y[channel] += transformed(axes_.transform, rho[channel], weight);
-    }
-    if (count > 0) y /= count;
-    return count > 0;
-  }
-
-  const TabulatedBrdf& table_;
-  const PdvFactors& axes_;
-  std::vector<double> phis_;
-  std::array<MaskedTensor, 3> channels_;
-};
 
 PdvFactors makeAxes(const TabulatedBrdf& table, const PdvOptions& options, const TaskControl& control) {
   if (options.terms < 1 || options.terms > mostPdvTerms)
@@ -121,7 +50,7 @@ std::vector<bool> measuredNodes(const MaskedTensor& t, int mode) {
   for (int i = 0; i < t.sizes[0]; ++i)
     for (int j = 0; j < t.sizes[1]; ++j)
       for (int k = 0; k < t.sizes[2]; ++k)
-        if (t.mask[t.index(i, j, k)] > 0) measured[std::size_t(mode == 0 ? i : mode == 1 ? j : k)] = true;
+        if (t.weights[t.index(i, j, k)] > 0) measured[std::size_t(mode == 0 ? i : mode == 1 ? j : k)] = true;
   return measured;
 }
 
@@ -153,15 +82,15 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
   constexpr double preparationShare = 0.2;
   const auto start = std::chrono::steady_clock::now();
   PdvFactorization result{.factors = makeAxes(table, options, {.stop = control.stop})};
-  Samples samples(table, result.factors, {.stop = control.stop});
-  auto& channels = samples.channels();
+  PdvSamples samples = samplePdv(table, result.factors, options.weights, {.stop = control.stop});
+  result.cells = samples.cells;
+  std::array<MaskedTensor, 3>& channels = samples.channels;
   double total = 0;
   for (const MaskedTensor& channel : channels) {
     total += channel.squaredNorm();
     for (const float y : channel.values) result.factors.highest = std::max(result.factors.highest, double(y));
   }
   result.factors.highest += headroom;
-  result.cells = std::size_t(std::count(channels[0].mask.begin(), channels[0].mask.end(), 1.0f));
   result.residuals.push_back(total > 0 ? 1 : 0);
   const std::vector<bool> measured[] = {measuredNodes(channels[0], 0), measuredNodes(channels[0], 1),
                                         measuredNodes(channels[0], 2)};
@@ -169,15 +98,17 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
     control.throwIfStopped();
     control.report(preparationShare + (1 - preparationShare) * term / options.terms);
     double left = 0;
-    for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+    std::array<double, 3> lefts{};
+    parallelForBlocks(channels.size(), 1, [&](std::size_t channel, std::size_t) {
       RankOne best = bestRankOne(channels[channel], {.nonnegative = term == 0});
       subtract(channels[channel], best);
       holdUnmeasured(best.a, measured[0]);
       holdUnmeasured(best.b, measured[1]);
       holdUnmeasured(best.c, measured[2]);
-      left += channels[channel].squaredNorm();
+      lefts[channel] = channels[channel].squaredNorm();
       result.factors.channels[channel].push_back({best.a, best.b, best.c});
-    }
+    });
+    for (const double channelLeft : lefts) left += channelLeft;
     result.residuals.push_back(total > 0 ? std::min(result.residuals.back(), std::sqrt(left / total)) : 0);
   }
   control.report(1);

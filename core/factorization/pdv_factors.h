@@ -44,10 +44,20 @@ struct PdvFactors {
   bool operator==(const PdvFactors&) const = default;
 };
 
+/// How much the squared error of y counts in a cell.
+enum class PdvWeights {
+  uniform,  ///< all cells the same: Tongbuasirilai et al. 2019. Crowded nodes at grazing angles decide
+  /// cos theta_i cos theta_o times both projected solid angles times (d rho / d y)^(1/4). The squared error of rho cos
+  /// theta_i cos theta_o, to first order, has the power 2, by which highlights drown the rest, and that of y the power
+  /// 0; between them 1/4 has the best pictures.
+  projectedSolidAngle
+};
+
 struct PdvOptions {
   PdvForm form = PdvForm::threeFactors;
   DataTransform transform = DataTransform::logPlus;
   int terms = 10;  ///< [1, 20]
+  PdvWeights weights = PdvWeights::projectedSolidAngle;
   /// Nodes of |Dp|; empty: deviationNodes() of the material.
   std::vector<double> deviationNodes = {};
 };
@@ -55,10 +65,10 @@ inline constexpr int mostPdvTerms = 20;
 
 struct PdvFactorization {
   PdvFactors factors;
-  /// |y - y^| / |y| over the cells on the disk that were measured and all channels (Frobenius), for 0, 1, .. terms:
-  /// never rises; the first is 1, or 0 for a black material.
+  /// |y - y^| / |y| in the weighted norm over all channels, for 0, 1, .. terms: never rises; the first is 1, or 0 for a
+  /// black material.
   std::vector<double> residuals;
-  std::size_t cells = 0;  ///< that count
+  std::size_t cells = 0;  ///< on the disk that were measured
   double seconds = 0;
 };
 

@@ -39,7 +39,10 @@ factorization::PdvOptions sharedOptions(std::span<const InterpolationEnd> ends, 
                                         const TaskControl& control) {
   for (const InterpolationEnd& end : ends)
     if (end.factors)
-      return {end.factors->form, end.factors->transform, end.factors->terms(), end.factors->deviationNodes};
+      return {.form = end.factors->form,
+              .transform = end.factors->transform,
+              .terms = end.factors->terms(),
+              .deviationNodes = end.factors->deviationNodes};
   factorization::PdvOptions shared = options.pdv;
   if (shared.deviationNodes.empty() && !ends.empty())
     shared.deviationNodes = factorization::deviationNodes(tablesOf(ends), factorization::defaultDeviations, control);

@@ -23,7 +23,7 @@ MaskedTensor logLuminance(const HalfOutSamples& s) {
   tensor.sizes[0] = int(axes.thetaH.size());
   tensor.sizes[1] = int(axes.phiH.size());
   tensor.sizes[2] = int(axes.thetaO.size());
-  tensor.mask.assign(s.values.size(), 1.0f);
+  tensor.weights.assign(s.values.size(), 1.0f);
   for (std::size_t i = 0; i < s.values.size(); ++i)
     tensor.values.push_back(s.valid[i]   ? float(std::log1p(luminance(s.values[i])))
                             : i >= slice ? tensor.values[i - slice]

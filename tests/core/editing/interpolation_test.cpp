@@ -243,7 +243,8 @@ class InterpolationTest : public QObject {
 
   /// A table beside a material that is factors is factorised as that is.
   void factorsThatAreGivenAreKept() {
-    const factorization::PdvOptions given{factorization::PdvForm::twoFactors, DataTransform::cosineLog, 3, {}};
+    const factorization::PdvOptions given{
+        .form = factorization::PdvForm::twoFactors, .transform = DataTransform::cosineLog, .terms = 3};
     const auto factors = std::make_shared<const factorization::PdvFactors>(factorizePdv(*tables_[1], given).factors);
     const std::vector<InterpolationEnd> ends{{.table = tables_[0]}, {.table = tables_[1], .factors = factors}};
     const auto between = prepareInterpolation(InterpolationSpace::factors, ends, options());

@@ -18,11 +18,11 @@ namespace {
 MaskedTensor randomTensor(int m, int n, int p, bool positive, double keep, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);
-  MaskedTensor t{.sizes = {m, n, p}, .values = {}, .mask = {}};
+  MaskedTensor t{.sizes = {m, n, p}, .values = {}, .weights = {}};
   for (int at = 0; at < m * n * p; ++at) {
     const double value = positive ? uniform(random) : 2 * uniform(random) - 1;
-    t.mask.push_back(uniform(random) < keep ? 1 : 0);
-    t.values.push_back(float(value) * t.mask.back());
+    t.weights.push_back(uniform(random) < keep ? 1 : 0);
+    t.values.push_back(float(value) * t.weights.back());
   }
   return t;
 }
@@ -35,7 +35,7 @@ double squaredDistance(const MaskedTensor& t, const RankOne& term) {
         const std::size_t at = t.index(i, j, k);
         const double d =
             double(t.values[at]) - term.a[std::size_t(i)] * term.b[std::size_t(j)] * term.c[std::size_t(k)];
-        sum += double(t.mask[at]) * d * d;
+        sum += double(t.weights[at]) * d * d;
       }
   return sum;
 }
@@ -76,7 +76,8 @@ class MaskedRankOneTest : public QObject {
       for (int i = 0; i < 8; ++i)
         for (int j = 0; j < 9; ++j)
           for (int k = 0; k < 10; ++k)
-            t.values[t.index(i, j, k)] = t.mask[t.index(i, j, k)] * float((1 + i) * std::exp(-0.3 * j) * (2 + k % 3));
+            t.values[t.index(i, j, k)] =
+                t.weights[t.index(i, j, k)] * float((1 + i) * std::exp(-0.3 * j) * (2 + k % 3));
       const RankOne term = bestRankOne(t, {.nonnegative = nonnegative, .maxSweeps = 500, .tolerance = 1e-12});
       QVERIFY2(squaredDistance(t, term) < 1e-10 * t.squaredNorm(), QByteArray::number(squaredDistance(t, term)));
       const double before = t.squaredNorm();
@@ -102,7 +103,7 @@ class MaskedRankOneTest : public QObject {
     QCOMPARE(nothing.residuals.back(), 0.0);
     MaskedTensor t = randomTensor(4, 5, 6, true, 1, 2);
     for (int j = 0; j < 5; ++j)
-      for (int k = 0; k < 6; ++k) t.values[t.index(2, j, k)] = t.mask[t.index(2, j, k)] = 0;
+      for (int k = 0; k < 6; ++k) t.values[t.index(2, j, k)] = t.weights[t.index(2, j, k)] = 0;
     const RankOne term = bestRankOne(t, {.nonnegative = true});
     QCOMPARE(term.a[2], 0.0);
     for (const auto* factor : {&term.a, &term.b, &term.c})
