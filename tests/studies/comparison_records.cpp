@@ -80,22 +80,33 @@ int wins(const Records& ofModel, const Records& ofBudget) {
   }));
 }
 
+/// Empty where there is none.
+std::string cell(double decibels) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", decibels);
+  return std::isfinite(decibels) ? text : "";
+}
+
 std::string summaryLine(const std::string& model, int terms, const Records& ofModel, const Records& ofBudget) {
   const auto of = [&](const std::string& collection) {
-    return mean(select(ofModel, [&](const auto& r) { return r.collection == collection; }),
-                &ComparisonRecord::rendered);
+    return cell(
+        mean(select(ofModel, [&](const auto& r) { return r.collection == collection; }), &ComparisonRecord::rendered));
   };
-  double bytes = 0;
-  for (const ComparisonRecord& r : ofModel) bytes = std::max(bytes, double(r.bytes));
+  std::size_t bytes = 0;
+  for (const ComparisonRecord& r : ofModel) bytes = std::max(bytes, r.bytes);
+  char kilobytes[32] = "";
+  if (bytes > 0) std::snprintf(kilobytes, sizeof kilobytes, "%.1f", double(bytes) / 1000);
   const auto worst = std::ranges::min_element(ofModel, {}, &ComparisonRecord::rendered);
-  char line[400];
-  std::snprintf(line, sizeof line,
-                "| %s | %d | %.1f | %.2f | %.2f | %.2f | %.2f | %.2f (%s) | %.2f | %.2f | %d | %.2f |\n", model.c_str(),
-                terms, bytes / 1000, of("MERL"), of("RGL"), mean(ofModel, &ComparisonRecord::rendered),
-                medianRendered(ofModel), worst->rendered, worst->material.c_str(),
-                mean(ofModel, &ComparisonRecord::peak), mean(ofModel, &ComparisonRecord::reflectance),
-                wins(ofModel, ofBudget), mean(ofModel, &ComparisonRecord::seconds));
-  return line;
+  const std::string budget = terms > 0 ? std::to_string(terms) : "",
+                    best = terms > 0 ? std::to_string(wins(ofModel, ofBudget)) : "";
+  std::string line;
+  for (const std::string& text :
+       {model, budget, std::string(kilobytes), of("MERL"), of("RGL"), cell(mean(ofModel, &ComparisonRecord::rendered)),
+        cell(medianRendered(ofModel)), cell(worst->rendered) + " (" + worst->material + ")",
+        cell(mean(ofModel, &ComparisonRecord::peak)), cell(mean(ofModel, &ComparisonRecord::reflectance)), best,
+        cell(mean(ofModel, &ComparisonRecord::seconds))})
+    line += "| " + text + ' ';
+  return line + "|\n";
 }
 
 }  // namespace
@@ -159,9 +170,9 @@ std::string materialTable(const Records& records, int terms) {
       const auto found = std::ranges::find_if(records, [&](const auto& r) {
         return r.material == material && r.model == model && (r.terms == terms || r.terms == 0);
       });
-      char cell[32] = " |";
-      if (found != records.end()) std::snprintf(cell, sizeof cell, " %.1f |", found->rendered);
-      table += cell;
+      char text[32] = " |";
+      if (found != records.end()) std::snprintf(text, sizeof text, " %.1f |", found->rendered);
+      table += text;
     }
     table += '\n';
   }
