@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+
+#include "core/dictionary/decode.h"
+#include "core/editing/interpolation/interpolation.h"
+#include "core/support/error.h"
+#include "tests/core/editing/interpolation_test_support.h"
+
+using namespace gonio;
+using namespace gonio::editing;
+using namespace gonio::editing::test;
+
+class InterpolationCodesTest : public QObject {
+  Q_OBJECT
+ private:
+  const std::vector<Table> tables_{measured(0.3, 0.2, 1), measured(0.1, 0.45, 2), measured(0.2, 0.3, 3)};
+  const std::vector<InterpolationEnd> ends_ = endsOf(tables_);
+  const std::vector<double> weights_{0.5, 0.2, 0.3};
+
+ private Q_SLOTS:
+  /// With all coefficients nothing is cut: the code, its table and the mixture of decoded tables are one.
+  void dictionaryIsTheMixtureOfTransformedTables() {
+    InterpolationOptions all = options();
+    all.codeCoefficients = smallGrid.size();
+    all.encode.coefficients = 200;
+    for (const DataTransform transform : {DataTransform::logPlus, DataTransform::cosineLog}) {
+      all.encode.transforms = {transform};
+      const auto between = prepareInterpolation(InterpolationSpace::dictionary, ends_, all);
+      const auto code = between->code(weights_).value();
+      QVERIFY(code.transform == transform);
+      const Table table = between->table(weights_);
+      QCOMPARE(largestDifference(*dictionary::decode(*all.ensemble, code), *table), 0.0);
+      QVERIFY(largestDifference(*mixed(between->mixture().value(), weights_), *table) < 1e-3);
+      QVERIFY(between->mixture()->transform == transform);
+    }
+    all.codeCoefficients = 50;
+    const auto few = prepareInterpolation(InterpolationSpace::dictionary, ends_, all);
+    QCOMPARE(few->code(weights_)->coefficients(), std::size_t(50));
+  }
+
+  /// With all coefficients a code is its material: the blend is that of the transformed reflectances.
+  void dictionaryBlendsTransformedReflectances() {
+    InterpolationOptions all = options();
+    all.encode = {.coefficients = smallGrid.size(), .transforms = {DataTransform::logPlus}};
+    all.codeCoefficients = smallGrid.size();
+    const auto between = prepareInterpolation(InterpolationSpace::dictionary, ends_, all);
+    const Table table = between->table(weights_);
+    for (std::size_t cell = 0; cell < smallGrid.size(); ++cell) {
+      if (!(tables_[0]->valid()[cell] && tables_[1]->valid()[cell] && tables_[2]->valid()[cell])) continue;
+      for (int c = 0; c < 3; ++c) {
+        double sum = 0;
+        for (std::size_t i = 0; i < 3; ++i) sum += weights_[i] * std::log1p(double(tables_[i]->values()[cell][c]));
+        QVERIFY(std::abs(double(table->values()[cell][c]) - std::expm1(sum)) < 1e-3 * (1 + std::expm1(sum)));
+      }
+    }
+  }
+
+  /// Codes are taken as they are; what has none, or one of another transform, is encoded in that of the first.
+  void hardCase31MixedTransformsAreEncodedAgain() {
+    const InterpolationOptions all = options();
+    const dictionary::Encoder encoder(*all.ensemble);
+    const auto encoded = [&](std::size_t i, DataTransform transform) {
+      return std::make_shared<const dictionary::SparseCode>(
+          encoder.encode(*tables_[i], {.coefficients = 30, .transforms = {transform}}).code);
+    };
+    std::vector<InterpolationEnd> ends = ends_;
+    ends[1].code = encoded(1, DataTransform::cosineLog);
+    ends[2].code = encoded(2, DataTransform::logPlus);
+    const auto between = prepareInterpolation(InterpolationSpace::dictionary, ends, all);
+    const auto first = between->code(std::vector{1.0, 0.0, 0.0}).value(),
+               second = between->code(std::vector{0.0, 1.0, 0.0}).value(),
+               third = between->code(std::vector{0.0, 0.0, 1.0}).value();
+    for (const auto& code : {first, second, third}) QVERIFY(code.transform == DataTransform::cosineLog);
+    QCOMPARE(second.coefficients(), std::size_t(30));
+    QVERIFY(first.coefficients() > 30 && third.coefficients() > 30);
+  }
+
+  /// Without codes the transform is the one in which the materials together are nearest.
+  void theTransformServesAllMaterials() {
+    InterpolationOptions all = options();
+    all.encode.coefficients = 60;
+    const auto between = prepareInterpolation(InterpolationSpace::dictionary, ends_, all);
+    std::array<double, 2> errors{};
+    for (const Table& table : tables_) {
+      const auto encoded = dictionary::Encoder(*all.ensemble).encode(*table, all.encode);
+      for (std::size_t t = 0; t < 2; ++t) errors[t] += encoded.candidates[t].gammaError;
+    }
+    QVERIFY(between->code(weights_)->transform == all.encode.transforms[errors[1] < errors[0] ? 1 : 0]);
+  }
+
+  void codesOfAnotherEnsembleAreRefused() {
+    std::vector<InterpolationEnd> ends = ends_;
+    dictionary::SparseCode foreign{.grid = smallGrid, .transform = DataTransform::logPlus, .channels = {}};
+    foreign.channels[2].dictionary = 3;
+    ends[1].code = std::make_shared<const dictionary::SparseCode>(foreign);
+    QVERIFY_EXCEPTION_THROWN(prepareInterpolation(InterpolationSpace::dictionary, ends, options()), Error);
+  }
+};
+
+QTEST_APPLESS_MAIN(InterpolationCodesTest)
+#include "interpolation_codes_test.moc"
