@@ -37,5 +37,6 @@ void addEdit(CLI::App& app, Tool& tool);
 void addRender(CLI::App& app, Tool& tool);
 void addCompare(CLI::App& app, Tool& tool);
 void addFactor(CLI::App& app, Tool& tool);
+void addInterpolate(CLI::App& app, Tool& tool);
 
 }  // namespace gonio::tool

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/editing/interpolation/interpolation.h"
+#include "core/io/pdv_file.h"
+#include "core/models/registry.h"
+
+namespace gonio::tool {
+
+namespace {
+
+using namespace editing;
+
+constexpr int mostMaterials = 16, mostSteps = 1000;
+constexpr const char* factorsSuffix = ".pdv";
+
+struct Options {
+  std::vector<std::string> materials;
+  std::string space{interpolationSpaceNames[0]}, model = "ggx", out;
+  std::vector<double> weights;
+  double at = 0.5;
+  int steps = 0, terms = 10;
+  bool atGiven = false;
+
+  InterpolationSpace spaceChosen() const {
+    const auto& names = interpolationSpaceNames;
+    return InterpolationSpace(std::find(names.begin(), names.end(), space) - names.begin());
+  }
+};
+
+bool endsWith(const std::string& path, const char* suffix) { return std::filesystem::path(path).extension() == suffix; }
+
+/// The weights of every blend that is wanted.
+std::vector<std::vector<double>> weightsOf(const Options& options) {
+  const auto between = [](double t) { return std::vector{1 - t, t}; };
+  std::vector<std::vector<double>> all;
+  if (!options.weights.empty()) return {options.weights};
+  if (options.steps == 0) return {between(options.at)};
+  for (int step = 0; step < options.steps; ++step) all.push_back(between(double(step) / (options.steps - 1)));
+  return all;
+}
+
+void checkOptions(const Options& options) {
+  const bool weighted = !options.weights.empty();
+  if (weighted + (options.steps > 0) + options.atGiven > 1)
+    throw UsageError("interpolate: --at, --weights and --steps exclude one another");
+  if (!weighted && options.materials.size() != 2)
+    throw UsageError("interpolate: found " + std::to_string(options.materials.size()) +
+                     " materials, expected --weights with one number each; --at and --steps are for two");
+  try {
+    checkWeights(weightsOf(options).front(), options.materials.size());
+  } catch (const Error& error) {
+    throw UsageError(std::string("interpolate: ") + error.what());
+  }
+  if (!endsWith(options.out, factorsSuffix)) return checkOutput(options.out);
+  if (options.spaceChosen() != InterpolationSpace::factors)
+    throw UsageError("interpolate: " + options.out + " would hold factors: that needs --space factors");
+}
+
+InterpolationEnd openEnd(const std::string& material, const Tool& tool) {
+  const io::Material opened = openMaterial(material, tool.control("reading " + material));
+  InterpolationEnd end{.table = opened.tabulated(tool.control("tabulating " + opened.name))};
+  if (io::isPdv(material)) end.factors = std::make_shared<const factorization::PdvFactors>(io::readPdv(material));
+  return end;
+}
+
+/// OUT of one step of a series: out-00.binary, out-01.binary, ...
+std::string fileOf(const Options& options, std::size_t step) {
+  if (options.steps == 0) return options.out;
+  const std::filesystem::path out(options.out);
+  const std::size_t digits = std::to_string(options.steps - 1).size();
+  std::string number = std::to_string(step);
+  number.insert(0, digits - number.size(), '0');
+  return (out.parent_path() / (out.stem().string() + "-" + number + out.extension().string())).string();
+}
+
+/// Writes one blend; returns what there is to tell about it.
+Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, std::span<const double> weights,
+           const std::string& out, const Tool& tool) {
+  const auto factors = interpolation.factors(weights);
+  if (endsWith(out, factorsSuffix))
+    io::writePdv(factors.value(), out);
+  else
+    writeMaterial(*interpolation.table(weights, tool.control("blending")), out);
+  Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
+  if (const auto parameters = interpolation.parameters(weights)) json["parameters"] = parametersJson(spec, *parameters);
+  if (factors) json["terms"] = factors->terms();
+  json["out"] = out;
+  return json;
+}
+
+int interpolate(const Options& options, const Tool& tool) {
+  checkOptions(options);
+  std::vector<InterpolationEnd> ends;
+  for (const std::string& material : options.materials) ends.push_back(openEnd(material, tool));
+  InterpolationOptions preparation;
+  preparation.model = &models::findModel(options.model);
+  preparation.pdv.terms = options.terms;
+  const auto start = std::chrono::steady_clock::now();
+  const auto interpolation = prepareInterpolation(options.spaceChosen(), ends, preparation, tool.control("preparing"));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  Json steps = Json::array();
+  std::string text;
+  const auto all = weightsOf(options);
+  for (std::size_t step = 0; step < all.size(); ++step) {
+    steps.push_back(blend(*interpolation, preparation.model->spec(), all[step], fileOf(options, step), tool));
+    text += fileOf(options, step) + ": " + options.space + ", weights";
+    for (const double weight : all[step]) text += " " + number(weight);
+    text += "\n";
+    if (const auto parameters = interpolation->parameters(all[step]))
+      text += parametersText(preparation.model->spec(), *parameters);
+  }
+  Json json{{"space", options.space}, {"materials", options.materials}, {"seconds", seconds}};
+  if (options.steps > 0)
+    json["steps"] = steps;
+  else
+    json.update(steps[0]);
+  print(tool, json, text);
+  return 0;
+}
+
+}  // namespace
+
+void addInterpolate(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("interpolate", "A material between two or more materials");
+  command->add_option("MATERIALS", options->materials, materialHelp)->required()->expected(2, mostMaterials);
+  auto* at = command->add_option("--at,--t", options->at, "Between two materials: 0 is the first, 1 the second (0.5)");
+  at->check(CLI::Range(0.0, 1.0));
+  command->add_option("--weights", options->weights, "One a material, of the sum 1, separated by commas")
+      ->delimiter(',')
+      ->expected(1, mostMaterials);
+  command->add_option("--steps", options->steps, "A series from the first to the second: OUT-0, OUT-1, ...")
+      ->check(CLI::Range(2, mostSteps));
+  command->add_option("--space", options->space, "What is blended (linear)")
+      ->check(CLI::IsMember(std::vector<std::string>(interpolationSpaceNames.begin(), interpolationSpaceNames.end())));
+  command->add_option("--model", options->model, "Of the spaces parameters and differential (ggx)")
+      ->check(CLI::IsMember(modelIds()));
+  command->add_option("--terms", options->terms, "Of the space factors (10)")
+      ->check(CLI::Range(1, factorization::mostPdvTerms));
+  command->add_option("--out", options->out, "The material (.binary), or of the space factors its curves (.pdv)")
+      ->required();
+  command->callback([options, at, &tool] {
+    options->atGiven = at->count() > 0;
+    tool.run = [options, &tool] { return interpolate(*options, tool); };
+  });
+}
+
+}  // namespace gonio::tool
