@@ -114,14 +114,15 @@ void Document::deleteEdit() {
   m_history.add(new ReplaceStateCommand(*this, {m_state.fit, edit, m_state.factors}, tr("Delete the model's edit")));
 }
 
-void Document::pasteEdit(const models::ParameterValues& edited, const std::optional<fitting::FitResult>& fit) {
-  EditState state;
-  if (fit)
-    state = {fit, identityEdit(*fit), m_state.factors};
-  else
-    state = m_state;
-  if (!state.edit || (!fit && state.edit->edited == edited)) return;
-  state.edit->edited = edited;
+void Document::paste(const std::optional<editing::FactorEdit>& factors,
+                     const std::optional<editing::DifferentialEdit>& edit,
+                     const std::optional<fitting::FitResult>& fit) {
+  if (!edit) return factors ? setFactors(factors, tr("Paste factor curves")) : void();
+  EditState state = m_state;
+  state.edit = edit;
+  if (factors) state.factors = factors;
+  if (fit) state.fit = fit;
+  if (!fit && state.factors == m_state.factors && state.edit == m_state.edit) return;
   m_history.add(new ReplaceStateCommand(*this, state, tr("Paste edits")));
 }
 

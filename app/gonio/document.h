@@ -66,8 +66,9 @@ class Document : public QObject {
   void deleteEdit();
   /// One undo step; of one interaction, all together. Absent: no edit of factors.
   void setFactors(const std::optional<editing::FactorEdit>& factors, const QString& text);
-  /// Replaces the edited values; `fit` too when the pasted edit needs another model.
-  void pasteEdit(const models::ParameterValues& edited, const std::optional<fitting::FitResult>& fit = {});
+  /// Replaces those edits that are given, in one undo step; `fit` too when the model's is one of another model.
+  void paste(const std::optional<editing::FactorEdit>& factors, const std::optional<editing::DifferentialEdit>& edit,
+             const std::optional<fitting::FitResult>& fit = {});
 
   /// What is written to a .gonio file.
   editing::EditDocument toEditDocument() const;

@@ -21,6 +21,14 @@ constexpr int exrSide = 1024, exrSamples = 128;
 
 bool isDocument(const QString& path) { return path.endsWith(".gonio", Qt::CaseInsensitive); }
 QString shortName(const QString& path) { return path.section('/', -1); }
+
+editing::FactorEdit carriedOver(const editing::FactorEdit& edit, const TabulatedBrdf& table,
+                                const TaskControl& control) {
+  const factorization::PdvOptions options{
+      .form = edit.original->form, .transform = edit.original->transform, .terms = edit.original->terms()};
+  auto factors = factorization::factorizePdv(table, options, control).factors;
+  return editing::transferredEdit(edit, std::make_shared<const factorization::PdvFactors>(std::move(factors)));
+}
 }  // namespace
 
 const models::Model& defaultModel() { return models::findModel("ggx"); }
@@ -205,34 +213,52 @@ void DocumentController::exportExr(const QString& path, const SphereScene& scene
 }
 
 void DocumentController::paste(const std::vector<editing::Edit>& edits) {
-  for (const editing::Edit& edit : edits)
-    if (const auto* factors = std::get_if<editing::FactorEdit>(&edit))
-      pasteFactors(*factors);
-    else
-      pasteModel(std::get<editing::DifferentialEdit>(edit));
-}
-
-void DocumentController::pasteFactors(const editing::FactorEdit& edit) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
-  m_tasks.run<editing::FactorEdit>(
-      {tr("Carrying the factor curves over"), pasteKey},
-      [material, edit](const TaskControl& control) {
-        const factorization::PdvOptions options{
-            .form = edit.original->form, .transform = edit.original->transform, .terms = edit.original->terms()};
-        auto factors = factorization::factorizePdv(*material->table, options, control).factors;
-        return editing::transferredEdit(edit, std::make_shared<const factorization::PdvFactors>(std::move(factors)));
+  Pasted pasted;
+  for (const editing::Edit& edit : edits)
+    if (const auto* factors = std::get_if<editing::FactorEdit>(&edit))
+      pasted.factors = *factors;
+    else
+      pasted.edit = std::get<editing::DifferentialEdit>(edit);
+  const auto& current = m_document.edit();
+  const models::Model* missing =
+      pasted.edit && !(current && current->model == pasted.edit->model) ? pasted.edit->model : nullptr;
+  if (const auto known = m_fits.find(missing); known != m_fits.end()) {
+    pasted.fit = known->second;
+    missing = nullptr;
+  }
+  if (!pasted.factors && !missing) return install(pasted);
+  m_tasks.run<Pasted>(
+      {tr("Carrying the edits over"), pasteKey},
+      [material, pasted, missing](const TaskControl& control) {
+        Pasted carried = pasted;
+        if (pasted.factors) carried.factors = carriedOver(*pasted.factors, *material->table, control);
+        if (missing) carried.fit = fitting::fit(*material->table, *missing, {}, control);
+        if (carried.fit && carried.fit->cancelled) throw Cancelled();
+        return carried;
       },
-      [this](const editing::FactorEdit& carried) { m_document.setFactors(carried, tr("Paste factor curves")); },
-      [this](const QString& error) { Q_EMIT failed(tr("Cannot paste the factor curves"), error); });
+      [this](const Pasted& carried) { install(carried); },
+      [this](const QString& error) { Q_EMIT failed(tr("Cannot paste the edits"), error); });
 }
 
-void DocumentController::pasteModel(const editing::DifferentialEdit& edit) {
-  const auto& current = m_document.edit();
-  if (current && current->model == edit.model) return m_document.pasteEdit(transferredEdit(edit, current->fitted));
-  runFit(*edit.model, [this, edit](const fitting::FitResult& fit) {
-    m_document.pasteEdit(transferredEdit(edit, fit.parameters), fit);
-  });
+void DocumentController::install(const Pasted& pasted) {
+  std::optional<editing::DifferentialEdit> edit = pasted.edit;
+  if (pasted.fit) {
+    m_tasks.drop(fitKey);  // a fit under way would replace what is pasted
+    m_fits[pasted.fit->model] = *pasted.fit;
+    for (const std::string& warning : pasted.fit->warnings) Q_EMIT warned(QString::fromStdString(warning));
+  }
+  if (edit) {
+    const auto& current = m_document.edit();
+    const bool inUse = !pasted.fit && current && current->model == edit->model;
+    // Another model was chosen meanwhile.
+    if (!inUse && !pasted.fit) return paste(editing::editStack(pasted.factors, pasted.edit));
+    const models::ParameterValues& fitted = inUse ? current->fitted : pasted.fit->parameters;
+    edit->edited = transferredEdit(*edit, fitted);
+    edit->fitted = fitted;
+  }
+  m_document.paste(pasted.factors, edit, pasted.fit);
 }
 
 }  // namespace gonio::app

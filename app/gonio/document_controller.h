@@ -42,8 +42,8 @@ class DocumentController : public QObject {
   /// Renders the edited material on the CPU as linear OpenEXR.
   void exportExr(const QString& path, const SphereScene& scene);
 
-  /// Pastes edits, each carried over to the open material; makes the fit that a model's needs first where the model is
-  /// another one, and the factors that one of curves needs. An undo step each.
+  /// Pastes edits, carried over to the open material, in one undo step. The factors that one of curves needs are found
+  /// first, and the fit that a model's needs where the model is another one.
   void paste(const std::vector<editing::Edit>& edits);
 
  Q_SIGNALS:
@@ -72,8 +72,12 @@ class DocumentController : public QObject {
   void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
               const models::ParameterValues& choices = {});
   void automaticFit();
-  void pasteModel(const editing::DifferentialEdit& edit);
-  void pasteFactors(const editing::FactorEdit& edit);
+  struct Pasted {
+    std::optional<editing::FactorEdit> factors;     ///< carried over
+    std::optional<editing::DifferentialEdit> edit;  ///< as it was copied
+    std::optional<fitting::FitResult> fit;          ///< of its model, where another one is in use
+  };
+  void install(const Pasted& pasted);
 
   Document& m_document;
   BackgroundTasks& m_tasks;

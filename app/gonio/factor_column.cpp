@@ -25,14 +25,27 @@ constexpr double step = 1.1, tiltStep = 0.1, smoothRadius = 1.5;
 
 QString tr(const char* text) { return QCoreApplication::translate("FactorColumn", text); }
 
-widgets::CurveAxis chartAxis(FactorAxis axis) {
+QString transformedValue(DataTransform transform) {
+  switch (transform) {
+    case DataTransform::logPlus:
+      return tr("ln(1 + ρ), ρ in 1/sr");
+    case DataTransform::cosineLog:
+      return tr("ln(1 + ρ cos θi cos θo), ρ in 1/sr");
+    case DataTransform::root:
+      return tr("√ρ, ρ in 1/sr");
+    default:
+      return tr("ρ in 1/sr");
+  }
+}
+
+widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
   switch (axis) {
     case FactorAxis::theta:
       return {.title = tr("F1: how strongly it mirrors at each angle"),
               .label = tr("θR, angle of the mirror direction, degrees"),
               .symbol = tr("θR"),
               .suffix = tr("°"),
-              .valueLabel = tr("ln(1 + ρ), ρ in 1/sr"),
+              .valueLabel = transformedValue(transform),
               .unit = radians(1),
               .tick = 15};
     case FactorAxis::deviation:
@@ -140,7 +153,7 @@ QString operationText(FactorOperation operation, FactorAxis axis) {
 
 FactorColumn::FactorColumn(FactorAxis axis, QWidget* parent)
     : QWidget(parent), m_axis(axis), m_editor(new widgets::CurveEditor), m_buttons(new QWidget) {
-  m_editor->setAxis(chartAxis(axis));
+  m_editor->setAxis(chartAxis(axis, m_transform));
   auto* row = new QHBoxLayout(m_buttons);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(2);
@@ -174,6 +187,12 @@ FactorColumn::FactorColumn(FactorAxis axis, QWidget* parent)
 }
 
 void FactorColumn::setButtonsEnabled(bool enabled) { m_buttons->setEnabled(enabled); }
+
+void FactorColumn::setTransform(DataTransform transform) {
+  if (transform == m_transform) return;
+  m_transform = transform;
+  m_editor->setAxis(chartAxis(m_axis, transform));
+}
 
 void FactorColumn::dragEnterEvent(QDragEnterEvent* event) {
   if (m_editor->nodes().empty() || widgets::draggedMaterial(event->mimeData()).isEmpty()) return;

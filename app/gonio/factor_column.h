@@ -39,6 +39,8 @@ class FactorColumn : public QWidget {
   widgets::CurveEditor& editor() const { return *m_editor; }
   FactorAxis axis() const { return m_axis; }
   void setButtonsEnabled(bool enabled);
+  /// What the values of the curves are: told beside the axis of F1, whose curves carry the strength.
+  void setTransform(DataTransform transform);
 
  Q_SIGNALS:
   void operationChosen(gonio::app::FactorOperation operation);
@@ -53,6 +55,7 @@ class FactorColumn : public QWidget {
 
  private:
   FactorAxis m_axis;
+  DataTransform m_transform = DataTransform::logPlus;
   widgets::CurveEditor* m_editor;
   QWidget* m_buttons;
   QWidget* m_dropNote;

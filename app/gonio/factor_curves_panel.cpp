@@ -149,9 +149,9 @@ void FactorCurvesPanel::showLimits(double thetaR) {
 
 bool FactorCurvesPanel::isSettled() const { return !isVisible() || (!m_running && !m_tasks.isRunning(swapKey)); }
 
-PdvForm FactorCurvesPanel::form() const {
-  if (m_document.factors()) return m_document.factors()->edited->form;
-  return m_form->currentIndex() == 0 ? PdvForm::twoFactors : PdvForm::threeFactors;
+MeasuredFactors::Kind FactorCurvesPanel::kind() const {
+  if (m_document.factors()) return {m_document.factors()->edited->form, m_document.factors()->edited->transform};
+  return {m_form->currentIndex() == 0 ? PdvForm::twoFactors : PdvForm::threeFactors};
 }
 
 int FactorCurvesPanel::channel() const { return m_channel->currentIndex() - 1; }
@@ -170,13 +170,13 @@ void FactorCurvesPanel::showEvent(QShowEvent* event) {
 
 void FactorCurvesPanel::request() {
   const LoadedMaterialPtr material = m_document.material();
-  if ((m_running || m_measured) && m_requested != form()) forget();
+  if ((m_running || m_measured) && m_requested != kind()) forget();
   if (material && isVisible() && !m_running && !m_refused && !m_measured) {
     m_running = true;
-    m_requested = form();
+    m_requested = kind();
     m_tasks.run<MeasuredFactors>(
         {tr("Factorising %1").arg(QString::fromStdString(material->material.name)), factorKey},
-        [material, form = form()](const TaskControl& control) { return measureFactors(material, form, control); },
+        [material, kind = kind()](const TaskControl& control) { return measureFactors(material, kind, control); },
         [this](const MeasuredFactors& measured) { adopt(measured); },
         [this](const QString& error) {
           m_running = false;
@@ -203,7 +203,7 @@ void FactorCurvesPanel::adopt(const MeasuredFactors& measured) {
 void FactorCurvesPanel::refresh() {
   const FactorEdit edit = current();
   const bool known = edit.original != nullptr;
-  const bool flat = known ? edit.edited->form == PdvForm::twoFactors : form() == PdvForm::twoFactors;
+  const bool flat = (known ? edit.edited->form : kind().form) == PdvForm::twoFactors;
   m_factorise->setVisible(m_refused && !m_measured);
   m_terms->setMeasured(m_measured);
   m_columns[2]->setVisible(!flat);
@@ -214,6 +214,7 @@ void FactorCurvesPanel::refresh() {
   for (FactorColumn* column : m_columns) {
     widgets::CurveEditor& editor = column->editor();
     column->setButtonsEnabled(known);
+    column->setTransform(known ? edit.edited->transform : kind().transform);
     if (known)
       editor.setCurves(nodesOf(*edit.edited, column->axis()), firstCurves(*edit.edited, column->axis()),
                        firstCurves(*edit.original, column->axis()));
@@ -264,13 +265,14 @@ void FactorCurvesPanel::chooseTerms(int terms) {
   FactorEdit edit = *m_document.factors();
   PdvFactors edited = edit.edited->truncated(terms);
   // Terms that the edit did not have yet come as they were found.
-  if (edited.form == m_original->form && edited.deviationNodes == m_original->deviationNodes)
+  if (MeasuredFactors::Kind{edited.form, edited.transform} == m_requested &&
+      edited.deviationNodes == m_original->deviationNodes)
     for (std::size_t c = 0; c < 3; ++c)
       for (auto i = edited.channels[c].size(); i < m_original->channels[c].size(); ++i)
         edited.channels[c].push_back(m_original->channels[c][i]);
   edit.original = m_original;
   edit.edited = shared(factorization::withRoomForEdits(edited));
-  m_document.setFactors(edit, tr("Use %n terms", nullptr, terms));
+  m_document.setFactors(edit, terms == 1 ? tr("Use 1 term") : tr("Use %1 terms").arg(terms));
 }
 
 void FactorCurvesPanel::chooseForm() {

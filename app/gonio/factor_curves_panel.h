@@ -54,7 +54,7 @@ class FactorCurvesPanel : public QWidget {
   void forget();
   void adopt(const MeasuredFactors& measured);
   void refresh();
-  factorization::PdvForm form() const;
+  MeasuredFactors::Kind kind() const;
   int channel() const;
   /// The document's edit, or the one that changes nothing yet. Without curves while nothing is known.
   editing::FactorEdit current() const;
@@ -74,8 +74,8 @@ class FactorCurvesPanel : public QWidget {
   std::array<FactorColumn*, 3> m_columns;
   FactorTermsView* m_terms;
   std::shared_ptr<const MeasuredFactors> m_measured;
-  Curves m_original;                        ///< those of m_measured with the chosen number of terms
-  factorization::PdvForm m_requested = {};  ///< of m_measured, or of what is being measured
+  Curves m_original;                  ///< those of m_measured with the chosen number of terms
+  MeasuredFactors::Kind m_requested;  ///< of m_measured, or of what is being measured
   bool m_running = false, m_refused = false;
 };
 

@@ -16,6 +16,7 @@
 #include "widgets/panels/plausibility_badges.h"
 #include "widgets/panels/progress_strip.h"
 #include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
@@ -116,7 +117,7 @@ void MainWindow::buildStatusBar() {
   m_frameTime = permanent(tr("Time of the last frame"));
   connect(m_preview, &widgets::PreviewWidget::frameRendered, this, [this](double milliseconds, int samples) {
     m_frameTime->setText(tr("%1 ms").arg(milliseconds, 0, 'f', 1));
-    m_samples->setText(tr("%1 samples").arg(samples));
+    m_samples->setText(widgets::samplesText(samples));
   });
   connect(m_preview, &widgets::PreviewWidget::failed, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_tasks, &BackgroundTasks::changed, this, &MainWindow::showProgress);

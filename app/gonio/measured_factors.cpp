@@ -40,12 +40,12 @@ double nanosecondsOf(const Brdf& brdf) {
 
 }  // namespace
 
-MeasuredFactors measureFactors(const LoadedMaterialPtr& material, factorization::PdvForm form,
+MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const MeasuredFactors::Kind& kind,
                                const TaskControl& control) {
   MeasuredFactors measured;
   measured.material = material;
-  measured.factorization =
-      factorization::factorizePdv(*material->table, {.form = form, .terms = mostEditedTerms}, control);
+  measured.factorization = factorization::factorizePdv(
+      *material->table, {.form = kind.form, .transform = kind.transform, .terms = mostEditedTerms}, control);
   for (int terms = 1; terms <= measured.factorization.factors.terms(); ++terms) {
     control.throwIfStopped();
     const auto factors = measured.factorization.factors.truncated(terms);

@@ -9,6 +9,11 @@ namespace gonio::app {
 
 /// The factors of a material with what each count of terms costs: index 0 is one term.
 struct MeasuredFactors {
+  struct Kind {
+    factorization::PdvForm form = factorization::PdvForm::twoFactors;
+    DataTransform transform = DataTransform::logPlus;
+    bool operator==(const Kind&) const = default;
+  };
   LoadedMaterialPtr material;
   factorization::PdvFactorization factorization;
   std::vector<std::size_t> bytes;   ///< of a file with the factors
@@ -21,7 +26,7 @@ struct MeasuredFactors {
 inline constexpr int mostEditedTerms = 10;
 
 /// Factorises and measures: some seconds in the 3-D form. @throws Cancelled.
-MeasuredFactors measureFactors(const LoadedMaterialPtr& material, factorization::PdvForm form,
+MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const MeasuredFactors::Kind& kind,
                                const TaskControl& control = {});
 
 }  // namespace gonio::app

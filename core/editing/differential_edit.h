@@ -24,6 +24,7 @@ struct DifferentialEdit {
 
   /// Whether it leaves every base as it is, bit for bit.
   bool isIdentity() const { return !enabled || strength == 0 || edited == fitted; }
+  bool operator==(const DifferentialEdit&) const = default;
 };
 
 /// Whether it changes a material by something that depends on the azimuth, so that no isotropic table can hold it.

@@ -88,11 +88,12 @@ nlohmann::json toJson(const EditDocument& document) {
   nlohmann::json edits = nlohmann::json::array();
   for (const Edit& edit : document.edits)
     edits.push_back(std::visit([](const auto& one) { return toJson(one); }, edit));
-  return {{"format", formatName},
-          {"version", EditDocument::currentVersion},
-          {"source", {{"path", document.sourcePath}, {"sha256", document.sourceSha256}}},
-          {"edits", std::move(edits)},
-          {"view", document.view}};
+  nlohmann::json json = {{"format", formatName},
+                         {"version", EditDocument::currentVersion},
+                         {"source", {{"path", document.sourcePath}, {"sha256", document.sourceSha256}}},
+                         {"edits", std::move(edits)}};
+  if (!document.view.is_null()) json["view"] = document.view;
+  return json;
 }
 
 EditDocument documentFromJson(const nlohmann::json& json) {

@@ -24,7 +24,7 @@ struct EditDocument {
   std::string sourcePath;
   std::string sourceSha256;
   std::vector<Edit> edits;
-  nlohmann::json view = nlohmann::json::object();  ///< the editor's camera, light, exposure: opaque to core
+  nlohmann::json view = nlohmann::json::object();  ///< camera, light, exposure: opaque to core; null: none
 };
 
 /// @throws Error when an edit's values do not fit its model.

@@ -163,6 +163,52 @@ class DocumentControllerTest : public QObject {
     QVERIFY(after[before.size() / 4] > before[before.size() / 4] + 0.05);
   }
 
+  /// Curves and sliders that were copied together come as one step, with their strengths and eyes; so does a model that
+  /// has to be fitted first.
+  void whatWasCopiedTogetherIsOneStep() {
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    const auto factors = factorization::factorizePdv(*editor.document.material()->table, {.terms = 1}).factors;
+    editing::FactorEdit curves;
+    curves.original = std::make_shared<const factorization::PdvFactors>(factors);
+    curves.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
+    for (const char* id : {"ggx", "lambert"}) {
+      const models::Model& model = models::findModel(id);
+      editing::DifferentialEdit sliders{.model = &model, .fitted = {}, .edited = {}, .strength = 0.5, .enabled = false};
+      sliders.fitted = sliders.edited = models::defaultParameters(model.spec());
+      sliders.edited.values[0] = 0.5 * sliders.fitted.values[0];
+      const EditState before = editor.document.state();
+      const int steps = editor.document.history().index();
+      editor.controller.paste({curves, sliders});
+      QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle() && editor.document.history().index() > steps,
+                               patienceMilliseconds);
+      QCOMPARE(editor.document.history().index(), steps + 1);
+      QVERIFY(*editor.document.factors() == curves);
+      const editing::DifferentialEdit& pasted = *editor.document.edit();
+      QVERIFY(pasted.model == &model && pasted.edited != pasted.fitted);
+      QVERIFY(pasted.strength == 0.5 && !pasted.enabled);
+      editor.document.history().undo();
+      QVERIFY(editor.document.factors() == before.factors);
+      QVERIFY(editor.document.edit()->model == before.edit->model);
+      QVERIFY(editor.document.edit()->edited == before.edit->edited);
+    }
+  }
+
+  /// Without a picture there is no view to keep: the document opens all the same.
+  void aDocumentWithoutAViewOpens() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("blind.gonio");
+    Editor editor, again;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    QVERIFY(editor.controller.save(path, {}));
+    QSignalSpy failed(&again.controller, &DocumentController::failed);
+    again.controller.open(path);
+    QTRY_VERIFY_WITH_TIMEOUT(again.document.edit().has_value() || failed.count() > 0, patienceMilliseconds);
+    QCOMPARE(failed.count(), 0);
+  }
+
   void aChangedSourceIsTold() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("old.gonio");

@@ -88,7 +88,10 @@ class DocumentTest : public QObject {
     m_document->chooseFit(fitOf(models::lambert())), note();
     m_document->setParameter(0, Rgb(0.7, 0.1, 0.2)), note();
     models::ParameterValues pasted = states[2].edit->edited;
-    m_document->pasteEdit(pasted, fitOf(models::ggx())), note();
+    editing::DifferentialEdit edit = identityEdit(fitOf(models::ggx()));
+    edit.edited = pasted;
+    m_document->paste({}, edit, fitOf(models::ggx())), note();
+    m_document->paste(factorEdit(2), edit), note();
     QCOMPARE(m_document->history().count(), int(states.size()) - 1);
     for (int round = 0; round < 2; ++round) {
       for (int i = int(states.size()) - 1; i >= 0; --i) {
@@ -97,6 +100,7 @@ class DocumentTest : public QObject {
         QCOMPARE(m_document->edit()->model, expected.edit->model);
         QVERIFY(sameBits(m_document->edit()->edited, expected.edit->edited));
         QVERIFY(sameBits(m_document->edit()->fitted, expected.edit->fitted));
+        QVERIFY(m_document->factors() == expected.factors);
         QCOMPARE(m_document->isModified(), i != 0);
       }
     }
@@ -170,7 +174,7 @@ class DocumentTest : public QObject {
     m_document->resetAll();
     m_document->resetParameter(0);
     m_document->setParameter(0, m_document->edit()->edited.values[0]);
-    m_document->pasteEdit(m_document->edit()->edited);
+    m_document->paste({}, m_document->edit());
     QCOMPARE(m_document->history().count(), 0);
   }
 

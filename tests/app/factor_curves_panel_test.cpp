@@ -117,6 +117,27 @@ class FactorCurvesPanelTest : public QObject {
     QVERIFY(!m_panel->column(FactorAxis::phi).isVisible());
   }
 
+  /// The values are those of the transform that the document's curves were made in, the terms' errors too.
+  void theValuesAreThoseOfTheTransform() {
+    QVERIFY(editor(FactorAxis::theta).axis().valueLabel.contains("ln(1 + ρ)"));
+    editing::FactorEdit other;
+    const factorization::PdvOptions options{
+        .form = factorization::PdvForm::twoFactors, .transform = DataTransform::root, .terms = 3};
+    const auto found = factorization::factorizePdv(*m_document.material()->table, options);
+    other.original = std::make_shared<const PdvFactors>(found.factors);
+    other.edited = std::make_shared<const PdvFactors>(factorization::widenF2(found.factors, 1.5));
+    m_document.setFactors(other, "other transform");
+    QVERIFY(editor(FactorAxis::theta).axis().valueLabel.contains("√ρ"));
+    QTRY_VERIFY_WITH_TIMEOUT(m_panel->isSettled(), patienceMilliseconds);
+    QString text;
+    for (const QLabel* label : m_panel->termsView().findChildren<QLabel*>())
+      if (label->text().contains("kB")) text = label->text();
+    QVERIFY2(text.contains(QString::number(100 * found.residuals[3], 'f', 1) + " %"), qPrintable(text));
+    m_document.history().undo();
+    QTRY_VERIFY_WITH_TIMEOUT(m_panel->isSettled(), patienceMilliseconds);
+    QVERIFY(editor(FactorAxis::theta).axis().valueLabel.contains("ln(1 + ρ)"));
+  }
+
   /// The limits of F2 are those of the angle that is pointed at in F1: 1 -+ sin theta_R.
   void theLimitsFollowTheAngle() {
     widgets::CurveEditor& strength = editor(FactorAxis::theta);
@@ -258,8 +279,11 @@ class FactorCurvesPanelTest : public QObject {
     }
     slider->setValue(2);
     QVERIFY(edit().edited->channels == stronger.channels);
+    QCOMPARE(m_document.history().text(2), QStringLiteral("Use 2 terms"));
     m_document.history().undo();
     QCOMPARE(slider->value(), 5);
+    slider->setValue(1);
+    QCOMPARE(m_document.history().text(2), QStringLiteral("Use 1 term"));
   }
 
   /// What the numbers beside the slider say is what was measured of that many terms.

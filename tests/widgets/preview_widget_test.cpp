@@ -63,6 +63,11 @@ class PreviewWidgetTest : public QObject {
     QCOMPARE(picked.count(), 2);
   }
 
+  void oneSampleIsNotSamples() {
+    QCOMPARE(widgets::samplesText(1), QStringLiteral("1 sample"));
+    QCOMPARE(widgets::samplesText(64), QStringLiteral("64 samples"));
+  }
+
   void convergesAndThenRests() {
     widget_->setMaterial(table_, {});
     QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);

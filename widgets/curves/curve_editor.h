@@ -25,6 +25,7 @@ class CurveEditor : public QWidget {
   explicit CurveEditor(QWidget* parent = nullptr);
 
   void setAxis(const CurveAxis& axis);
+  const CurveAxis& axis() const { return m_view.axis; }
   /// @param ghost what the curves were before any edit; drawn faintly. The control points stay where the same nodes
   /// are shown with curves of this widget's own making, else they are chosen anew.
   void setCurves(const std::vector<double>& nodes, const ChannelCurves& curves, const ChannelCurves& ghost);

@@ -14,6 +14,10 @@ namespace {
 constexpr int margin = 10;
 }
 
+QString samplesText(int samples) {
+  return samples == 1 ? PreviewOverlay::tr("1 sample") : PreviewOverlay::tr("%1 samples").arg(samples);
+}
+
 PreviewOverlay::PreviewOverlay(QWidget* viewport)
     : QObject(viewport),
       m_viewport(viewport),

@@ -9,6 +9,9 @@
 
 namespace gonio::widgets {
 
+/// "1 sample", "64 samples".
+QString samplesText(int samples);
+
 class FalseColourLegend;
 class SplitBar;
 

@@ -278,12 +278,12 @@ void PreviewWidget::updateStatus(double milliseconds) {
   const QString light =
       scene_.environment ? QString::fromStdString(scene_.environment->name()) : tr("directional light");
   const QString curve = QString::fromUtf8(toneMapName(settings_.toneMap).data());
-  overlay_->setStatus(tr("%1 | exposure %2 | %3 | %4 ms | %5 samples")
+  overlay_->setStatus(tr("%1 | exposure %2 | %3 | %4 ms | %5")
                           .arg(light)
                           .arg(settings_.exposure, 0, 'f', 1)
                           .arg(curve)
                           .arg(milliseconds, 0, 'f', 1)
-                          .arg(first_.picture.samples()));
+                          .arg(samplesText(first_.picture.samples())));
 }
 
 }  // namespace gonio::widgets
