@@ -28,11 +28,10 @@ Place clamped(double position, int count) {
   return {low, std::min(low + 1, count - 1), float(x - low)};
 }
 
+/// @param position in [0, count].
 Place wrapped(double position, int count) {
-  const double turns = position / count;
-  const double x = (turns - std::floor(turns)) * count;
-  const int low = std::min(int(x), count - 1);
-  return {low, low + 1 == count ? 0 : low + 1, float(x - low)};
+  const int low = std::min(int(position), count - 1);
+  return {low, low + 1 == count ? 0 : low + 1, float(position - low)};
 }
 
 /// The atoms of one mode that a channel uses, those of a node side by side.

@@ -3,6 +3,7 @@
 #include "core/dictionary/code_brdf.h"
 
 #include <QTest>
+#include <cmath>
 
 #include "core/dictionary/decode.h"
 #include "core/dictionary/encode.h"
@@ -12,6 +13,25 @@
 using namespace gonio;
 using namespace gonio::dictionary;
 using namespace gonio::dictionary::test;
+
+namespace {
+
+/// What lies between the nodes of a signal, by the eight corners: phi_d wraps, the others end at their last node.
+double trilinear(const Eigen::ArrayXf& signal, const HalfDifferenceGrid::Position& at) {
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const int i = int(at.thetaH) + (corner & 1), j = int(at.thetaD) + (corner >> 1 & 1),
+              k = int(at.phiD) + (corner >> 2);
+    const auto share = [](double position, int node) { return 1 - std::abs(position - node); };
+    sum +=
+        share(at.thetaH, i) * share(at.thetaD, j) * share(at.phiD, k) *
+        double(signal[Eigen::Index(smallGrid.index(std::min(i, smallGrid.thetaHCount - 1),
+                                                   std::min(j, smallGrid.thetaDCount - 1), k % smallGrid.phiDCount))]);
+  }
+  return sum;
+}
+
+}  // namespace
 
 class CodeBrdfTest : public QObject {
   Q_OBJECT
@@ -41,6 +61,75 @@ class CodeBrdfTest : public QObject {
       }
       QVERIFY(compared > 500);
     }
+  }
+
+  /// Between the nodes the transformed values are trilinear, also behind the last node of each axis.
+  void isTrilinearInTheTransformedDomain() {
+    for (const DataTransform transform : {DataTransform::logPlus, DataTransform::cosineLog}) {
+      const SparseCode code = Encoder(ensemble_).encode(*table_, {.coefficients = 150, .transforms = {transform}}).code;
+      const auto brdf = makeCodeBrdf(ensemble_, code);
+      const auto signals = decodeSignals(ensemble_, code);
+      std::mt19937_64 random(6);
+      std::uniform_real_distribution<double> uniform(0, 1);
+      std::array<int, 3> behindLast{};
+      for (int i = 0; i < 5000; ++i) {
+        const HalfDifference where{uniform(random) * halfPi, uniform(random) * halfPi, uniform(random) * pi};
+        if (!isAboveHorizon(where.thetaH, where.thetaD, where.phiD)) continue;
+        const auto [wi, wo] = fromHalfDifference(where.thetaH, where.thetaD, where.phiD);
+        const auto at = smallGrid.position(where);
+        behindLast[0] += at.thetaH > smallGrid.thetaHCount - 1;
+        behindLast[1] += at.thetaD > smallGrid.thetaDCount - 1;
+        behindLast[2] += at.phiD > smallGrid.phiDCount - 1;
+        const Rgb value = brdf->evaluate(wi, wo);
+        for (int c = 0; c < 3; ++c) {
+          const double expected =
+              inverseTransformed(transform, trilinear(signals[std::size_t(c)], at), cosineWeight(wi.z, wo.z));
+          QVERIFY(std::abs(value[c] - expected) < 1e-3 * (1 + expected));
+        }
+      }
+      for (const int count : behindLast) QVERIFY(count > 10);
+    }
+  }
+
+  /// Coefficients that share the atoms of one mode and not of the other.
+  void groupsOfCoefficients() {
+    SparseCode code{.grid = smallGrid, .transform = DataTransform::logPlus, .channels = {}};
+    const auto index = [](int l0, int l1, int l2) { return std::uint32_t(smallGrid.index(l2, l1, l0)); };
+    for (ChannelCode& channel : code.channels)
+      channel.coefficients = {{index(2, 3, 1), 5.0f},
+                              {index(7, 3, 4), -4.0f},
+                              {index(7, 5, 4), 3.0f},
+                              {index(9, 5, 4), 2.0f},
+                              {index(2, 3, 9), 1.0f}};
+    const auto brdf = makeCodeBrdf(ensemble_, code);
+    const auto signals = decodeSignals(ensemble_, code);
+    for (std::size_t cell = 0; cell < smallGrid.size(); ++cell) {
+      const HalfDifference node = smallGrid.node(cell);
+      const auto [wi, wo] = smallGrid.directions(cell);
+      if (node.thetaH == 0 || node.thetaD == 0 || std::min(wi.z, wo.z) < 1e-3) continue;
+      const double expected = std::expm1(std::max(0.0, double(signals[0][Eigen::Index(cell)])));
+      QVERIFY(std::abs(brdf->evaluate(wi, wo).x - expected) < 1e-4);
+    }
+  }
+
+  void hardCase04OppositeDirections() {
+    SparseCode bright{.grid = smallGrid, .transform = DataTransform::logPlus, .channels = {}};
+    for (ChannelCode& channel : bright.channels)
+      for (std::uint32_t i = 0; i < 200; ++i) channel.coefficients.push_back({i, 1.0f});
+    const auto brdf = makeCodeBrdf(ensemble_, bright);
+    QCOMPARE(brdf->evaluate(Direction(1, 0, 0), Direction(-1, 0, 0)), Rgb(0));
+    QCOMPARE(brdf->evaluate(Direction(0, 0.6, 0.8), Direction(0, -0.6, -0.8)), Rgb(0));
+  }
+
+  void foreignCodesAreRefused() {
+    SparseCode code{.grid = smallGrid, .transform = DataTransform::logPlus, .channels = {}};
+    code.channels[0].dictionary = 2;
+    QVERIFY_EXCEPTION_THROWN(makeCodeBrdf(ensemble_, code), Error);
+    code.channels[0] = {.dictionary = 0, .coefficients = {{std::uint32_t(smallGrid.size()), 1.0f}}};
+    QVERIFY_EXCEPTION_THROWN(makeCodeBrdf(ensemble_, code), Error);
+    code.channels[0] = {};
+    code.grid.thetaHCount += 1;
+    QVERIFY_EXCEPTION_THROWN(makeCodeBrdf(ensemble_, code), Error);
   }
 
   /// Below the horizon nothing; elsewhere finite and not negative; a batch is its pairs.

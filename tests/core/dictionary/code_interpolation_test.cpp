@@ -97,6 +97,15 @@ class CodeInterpolationTest : public QObject {
     QVERIFY_EXCEPTION_THROWN(interpolateCodes(ensemble, codes, std::vector{0.5, 0.5}, 10), Error);
   }
 
+  void foreignCodesAreRefused() {
+    const Ensemble ensemble = randomEnsemble(2);
+    std::vector<SparseCode> codes(2, encoded(ensemble, 0, DataTransform::logPlus));
+    codes[1].channels[2].dictionary = 2;
+    QVERIFY_EXCEPTION_THROWN(interpolateCodes(ensemble, codes, std::vector{0.5, 0.5}, 10), Error);
+    // Where the slider stands does not matter.
+    QVERIFY_EXCEPTION_THROWN(interpolateCodes(ensemble, codes, std::vector{1.0, 0.0}, 10), Error);
+  }
+
   /// A budget keeps the largest: no other choice of as many has a smaller error.
   void budgetKeepsTheLargest() {
     const Ensemble ensemble = randomEnsemble(3);
