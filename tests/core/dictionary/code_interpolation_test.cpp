@@ -8,6 +8,7 @@
 
 #include "core/dictionary/decode.h"
 #include "core/dictionary/encode.h"
+#include "core/math/parallel.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 
 using namespace gonio;
@@ -95,6 +96,55 @@ class CodeInterpolationTest : public QObject {
     const std::vector<SparseCode> codes{encoded(ensemble, 0, DataTransform::logPlus),
                                         encoded(ensemble, 2, DataTransform::cosineLog)};
     QVERIFY_EXCEPTION_THROWN(interpolateCodes(ensemble, codes, std::vector{0.5, 0.5}, 10), Error);
+  }
+
+  /// Of dictionaries that lack atoms the product is no rotation; its polar factor is.
+  void hardCase30TruncatedDictionaries() {
+    Ensemble ensemble = randomEnsemble(2);
+    for (Dictionary& dictionary : ensemble.dictionaries)
+      for (Eigen::MatrixXd& mode : dictionary.modes) mode = mode.leftCols(5).eval();
+    const auto rotations = rotationsBetween(ensemble.dictionaries[0], ensemble.dictionaries[1]);
+    for (std::size_t mode = 0; mode < 3; ++mode) {
+      const Eigen::MatrixXd product =
+          ensemble.dictionaries[0].modes[mode].transpose() * ensemble.dictionaries[1].modes[mode];
+      QVERIFY(orthonormalityError(product) > 0.1);
+      QVERIFY(orthonormalityError(rotations[mode]) < 1e-12);
+      // Of all rotations it is the nearest to the product.
+      std::mt19937_64 random(3);
+      const double distance = (rotations[mode] - product).norm();
+      for (int i = 0; i < 20; ++i) QVERIFY((randomOrthonormal(5, random) - product).norm() > distance);
+    }
+  }
+
+  /// A material without a weight leaves no trace, no coefficient is 0, and the order of a sum does not matter.
+  void materialsWithoutWeightAddNothing() {
+    const Ensemble ensemble = randomEnsemble(2);
+    std::vector<SparseCode> codes;
+    for (const std::size_t m : {0, 1, 2}) codes.push_back(encoded(ensemble, m, DataTransform::logPlus));
+    for (SparseCode& code : codes)
+      for (ChannelCode& channel : code.channels) channel.dictionary = 0;
+    const SparseCode two = interpolateCodes(ensemble, std::span(codes).first(2), std::vector{0.4, 0.6}, 5000),
+                     three = interpolateCodes(ensemble, codes, std::vector{0.4, 0.6, 0.0}, 5000);
+    for (std::size_t c = 0; c < 3; ++c) {
+      QCOMPARE(three.channels[c].coefficients.size(), two.channels[c].coefficients.size());
+      for (const Coefficient<float>& coefficient : three.channels[c].coefficients) QVERIFY(coefficient.value != 0);
+    }
+  }
+
+  void hardCase50SameBitsForAnyThreads() {
+    const Ensemble ensemble = randomEnsemble(3);
+    const std::vector<SparseCode> codes{encoded(ensemble, 0, DataTransform::logPlus),
+                                        encoded(ensemble, 2, DataTransform::logPlus)};
+    std::vector<SparseCode> results;
+    for (const int threads : {1, 16}) {
+      const ThreadLimit limit(threads);
+      results.push_back(interpolateCodes(ensemble, codes, std::vector{0.4, 0.6}, 200));
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < results[0].channels[c].coefficients.size(); ++i) {
+        const auto &a = results[0].channels[c].coefficients[i], &b = results[1].channels[c].coefficients[i];
+        QVERIFY(a.index == b.index && std::memcmp(&a.value, &b.value, sizeof(float)) == 0);
+      }
   }
 
   void foreignCodesAreRefused() {

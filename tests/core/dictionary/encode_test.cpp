@@ -209,6 +209,34 @@ class EncodeTest : public QObject {
     QVERIFY(encoded.code.channels[0].coefficients.empty());
   }
 
+  /// One coefficient where each mode has a constant atom, in log-plus; elsewhere more lower the error.
+  void hardCase14Constant() {
+    const auto table = bakeTable(testing::lambert(Rgb(0.5)), smallGrid);
+    const Ensemble ensemble = randomEnsemble(2);
+    double last = 1e300;
+    for (const std::size_t coefficients : {1, 10, 100, 1000, int(smallGrid.size())}) {
+      const EncodeOptions options{.coefficients = coefficients, .transforms = {DataTransform::logPlus}};
+      const double error = Encoder(ensemble).encode(*table, options).candidates[0].gammaError;
+      QVERIFY(error < last);
+      last = error;
+    }
+    QVERIFY(last < 1e-10);
+    // Atoms along the signal itself: of a constant it is a product, however its cells are scaled.
+    Ensemble constant = ensemble;
+    const Eigen::ArrayXf signal = signalsOf(*table, DataTransform::logPlus, *GridGeometry::of(smallGrid))[0];
+    const auto sizes = modeSizes(smallGrid);
+    const std::array<Eigen::Index, 3> strides{1, sizes[0], Eigen::Index(sizes[0]) * sizes[1]};
+    for (std::size_t mode = 0; mode < 3; ++mode) {
+      Eigen::MatrixXd m = ensemble.dictionaries[0].modes[mode];
+      for (Eigen::Index i = 0; i < m.rows(); ++i) m(i, 0) = double(signal[i * strides[mode]]);
+      constant.dictionaries[1].modes[mode] = Eigen::HouseholderQR<Eigen::MatrixXd>(m).householderQ();
+    }
+    const Encoded encoded =
+        Encoder(constant).encode(*table, {.coefficients = 1, .transforms = {DataTransform::logPlus}});
+    QCOMPARE(encoded.code.channels[0].dictionary, 1);
+    QVERIFY(relativeDifference(*table, *decode(constant, encoded.code)) < 1e-5);
+  }
+
   /// A spike of 1e6 stands in one coefficient of the standard basis, and comes back.
   void hardCase15OneSpike() {
     Ensemble ensemble{.grid = smallGrid, .dictionaries = {}, .learnedFrom = {}};

@@ -113,6 +113,7 @@ class PdvBlendTest : public QObject {
       const PdvTerm &term = c.channels[0][1], &whole = a.channels[0][1];
       for (std::size_t i = 0; i < term.f1.size(); ++i) QVERIFY(std::abs(term.f1[i] - 0.25 * whole.f1[i]) < 1e-15);
       QVERIFY(largestDifference(term.f2, whole.f2) < 1e-15);
+      QVERIFY(largestDifference(term.f3, whole.f3) < 1e-15);
     }
   }
 
