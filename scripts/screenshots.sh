@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-# scripts/screenshots.sh [FOLDER]: takes README's pictures of the editor, on a virtual display, into docs/images.
+# scripts/screenshots.sh [FOLDER]: takes the pictures of the editor in README and docs, on a virtual display, into docs/images.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 folder=${1:-$root/docs/images}
@@ -26,3 +26,6 @@ picture editor-fabric light library:sgd/red-fabric
 picture editor-comparison dark library:sgd/gold-metallic-paint --compare difference
 picture editor-models light library:sgd/gold-metallic-paint --models
 picture editor-factors light library:sgd/gold-metallic-paint --factors
+picture factors-original dark library:sgd/gold-metallic-paint --factors
+picture factors-widened dark library:sgd/gold-metallic-paint --factors --widen 1.8
+picture factors-swapped dark library:sgd/gold-metallic-paint --factors --take-f1 library:sgd/green-metallic-paint

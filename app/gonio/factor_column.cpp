@@ -12,6 +12,7 @@
 
 #include "core/factorization/pdv_operations.h"
 #include "widgets/curves/curve_editor.h"
+#include "widgets/curves/residual_strip.h"
 #include "widgets/library/material_drag.h"
 
 namespace gonio::app {
@@ -152,7 +153,11 @@ QString operationText(FactorOperation operation, FactorAxis axis) {
 }
 
 FactorColumn::FactorColumn(FactorAxis axis, QWidget* parent)
-    : QWidget(parent), m_axis(axis), m_editor(new widgets::CurveEditor), m_buttons(new QWidget) {
+    : QWidget(parent),
+      m_axis(axis),
+      m_editor(new widgets::CurveEditor),
+      m_residuals(new widgets::ResidualStrip(*m_editor)),
+      m_buttons(new QWidget) {
   m_editor->setAxis(chartAxis(axis, m_transform));
   auto* row = new QHBoxLayout(m_buttons);
   row->setContentsMargins(0, 0, 0, 0);
@@ -181,6 +186,7 @@ FactorColumn::FactorColumn(FactorAxis axis, QWidget* parent)
   layout->setContentsMargins(3, 3, 3, 3);
   layout->setSpacing(3);
   layout->addWidget(m_editor, 1);
+  layout->addWidget(m_residuals);
   layout->addWidget(m_buttons);
   // F3 has no meaning of its own that another material could lend.
   setAcceptDrops(axis != FactorAxis::phi);

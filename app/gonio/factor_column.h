@@ -8,7 +8,8 @@
 
 namespace gonio::widgets {
 class CurveEditor;
-}
+class ResidualStrip;
+}  // namespace gonio::widgets
 
 namespace gonio::app {
 
@@ -28,8 +29,8 @@ factorization::PdvFactors operated(const factorization::PdvFactors& factors, con
                                    FactorAxis axis, FactorOperation operation, int channel);
 QString operationText(FactorOperation operation, FactorAxis axis);
 
-/// One factor: its curve editor, the buttons of its operations, and a place where a material's thumbnail can be
-/// dropped.
+/// One factor: its curve editor, what its curves leave unexplained, the buttons of its operations, and a place where a
+/// material's thumbnail can be dropped.
 class FactorColumn : public QWidget {
   Q_OBJECT
 
@@ -37,6 +38,7 @@ class FactorColumn : public QWidget {
   explicit FactorColumn(FactorAxis axis, QWidget* parent = nullptr);
 
   widgets::CurveEditor& editor() const { return *m_editor; }
+  widgets::ResidualStrip& residuals() const { return *m_residuals; }
   FactorAxis axis() const { return m_axis; }
   void setButtonsEnabled(bool enabled);
   /// What the values of the curves are: told beside the axis of F1, whose curves carry the strength.
@@ -57,6 +59,7 @@ class FactorColumn : public QWidget {
   FactorAxis m_axis;
   DataTransform m_transform = DataTransform::logPlus;
   widgets::CurveEditor* m_editor;
+  widgets::ResidualStrip* m_residuals;
   QWidget* m_buttons;
   QWidget* m_dropNote;
 };

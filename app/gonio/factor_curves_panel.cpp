@@ -8,9 +8,9 @@
 #include <QPushButton>
 
 #include "app/gonio/factor_terms_view.h"
-#include "core/factorization/pdv_operations.h"
 #include "widgets/curves/curve_editor.h"
 #include "widgets/curves/curve_legend.h"
+#include "widgets/curves/residual_strip.h"
 
 namespace gonio::app {
 
@@ -20,7 +20,7 @@ using editing::FactorEdit;
 using factorization::PdvFactors;
 using factorization::PdvForm;
 
-const QString factorKey = QStringLiteral("factors"), swapKey = QStringLiteral("factor-swap");
+const QString factorKey = QStringLiteral("factors");
 constexpr int usualTerms = 3;
 constexpr double firstLimitDegrees = 45;
 
@@ -30,9 +30,9 @@ widgets::ChannelCurves firstCurves(const PdvFactors& factors, FactorAxis axis) {
   return curves;
 }
 
-FactorEdit::Curves shared(PdvFactors factors) { return std::make_shared<const PdvFactors>(std::move(factors)); }
-
 }  // namespace
+
+const QString FactorCurvesPanel::swapKey = QStringLiteral("factor-swap");
 
 FactorCurvesPanel::FactorCurvesPanel(Document& document, BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent),
@@ -196,7 +196,7 @@ void FactorCurvesPanel::request() {
 void FactorCurvesPanel::adopt(const MeasuredFactors& measured) {
   m_running = false;
   m_measured = std::make_shared<const MeasuredFactors>(measured);
-  m_original = shared(m_measured->factorization.factors.truncated(m_terms->terms()));
+  m_original = std::make_shared<const PdvFactors>(m_measured->factorization.factors.truncated(m_terms->terms()));
   refresh();
 }
 
@@ -220,6 +220,7 @@ void FactorCurvesPanel::refresh() {
                        firstCurves(*edit.original, column->axis()));
     else
       editor.clear();
+    showResiduals(*column);
     editor.setHint(!m_document.material() ? tr("Open a material to see its factor curves.")
                    : m_running            ? tr("The factors are being computed.")
                                           : tr("Factorise finds the curves of this material."));
@@ -230,77 +231,14 @@ void FactorCurvesPanel::refresh() {
   }
 }
 
-void FactorCurvesPanel::change(const PdvFactors& edited, const QString& text) {
-  FactorEdit edit = current();
-  const PdvFactors& original = *edit.original;
-  // Curves that came back are those of the measurement, with its bound of y.
-  const bool same = edited.channels == original.channels && edited.deviationNodes == original.deviationNodes;
-  edit.edited = same ? edit.original : shared(edited);
-  apply(edit, text);
-}
-
-void FactorCurvesPanel::apply(const FactorEdit& edit, const QString& text) {
-  const bool untouched = edit.isIdentity() && edit.keepDetail && edit.enabled && edit.strength == 1;
-  m_document.setFactors(untouched ? std::nullopt : std::optional(edit), text);
-}
-
-void FactorCurvesPanel::curvesEdited(FactorAxis axis, const widgets::ChannelCurves& curves) {
-  const FactorEdit edit = current();
-  if (!edit.edited) return;
-  PdvFactors changed = *edit.edited;
-  for (std::size_t c = 0; c < 3; ++c) curveOf(changed.channels[c][0], axis) = curves[c];
-  change(factorization::withRoomForEdits(changed), tr("Change F%1").arg(int(axis) + 1));
-}
-
-void FactorCurvesPanel::operate(FactorAxis axis, FactorOperation operation) {
-  const FactorEdit edit = current();
-  if (!edit.edited) return;
-  change(operated(*edit.edited, *edit.original, axis, operation, channel()), operationText(operation, axis));
-}
-
-void FactorCurvesPanel::chooseTerms(int terms) {
-  if (!m_measured) return;
-  m_original = shared(m_measured->factorization.factors.truncated(terms));
-  if (!m_document.factors()) return refresh();
-  FactorEdit edit = *m_document.factors();
-  PdvFactors edited = edit.edited->truncated(terms);
-  // Terms that the edit did not have yet come as they were found.
-  if (MeasuredFactors::Kind{edited.form, edited.transform} == m_requested &&
-      edited.deviationNodes == m_original->deviationNodes)
-    for (std::size_t c = 0; c < 3; ++c)
-      for (auto i = edited.channels[c].size(); i < m_original->channels[c].size(); ++i)
-        edited.channels[c].push_back(m_original->channels[c][i]);
-  edit.original = m_original;
-  edit.edited = shared(factorization::withRoomForEdits(edited));
-  m_document.setFactors(edit, terms == 1 ? tr("Use 1 term") : tr("Use %1 terms").arg(terms));
-}
-
-void FactorCurvesPanel::chooseForm() {
-  forget();
-  m_document.setFactors({}, tr("Drop the edit of the factor curves"));
-  request();
-}
-
-void FactorCurvesPanel::resetAll() { m_document.setFactors({}, tr("Reset the factor curves")); }
-
-void FactorCurvesPanel::takeOver(FactorAxis axis, const QString& id) {
-  const FactorEdit edit = current();
-  if (!edit.edited) return;
-  m_tasks.run<PdvFactors>(
-      {tr("Taking F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)), swapKey},
-      [id, edited = edit.edited](const TaskControl& control) {
-        const auto table = io::readMaterial(id.toStdString(), {control.stop, {}}).tabulated({control.stop, {}});
-        factorization::PdvOptions options{.form = edited->form, .transform = edited->transform, .terms = 1};
-        options.deviationNodes = edited->deviationNodes;
-        return factorizePdv(*table, options, control).factors;
-      },
-      [this, axis, id](const PdvFactors& other) {
-        const FactorEdit now = current();
-        if (!now.edited) return;
-        change(axis == FactorAxis::theta ? takeF1(*now.edited, other) : takeF2(*now.edited, other),
-               tr("Take F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)));
-      },
-      [this](const QString& error) { Q_EMIT failed(tr("Cannot take the curve over"), error); });
+void FactorCurvesPanel::showResiduals(FactorColumn& column) {
+  const int terms = current().original ? current().original->terms() : 0;
+  // A document that was edited elsewhere may have other nodes than the measurement here.
+  if (!m_measured || terms < 1 || terms > int(m_measured->along.size()) ||
+      nodesOf(m_measured->factorization.factors, column.axis()) != column.editor().nodes())
+    return column.residuals().setShares({}, {});
+  column.residuals().setShares(m_measured->along[std::size_t(terms - 1)][std::size_t(column.axis())],
+                               terms == 1 ? tr("Unexplained by 1 term") : tr("Unexplained by %1 terms").arg(terms));
 }
 
 }  // namespace gonio::app

@@ -32,6 +32,8 @@ class FactorCurvesPanel : public QWidget {
   /// Whether the factors of the document's material are known, or nothing is shown.
   bool isSettled() const;
   void operate(FactorAxis axis, FactorOperation operation);
+  /// Stretches F2 of all terms and channels.
+  void widen(double factor);
   /// Takes F1 or F2 of a material over, by its id in the library: read and factorised in the background, an undo step.
   void takeOver(FactorAxis axis, const QString& id);
 
@@ -44,6 +46,7 @@ class FactorCurvesPanel : public QWidget {
 
  private:
   using Curves = editing::FactorEdit::Curves;
+  static const QString swapKey;  ///< of the background task that reads the other material
 
   void buildControls();
   void connectColumns();
@@ -54,6 +57,7 @@ class FactorCurvesPanel : public QWidget {
   void forget();
   void adopt(const MeasuredFactors& measured);
   void refresh();
+  void showResiduals(FactorColumn& column);
   MeasuredFactors::Kind kind() const;
   int channel() const;
   /// The document's edit, or the one that changes nothing yet. Without curves while nothing is known.

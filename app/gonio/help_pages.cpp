@@ -35,7 +35,25 @@ QString gestures() {
          row(tr("Double-click on a label or slider"), tr("reset the parameter")) +
          row(tr("Arrow keys, Page Up, Page Down"), tr("step a slider or a number")) +
          row(tr("Typing into a number"), tr("arithmetic works: 0.3*2")) +
+         row(tr("Drag a point of a factor curve, Escape"), tr("pull the curve, take the drag back")) +
          row(tr("Enter in the library"), tr("open the material"));
+}
+
+/// The model under the Factor curves dock (core/factorization/pdv_factors.h).
+QString factorFormulae() {
+  const auto formula = [](const QString& text) { return QStringLiteral("<p><tt>%1</tt></p>").arg(text); };
+  return QStringLiteral("<h3>%1</h3><p>%2</p>%3<p>%4</p>%5<p>%6</p>%7<p>%8</p>%9<p><i>%10</i></p>")
+      .arg(tr("Factor curves (projected deviation)"),
+           tr("In each colour channel the transformed reflectance is a sum of products of curves. θR is the angle of "
+              "the mirror direction R, Δp the way from R to the light on the unit disk, φ its azimuth; the form with "
+              "two curves leaves F3 out."),
+           formula(tr("y = ln(1 + ρ) = Σ F1(θR) F2(|Δp|) F3(|φ|)")),
+           tr("The edited curves next to the measurement, with its detail kept:"),
+           formula(tr("edited = max(0, measured + strength (ρ(edited curves) − ρ(original curves)))")),
+           tr("Without the detail:"), formula(tr("edited = (1 − strength) measured + strength ρ(edited curves)")),
+           tr("The disk of directions ends, behind the mirror direction and at most, at"),
+           formula(tr("|Δp| = 1 − sin θR, |Δp| = 1 + sin θR")))
+      .arg(tr("Tongbuasirilai, Unger, Kronander and Kurt, Compact and intuitive data-driven BRDF models, 2019"));
 }
 
 }  // namespace
@@ -59,6 +77,7 @@ QString formulaePage() {
                           tr("Directions point away from the surface, the normal is z. Values are linear RGB in 1/sr, "
                              "without the cosine. An edit adds the change of the model to the measurement: edited = "
                              "max(0, measured + model(edited) − model(fitted))."));
+  page += factorFormulae();
   for (const models::Model* model : models::allModels()) {
     const models::ModelSpec& spec = model->spec();
     page += QStringLiteral("<h3>%1</h3><p>%2</p><p><tt>%3</tt></p><p><i>%4</i></p><table>")

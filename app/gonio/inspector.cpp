@@ -147,7 +147,7 @@ void Inspector::showEdits() {
   if (edit && (edit->edited != edit->fitted || edit->strength != 1 || !edit->enabled))
     entries.push_back({widgets::fromView(edit->model->spec().name),
                        tr("What the sliders change: added to what lies above it"), edit->strength, edit->enabled});
-  m_edits->setEntries(entries, tr("None yet: the sliders above and the factor curves make them."));
+  m_edits->setEntries(entries, tr("None yet: the sliders below and the factor curves make them."));
 }
 
 void Inspector::saveState(QSettings& settings) const {

@@ -5,11 +5,14 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QSurfaceFormat>
+#include <QTimer>
 
+#include "app/gonio/factor_curves_panel.h"
 #include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/main_window.h"
 #include "app/gonio/screenshot.h"
 #include "app/gonio/theme.h"
+#include "widgets/curves/curve_editor.h"
 
 namespace {
 
@@ -24,6 +27,8 @@ struct Options {
   QString plot;
   QString compare;
   bool models, factors;
+  double widen;
+  QString takeF1;
 };
 
 Options readOptions(const QApplication& application) {
@@ -51,6 +56,8 @@ Options readOptions(const QApplication& application) {
   QCommandLineOption factors("factors");  // shows the factor curves
   factors.setFlags(QCommandLineOption::HiddenFromHelp);
   parser.addOption(factors);
+  hidden("widen", "FACTOR");  // stretches F2
+  hidden("take-f1", "FILE");  // takes F1 of another material over
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
   return {parser.positionalArguments(),
@@ -61,11 +68,26 @@ Options readOptions(const QApplication& application) {
           parser.value("plot"),
           parser.value("compare"),
           parser.isSet(models),
-          parser.isSet(factors)};
+          parser.isSet(factors),
+          parser.value("widen").toDouble(),
+          parser.value("take-f1")};
 }
 
 QString asGiven(const QString& file) {
   return file.startsWith(QStringLiteral("library:")) ? file : QFileInfo(file).absoluteFilePath();
+}
+
+/// Edits the factor curves as soon as they are known.
+void editFactors(MainWindow& window, const Options& options) {
+  constexpr int checkMilliseconds = 100;
+  auto* timer = new QTimer(&window);
+  QObject::connect(timer, &QTimer::timeout, &window, [&window, timer, options] {
+    if (window.factors().column(FactorAxis::deviation).editor().nodes().empty()) return;
+    timer->stop();
+    if (options.widen > 0) window.factors().widen(options.widen);
+    if (!options.takeF1.isEmpty()) window.factors().takeOver(FactorAxis::theta, options.takeF1);
+  });
+  timer->start(checkMilliseconds);
 }
 
 /// Puts the window into the state that a picture is to show.
@@ -75,6 +97,7 @@ void prepare(MainWindow& window, const Options& options) {
   if (modes.contains(options.compare))
     window.comparison().setComparison({.mode = gonio::widgets::CompareMode(modes.indexOf(options.compare))});
   if (options.factors) window.showDock(QStringLiteral("factors"));
+  if (options.widen > 0 || !options.takeF1.isEmpty()) editFactors(window, options);
   if (!options.models) return;
   window.showDock(QStringLiteral("models"));
   // Once, when the material and its first fit are there.

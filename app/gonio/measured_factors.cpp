@@ -2,43 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/measured_factors.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-
+#include "app/gonio/evaluation_time.h"
 #include "core/io/pdv_file.h"
 
 namespace gonio::app {
-
-namespace {
-
-constexpr int timedPairs = 4096, timedRuns = 3;
-
-/// Directions spread over both hemispheres.
-std::vector<DirectionPair> spreadPairs() {
-  std::vector<DirectionPair> pairs;
-  for (int i = 0; i < timedPairs; ++i) {
-    const auto share = [i](double step) { return std::fmod(0.5 + i * step, 1.0); };
-    pairs.push_back({fromSpherical(share(0.7548776662) * 1.5, 0),
-                     fromSpherical(share(0.5698402910) * 1.5, share(0.4301597090) * 2 * pi)});
-  }
-  return pairs;
-}
-
-double nanosecondsOf(const Brdf& brdf) {
-  using Clock = std::chrono::steady_clock;
-  static const std::vector<DirectionPair> pairs = spreadPairs();
-  std::vector<Rgb> values(pairs.size());
-  double best = 1e300;
-  for (int run = 0; run < timedRuns; ++run) {
-    const auto start = Clock::now();
-    brdf.evaluate(pairs, values);
-    best = std::min(best, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
-  }
-  return best / timedPairs;
-}
-
-}  // namespace
 
 MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const MeasuredFactors::Kind& kind,
                                const TaskControl& control) {
@@ -46,11 +13,13 @@ MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const Measured
   measured.material = material;
   measured.factorization = factorization::factorizePdv(
       *material->table, {.form = kind.form, .transform = kind.transform, .terms = mostEditedTerms}, control);
+  measured.along = factorization::residualsAlong(*material->table, measured.factorization.factors,
+                                                 factorization::PdvOptions().weights, control);
   for (int terms = 1; terms <= measured.factorization.factors.terms(); ++terms) {
     control.throwIfStopped();
     const auto factors = measured.factorization.factors.truncated(terms);
     measured.bytes.push_back(io::pdvFileBytes(factors));
-    measured.nanoseconds.push_back(nanosecondsOf(*factorization::makePdvBrdf(factors)));
+    measured.nanoseconds.push_back(evaluationNanoseconds(*factorization::makePdvBrdf(factors)));
   }
   return measured;
 }

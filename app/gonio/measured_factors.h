@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/gonio/loaded_material.h"
-#include "core/factorization/pdv_factors.h"
+#include "core/factorization/pdv_residuals.h"
 
 namespace gonio::app {
 
@@ -16,6 +16,7 @@ struct MeasuredFactors {
   };
   LoadedMaterialPtr material;
   factorization::PdvFactorization factorization;
+  std::vector<factorization::PdvResidualsAlong> along;
   std::vector<std::size_t> bytes;   ///< of a file with the factors
   std::vector<double> nanoseconds;  ///< of one evaluation on one core, the fastest of some runs on this machine
 

@@ -19,6 +19,7 @@
 #include "core/factorization/pdv_operations.h"
 #include "core/io/pdv_file.h"
 #include "widgets/curves/curve_editor.h"
+#include "widgets/curves/residual_strip.h"
 #include "widgets/library/material_drag.h"
 
 using namespace gonio;
@@ -300,6 +301,22 @@ class FactorCurvesPanelTest : public QObject {
       QVERIFY(texts[terms > 1].contains(QString::number(double(io::pdvFileBytes(factors)) / 1000, 'f', 1) + " kB"));
     }
     QVERIFY(texts[0] != texts[1] && texts[0].contains("ns"));
+  }
+
+  /// Under each curve: what that many terms leave unexplained at its nodes.
+  void whatIsUnexplainedIsShown() {
+    for (const int terms : {1, 6}) {
+      m_panel->termsView().findChild<QSlider*>()->setValue(terms);
+      const auto found = factorization::factorizePdv(*m_document.material()->table,
+                                                     {.form = factorization::PdvForm::twoFactors, .terms = terms});
+      const auto along = factorization::residualsAlong(*m_document.material()->table, found.factors);
+      for (const FactorAxis axis : {FactorAxis::theta, FactorAxis::deviation}) {
+        const auto& strip = m_panel->column(axis).residuals();
+        QVERIFY(strip.shares() == along[std::size_t(terms - 1)][std::size_t(axis)]);
+        QVERIFY(strip.scale() >= *std::max_element(strip.shares().begin(), strip.shares().end()));
+        QCOMPARE(strip.width(), editor(axis).width());
+      }
+    }
   }
 
   /// A thumbnail on a curve: that curve of the first term is the other material's, on the nodes of this one.

@@ -58,6 +58,9 @@ class MainWindowTest : public QObject {
       QVERIFY2(page.contains(QKeySequence(key).toString(QKeySequence::NativeText).toHtmlEscaped()), qPrintable(key));
     for (const models::Model* model : models::allModels())
       QVERIFY(formulaePage().contains(QString::fromUtf8(model->spec().name.data())));
+    for (const char* part : {"F1(θR)", "1 + sin θR", "ρ(original curves)", "Tongbuasirilai"})
+      QVERIFY2(formulaePage().contains(QString::fromUtf8(part)), part);
+    QVERIFY(!formulaePage().contains("%1"));
     delete window;
   }
 

@@ -45,6 +45,8 @@ class CurveEditor : public QWidget {
   /// Places of the control points, increasing, and which of them are selected.
   const std::vector<double>& points() const { return m_points; }
   const std::vector<bool>& selected() const { return m_selected; }
+  /// Where a place of the axis is on the widget, in pixels.
+  double toX(double place) const { return m_view.toX(place); }
   /// Where a point is on the widget.
   QPointF pointPosition(std::size_t point) const;
 

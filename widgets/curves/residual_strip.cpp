@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/curves/residual_strip.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+
+#include "widgets/curves/curve_editor.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+QString percent(double share) { return ResidualStrip::tr("%1 %").arg(100 * share, 0, 'g', 2); }
+
+}  // namespace
+
+ResidualStrip::ResidualStrip(const CurveEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setAccessibleName(tr("Unexplained"));
+  setToolTip(
+      tr("What the curves as the measurement gave them leave unexplained at each place above: the share of the\n"
+         "transformed reflectance there, in the norm of the factorisation. More terms explain more; with the measured\n"
+         "detail kept it stays part of the material."));
+}
+
+QSize ResidualStrip::sizeHint() const { return {200, int(2.9 * fontMetrics().height())}; }
+
+void ResidualStrip::setShares(const std::vector<double>& shares, const QString& title) {
+  if (shares == m_shares && title == m_title) return;
+  m_shares = shares;
+  m_title = title;
+  const auto largest = std::max_element(shares.begin(), shares.end());
+  setAccessibleDescription(
+      shares.empty() ? QString()
+                     : tr("%1: at most %2, at %3")
+                           .arg(title, percent(*largest),
+                                m_editor.axis().place(m_editor.nodes()[std::size_t(largest - shares.begin())])));
+  update();
+}
+
+double ResidualStrip::scale() const {
+  const double largest = m_shares.empty() ? 0 : *std::max_element(m_shares.begin(), m_shares.end());
+  for (const double round : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5})
+    if (largest <= round) return round;
+  return 1;
+}
+
+void ResidualStrip::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const PlotStyle style = PlotStyle::of(palette());
+  painter.fillRect(rect(), style.background);
+  const std::vector<double>& nodes = m_editor.nodes();
+  if (m_shares.empty() || m_shares.size() != nodes.size()) return;
+  const double line = fontMetrics().height(), top = line, bottom = height() - 3;
+  const double left = m_editor.toX(0), right = m_editor.toX(nodes.back());
+  QPainterPath area(QPointF(left, bottom));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    area.lineTo(m_editor.toX(nodes[i]), bottom - (bottom - top) * std::min(1.0, m_shares[i] / scale()));
+  area.lineTo(right, bottom);
+  QColor fill = style.accent;
+  fill.setAlphaF(0.35f);
+  painter.setPen(QPen(style.accent, 1.2));
+  painter.setBrush(fill);
+  painter.drawPath(area);
+  painter.setPen(style.gridPen());
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(QRectF(left, top, right - left, bottom - top));
+  painter.setPen(style.text);
+  painter.drawText(QRectF(0, top - line / 3, left - 4, line), Qt::AlignRight, percent(scale()));
+  painter.drawText(QRectF(0, bottom - line + 3, left - 4, line), Qt::AlignRight, QStringLiteral("0"));
+  painter.drawText(QRectF(left, 0, right - left, line), Qt::AlignLeft, m_title);
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_residual_strip.cpp"
