@@ -56,6 +56,28 @@ class InterpolationCodesTest : public QObject {
     }
   }
 
+  /// Half way from a spike of 1e6 to nothing lies its geometric mean, 1 being added: 999.
+  void hardCase15SpikeBesideBlack() {
+    dictionary::Dictionary standard;
+    const auto sizes = dictionary::modeSizes(smallGrid);
+    for (std::size_t mode = 0; mode < 3; ++mode)
+      standard.modes[mode] = Eigen::MatrixXd::Identity(sizes[mode], sizes[mode]);
+    InterpolationOptions plain = options();
+    plain.ensemble = std::make_shared<const dictionary::Ensemble>(
+        dictionary::Ensemble{.grid = smallGrid, .dictionaries = {standard}, .learnedFrom = {}});
+    plain.encode.transforms = {DataTransform::logPlus};
+    const Table black = bakeTable(testing::lambert(Rgb(0)), smallGrid);
+    std::vector<TabulatedBrdf::Value> values(smallGrid.size(), TabulatedBrdf::Value(0));
+    const std::size_t spike = smallGrid.index(0, 3, 5);
+    values[spike] = TabulatedBrdf::Value(1e6f);
+    const auto spiked = std::make_shared<const TabulatedBrdf>(
+        smallGrid, values, std::vector<std::uint8_t>(black->valid().begin(), black->valid().end()));
+    const Table half = prepareInterpolation(InterpolationSpace::dictionary, endsOf({spiked, black}), plain)
+                           ->table(std::vector{0.5, 0.5});
+    QVERIFY(std::abs(half->values()[spike].y / (std::sqrt(1e6f + 1) - 1) - 1) < 1e-5f);
+    QVERIFY(half->values()[spike + 1] == TabulatedBrdf::Value(0));
+  }
+
   /// Codes are taken as they are; what has none, or one of another transform, is encoded in that of the first.
   void hardCase31MixedTransformsAreEncodedAgain() {
     const InterpolationOptions all = options();

@@ -3,8 +3,11 @@
 #include "core/editing/interpolation/interpolation.h"
 
 #include <QTest>
+#include <cmath>
+#include <cstring>
 #include <limits>
 
+#include "core/math/parallel.h"
 #include "core/models/parameter_blend.h"
 #include "core/support/error.h"
 #include "tests/core/editing/interpolation_test_support.h"
@@ -172,6 +175,47 @@ class InterpolationTest : public QObject {
   void oneMaterialIsItself() {
     for (const InterpolationSpace space : allSpaces)
       QVERIFY(prepareInterpolation(space, std::span(ends_).first(1), options())->table(std::vector{1.0}) == tables_[0]);
+  }
+
+  /// Between black and black lies black; beside another material black is as good as any.
+  void hardCase12BlackMaterials() {
+    const Table black = bakeTable(testing::lambert(Rgb(0)), smallGrid);
+    const std::vector<double> half{0.5, 0.5};
+    for (const InterpolationSpace space : allSpaces) {
+      const Table table = prepareInterpolation(space, endsOf({black, black}), options())->table(half);
+      for (const TabulatedBrdf::Value& value : table->values()) QVERIFY(value == TabulatedBrdf::Value(0));
+      const Table beside = prepareInterpolation(space, endsOf({black, tables_[0]}), options())->table(half);
+      float largest = 0;
+      for (const TabulatedBrdf::Value& value : beside->values()) {
+        QVERIFY(std::isfinite(value.x) && value.x >= 0);
+        largest = std::max(largest, value.x);
+      }
+      QVERIFY(largest > 0.01f);
+    }
+  }
+
+  /// Tables of the largest floats; weights whose sum is 1 only up to rounding.
+  void hardCase39OverflowOfFloat() {
+    const Table largest = bakeTable(testing::lambert(Rgb(1e300)), smallGrid);
+    const std::vector<double> weights{0.3, 0.7 + 5e-10};
+    for (const InterpolationSpace space :
+         {InterpolationSpace::linear, InterpolationSpace::factors, InterpolationSpace::dictionary}) {
+      const Table table = prepareInterpolation(space, endsOf({largest, largest}), options())->table(weights);
+      for (const TabulatedBrdf::Value& value : table->values())
+        for (int c = 0; c < 3; ++c) QVERIFY(std::isfinite(value[c]));
+    }
+  }
+
+  void hardCase50SameBitsForAnyThreads() {
+    for (const InterpolationSpace space : allSpaces) {
+      std::vector<Table> results;
+      for (const int threads : {1, 16}) {
+        const ThreadLimit limit(threads);
+        results.push_back(prepareInterpolation(space, ends_, options())->table(weights_));
+      }
+      QCOMPARE(std::memcmp(results[0]->values().data(), results[1]->values().data(), results[0]->values().size_bytes()),
+               0);
+    }
   }
 
   void canBeCancelled() {
