@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 #include <string>
 
 #include "core/factorization/pdv_operations.h"
@@ -37,49 +36,37 @@ PdvTerm termOn(const PdvFactors& axes, const PdvFactors& end, const PdvTerm& ter
           onNodes(end.phiNodes, term.f3, axes.phiNodes)};
 }
 
-void negate(Curve& curve) {
-  for (double& value : curve) value = -value;
-}
-
-/// Turns one curve of a term to the side of another, and F1 with it: the term stays.
-void turnToward(const Curve& other, Curve& curve, Curve& f1) {
-  if (std::inner_product(curve.begin(), curve.end(), other.begin(), 0.0) >= 0) return;
-  negate(curve);
-  negate(f1);
-}
-
 void add(Curve& sum, const Curve& curve, double weight) {
+  if (sum.empty()) sum.assign(curve.size(), 0.0);
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * curve[i];
 }
 
-void scale(Curve& curve, double factor) {
-  for (double& value : curve) value *= factor;
-}
-
-/// One term of one channel. Its F2 and F3 are means over the ends that have it.
-PdvTerm blendedTerm(std::span<const PdvFactors* const> ends, std::span<const double> weights, std::size_t channel,
-                    std::size_t index) {
-  const PdvFactors& axes = *ends[0];
-  PdvTerm sum, reference;
-  double share = 0;
+PdvTerm blendedFirstTerm(std::span<const PdvFactors* const> ends, std::span<const double> weights,
+                         std::size_t channel) {
+  PdvTerm sum;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const std::vector<PdvTerm>& terms = ends[i]->channels[channel];
-    if (!(weights[i] > 0) || index >= terms.size()) continue;
-    PdvTerm term = termOn(axes, *ends[i], terms[index]);
-    if (share == 0) {
-      reference = term;
-      sum = {Curve(term.f1.size(), 0.0), Curve(term.f2.size(), 0.0), Curve(term.f3.size(), 0.0)};
-    }
-    turnToward(reference.f2, term.f2, term.f1);
-    turnToward(reference.f3, term.f3, term.f1);
+    if (!(weights[i] > 0)) continue;
+    const PdvTerm term = termOn(*ends[0], *ends[i], ends[i]->channels[channel].front());
     add(sum.f1, term.f1, weights[i]);
     add(sum.f2, term.f2, weights[i]);
     add(sum.f3, term.f3, weights[i]);
-    share += weights[i];
   }
-  scale(sum.f2, 1 / share);
-  scale(sum.f3, 1 / share);
   return sum;
+}
+
+/// A term behind the first: of which material, and which.
+struct FurtherTerm {
+  std::size_t end, index;
+};
+
+/// As many as there is room for: those of the lowest index, since terms explain less and less.
+std::vector<FurtherTerm> furtherTerms(std::span<const PdvFactors* const> ends, std::span<const double> weights) {
+  std::vector<FurtherTerm> terms;
+  for (std::size_t index = 1; index < std::size_t(mostPdvTerms); ++index)
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      if (weights[i] > 0 && index < std::size_t(ends[i]->terms())) terms.push_back({i, index});
+  terms.resize(std::min(terms.size(), std::size_t(mostPdvTerms - 1)));
+  return terms;
 }
 
 }  // namespace
@@ -91,17 +78,17 @@ PdvFactors blended(std::span<const PdvFactors* const> ends, std::span<const doub
   if (whole != weights.end()) return *ends[std::size_t(whole - weights.begin())];
   PdvFactors result = *ends[0];
   result.highest = 0;
-  int terms = 0;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    result.highest += weights[i] * ends[i]->highest;
-    if (weights[i] > 0) terms = std::max(terms, ends[i]->terms());
-  }
+  for (std::size_t i = 0; i < ends.size(); ++i) result.highest += weights[i] * ends[i]->highest;
+  const std::vector<FurtherTerm> further = furtherTerms(ends, weights);
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    result.channels[channel].clear();
-    for (std::size_t index = 0; index < std::size_t(terms); ++index)
-      result.channels[channel].push_back(blendedTerm(ends, weights, channel, index));
+    result.channels[channel] = {blendedFirstTerm(ends, weights, channel)};
+    for (const auto& [end, index] : further) {
+      PdvTerm term = termOn(*ends[0], *ends[end], ends[end]->channels[channel][index]);
+      term.f1 = scaled(term.f1, weights[end]);
+      result.channels[channel].push_back(std::move(term));
+    }
   }
-  return withRoomForEdits(result);
+  return result;
 }
 
 }  // namespace gonio::factorization

@@ -8,10 +8,11 @@
 
 namespace gonio::factorization {
 
-/// Between the factors of materials: term by term and curve by curve the weighted mean, on the nodes of the first
-/// material (the others are resampled where theirs differ). So a highlight between a narrow and a wide one is one of
-/// middle width. Terms behind the first may have any signs: F2 and F3 are turned to those of the first material, F1
-/// with them. A material with fewer terms adds nothing to the others' further ones.
+/// Between the factors of materials. The first term is blended curve by curve, the weighted mean on the nodes of the
+/// first material (the others are resampled where theirs differ): it describes the highlight. The terms behind it
+/// correct what their own first term leaves, fit no other curves and may cancel one another, so they stay as they are
+/// and fade with the weight of their material: y between is the mix of the transformed materials, but for the first
+/// terms. At most mostPdvTerms in all; of more, those of the lowest index.
 /// @param ends one a weight, at least one; @param weights >= 0, sum 1. Where a weight is 1 its end comes back as it is.
 /// @throws Error when the transforms or the forms differ.
 PdvFactors blended(std::span<const PdvFactors* const> ends, std::span<const double> weights);

@@ -140,6 +140,22 @@ class EncodeTest : public QObject {
     QVERIFY(std::abs(encoded.candidates[1].gammaError / (sum / double(3 * cells)) - 1) < 1e-9);
   }
 
+  /// Also where the plain squared error would choose otherwise.
+  void selectionDoesNotGoByTheSquaredError() {
+    const Ensemble ensemble = randomEnsemble(2);
+    const Encoder encoder(ensemble);
+    int differ = 0;
+    for (std::size_t m = 0; m < 6; ++m)
+      for (const std::size_t coefficients : {10, 40, 160, 640}) {
+        const Encoded encoded = encoder.encode(*ggxMaterials(6).load(m), {.coefficients = coefficients});
+        const auto &first = encoded.candidates[0], &second = encoded.candidates[1];
+        const bool chooseFirst = first.gammaError <= second.gammaError;
+        QVERIFY(encoded.code.transform == (chooseFirst ? first : second).code.transform);
+        differ += chooseFirst != (first.squaredError <= second.squaredError);
+      }
+    QVERIFY(differ > 0);
+  }
+
   void errorAndByteBudgetsHold() {
     const Ensemble ensemble = randomEnsemble(2);
     const auto table = ggxMaterials(1).load(0);

@@ -4,8 +4,11 @@
 
 #include <QTest>
 #include <cmath>
+#include <tuple>
 
+#include "core/factorization/pdv_operations.h"
 #include "core/support/error.h"
+#include "tests/support/random_directions.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -48,12 +51,11 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
 class PdvBlendTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void curvesAreWeightedMeans() {
+  void curvesOfTheFirstTermAreWeightedMeans() {
     const PdvFactors a = factors(1, 0.4), b = factors(3, 1.2), c = blend(a, b, 0.25);
-    QCOMPARE(c.terms(), 2);
-    for (int l = 0; l < 2; ++l) {
-      const auto& [f1, f2, f3] = c.channels[2][std::size_t(l)];
-      const PdvTerm &ta = a.channels[2][std::size_t(l)], &tb = b.channels[2][std::size_t(l)];
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const auto& [f1, f2, f3] = c.channels[channel][0];
+      const PdvTerm &ta = a.channels[channel][0], &tb = b.channels[channel][0];
       for (std::size_t i = 0; i < f1.size(); ++i)
         QVERIFY(std::abs(f1[i] - (0.75 * ta.f1[i] + 0.25 * tb.f1[i])) < 1e-15);
       for (std::size_t i = 0; i < f2.size(); ++i)
@@ -61,16 +63,65 @@ class PdvBlendTest : public QObject {
       for (std::size_t i = 0; i < f3.size(); ++i)
         QVERIFY(std::abs(f3[i] - (0.75 * ta.f3[i] + 0.25 * tb.f3[i])) < 1e-15);
     }
+    QCOMPARE(c.highest, 0.75 * a.highest + 0.25 * b.highest);
+  }
+
+  /// The others stay, each as strong as its material's weight.
+  void furtherTermsFade() {
+    const PdvFactors a = factors(1, 0.4), b = factors(3, 1.2, 21, 1), d = factors(2, 0.4, 21, 3);
+    const PdvFactors* ends[] = {&a, &b, &d};
+    const PdvFactors c = blended(ends, std::vector{0.2, 0.5, 0.3});
+    QCOMPARE(c.terms(), 4);
+    const std::tuple<int, const PdvTerm*, double> expected[] = {
+        {1, &a.channels[1][1], 0.2}, {2, &d.channels[1][1], 0.3}, {3, &d.channels[1][2], 0.3}};
+    for (const auto& [at, term, weight] : expected) {
+      const PdvTerm& found = c.channels[1][std::size_t(at)];
+      for (std::size_t i = 0; i < found.f1.size(); ++i) QVERIFY(std::abs(found.f1[i] - weight * term->f1[i]) < 1e-15);
+      QVERIFY(found.f2 == term->f2 && found.f3 == term->f3);
+    }
   }
 
   void equalMaterialsGiveThemselves() {
-    const PdvFactors a = factors(1, 0.4), same = blend(a, a, 0.3);
-    for (std::size_t l = 0; l < 2; ++l) {
-      QVERIFY(largestDifference(same.channels[0][l].f1, a.channels[0][l].f1) < 1e-15);
-      QVERIFY(largestDifference(same.channels[0][l].f2, a.channels[0][l].f2) < 1e-15);
-      QVERIFY(largestDifference(same.channels[0][l].f3, a.channels[0][l].f3) < 1e-15);
+    const PdvFactors a = factors(1, 0.4);
+    const auto brdf = makePdvBrdf(a), same = makePdvBrdf(blend(a, a, 0.3));
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 200; ++i) {
+      const Direction wi = testing::randomUpper(random), wo = testing::randomUpper(random);
+      const double value = brdf->evaluate(wi, wo).x;
+      QVERIFY(std::abs(same->evaluate(wi, wo).x - value) < 1e-5 * (1 + value));
     }
-    QVERIFY(same.highest >= a.highest * (1 - 1e-15));
+  }
+
+  /// Terms that cancel one another in each material, but not with the other's curves: nothing shoots up in between.
+  void termsThatCancelStayBounded() {
+    PdvFactors a = factors(1, 0.4, 21, 3), b = a;
+    for (auto& channel : a.channels) {
+      for (double& value : channel[1].f1) value = 60;
+      channel[2] = channel[1];
+      for (double& value : channel[2].f1) value = -60;
+    }
+    for (auto& channel : b.channels) {
+      for (double& value : channel[1].f1) value = 60;
+      for (double& value : channel[1].f2) value = 1 - value;
+      channel[2] = channel[1];
+      for (double& value : channel[2].f1) value = -60;
+    }
+    const auto brdf = makePdvBrdf(blend(a, b, 0.5)), first = makePdvBrdf(blend(a.truncated(1), b.truncated(1), 0.5));
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 200; ++i) {
+      const Direction wi = testing::randomUpper(random), wo = testing::randomUpper(random);
+      QVERIFY(std::abs(brdf->evaluate(wi, wo).x - first->evaluate(wi, wo).x) < 1e-3);
+    }
+  }
+
+  /// There is room for twenty: the first of each material.
+  void mostTerms() {
+    const PdvFactors a = factors(1, 0.4, 21, 20), b = factors(2, 0.4, 21, 20), c = blend(a, b, 0.5);
+    QCOMPARE(c.terms(), mostPdvTerms);
+    for (std::size_t l = 1; l < 20; ++l) {
+      const PdvFactors& end = l % 2 == 1 ? a : b;
+      QVERIFY(largestDifference(c.channels[0][l].f1, scaled(end.channels[0][(l + 1) / 2].f1, 0.5)) < 1e-15);
+    }
   }
 
   void hardCase30WholeWeightsAreExact() {
@@ -79,42 +130,11 @@ class PdvBlendTest : public QObject {
     QVERIFY(blend(a, b, 1) == b);
   }
 
-  /// A term is the same when two of its curves change their signs: blending must not see it.
-  void signsOfFurtherTermsDoNotMatter() {
-    const PdvFactors a = factors(1, 0.4), b = factors(2, 0.4);
-    PdvFactors turned = b;
-    for (auto& channel : turned.channels) {
-      for (double& value : channel[1].f1) value = -value;
-      for (double& value : channel[1].f2) value = -value;
-    }
-    const PdvFactors expected = blend(a, b, 0.5), c = blend(a, turned, 0.5);
-    QVERIFY(largestDifference(c.channels[1][1].f1, expected.channels[1][1].f1) < 1e-15);
-    QVERIFY(largestDifference(c.channels[1][1].f2, expected.channels[1][1].f2) < 1e-15);
-    PdvFactors last = b;
-    for (auto& channel : last.channels) {
-      for (double& value : channel[1].f1) value = -value;
-      for (double& value : channel[1].f3) value = -value;
-    }
-    QVERIFY(largestDifference(blend(a, last, 0.5).channels[1][1].f3, expected.channels[1][1].f3) < 1e-15);
-  }
-
   /// On other nodes of |Dp| the curves are read between them.
   void nodesThatDiffer() {
     const PdvFactors a = factors(1, 2), b = factors(1, 2, 41), c = blend(a, b, 0.5);
     QVERIFY(c.deviationNodes == a.deviationNodes);
     QVERIFY(largestDifference(c.channels[0][0].f2, a.channels[0][0].f2) < 1e-12);
-  }
-
-  /// A further term that one material lacks fades with the weight of the others, at its own shape.
-  void countsOfTermsThatDiffer() {
-    const PdvFactors a = factors(1, 0.4), b = factors(1, 0.4, 21, 1);
-    for (const PdvFactors& c : {blend(a, b, 0.75), blend(b, a, 0.25)}) {
-      QCOMPARE(c.terms(), 2);
-      const PdvTerm &term = c.channels[0][1], &whole = a.channels[0][1];
-      for (std::size_t i = 0; i < term.f1.size(); ++i) QVERIFY(std::abs(term.f1[i] - 0.25 * whole.f1[i]) < 1e-15);
-      QVERIFY(largestDifference(term.f2, whole.f2) < 1e-15);
-      QVERIFY(largestDifference(term.f3, whole.f3) < 1e-15);
-    }
   }
 
   void hardCase31MixedFormsAreRefused() {
