@@ -16,8 +16,6 @@ namespace gonio::factorization {
 namespace {
 
 constexpr int thetaCount = 90, phiCount = 180;
-/// How far above the largest transformed value of the measurement the model may go.
-constexpr double headroom = 2;
 
 std::vector<double> evenNodes(int count, double last) {
   std::vector<double> nodes;
@@ -90,7 +88,6 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
     total += channel.squaredNorm();
     for (const float y : channel.values) result.factors.highest = std::max(result.factors.highest, double(y));
   }
-  result.factors.highest += headroom;
   result.residuals.push_back(total > 0 ? 1 : 0);
   const std::vector<bool> measured[] = {measuredNodes(channels[0], 0), measuredNodes(channels[0], 1),
                                         measuredNodes(channels[0], 2)};

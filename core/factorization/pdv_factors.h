@@ -35,7 +35,7 @@ struct PdvFactors {
   std::vector<double> deviationNodes;            ///< of |Dp|, strictly increasing from 0
   std::vector<double> phiNodes;                  ///< of |phi|, rad, from 0 to pi; one node in the form with two factors
   std::array<std::vector<PdvTerm>, 3> channels;  ///< red, green, blue: as many terms in each
-  /// The largest y of the measurement and some more: curves that are multiplied can shoot over it between their nodes.
+  /// The largest y of the measurement: sums of products can shoot over it, by a factor of e^y in reflectance.
   double highest = 0;
 
   int terms() const { return int(channels[0].size()); }
@@ -47,9 +47,9 @@ struct PdvFactors {
 /// How much the squared error of y counts in a cell.
 enum class PdvWeights {
   uniform,  ///< all cells the same: Tongbuasirilai et al. 2019. Crowded nodes at grazing angles decide
-  /// cos theta_i cos theta_o times both projected solid angles times (d rho / d y)^(1/4). The squared error of rho cos
-  /// theta_i cos theta_o, to first order, has the power 2, by which highlights drown the rest, and that of y the power
-  /// 0; between them 1/4 has the best pictures.
+  /// cos theta_i cos theta_o times both projected solid angles times (d rho / d y)^(1/2), and 2e-5 of the mean of that
+  /// in all cells. The squared error of rho cos theta_i cos theta_o, to first order, has the power 2, by which
+  /// highlights drown the rest; the power 0 lets highlights shoot over (docs/factors.md has the trials).
   projectedSolidAngle
 };
 

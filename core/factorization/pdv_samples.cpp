@@ -17,6 +17,8 @@ namespace {
 constexpr std::size_t meanSteps = 180;
 /// Weight of a cell beside the disk, in that of its neighbours on it.
 constexpr double besideShare = 0.01;
+/// Added to all cells, in mean weights: with none, the mirror directions of grazing viewers are left free.
+constexpr double evenShare = 2e-5;
 /// The last nodes stand on the limit itself.
 const double smallestCosine = std::cos(largestPolarAngle) * (1 - 1e-9);
 
@@ -106,7 +108,7 @@ class Sampler {
       }
       double weight = 1;
       if (weights_ == PdvWeights::projectedSolidAngle)
-        weight = measure * std::sqrt(std::sqrt(reflectanceSlope(axes_.transform, rho, cosines)));
+        weight = measure * std::sqrt(reflectanceSlope(axes_.transform, rho, cosines));
       MaskedTensor& t = channels[channel];
       t.values[at] = flat() ? t.values[at] + float(weight * y) : float(y);
       t.weights[at] += float(weight);
@@ -158,6 +160,13 @@ void fillFromNeighbours(MaskedTensor& t, const std::vector<std::uint8_t>& counts
   t.weights[cell] = float(besideShare * weights / neighbours);
 }
 
+void addEvenShare(MaskedTensor& t, std::size_t cells) {
+  double total = 0;
+  for (const float weight : t.weights) total += double(weight);
+  for (float& weight : t.weights)
+    if (weight > 0) weight += float(evenShare * total / double(cells));
+}
+
 }  // namespace
 
 PdvSamples samplePdv(const TabulatedBrdf& table, const PdvFactors& axes, PdvWeights weights,
@@ -169,6 +178,8 @@ PdvSamples samplePdv(const TabulatedBrdf& table, const PdvFactors& axes, PdvWeig
   const MaskedTensor& shape = samples.channels[0];
   std::vector<std::uint8_t> counts(shape.weights.size());
   for (std::size_t at = 0; at < counts.size(); ++at) samples.cells += counts[at] = shape.weights[at] > 0;
+  if (weights == PdvWeights::projectedSolidAngle)
+    for (MaskedTensor& channel : samples.channels) addEvenShare(channel, samples.cells);
   const std::vector<std::uint8_t> reached = widenedByOne(counts, shape);
   parallelForBlocks(counts.size(), counts.size() / axes.thetaNodes.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t at = begin; at < end; ++at)

@@ -86,21 +86,6 @@ double chiSquaredTail(double chiSquared, int degrees) {
   return std::exp(logUpperIncompleteGamma(degrees / 2.0, std::max(1e-12, chiSquared / 2)) - std::lgamma(degrees / 2.0));
 }
 
-double pearson(const std::vector<double>& expected, const std::vector<double>& observed) {
-  constexpr double fewest = 10;
-  double chiSquared = 0, pooledExpected = 0, pooledObserved = 0;
-  int cells = 0;
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    pooledExpected += expected[i];
-    pooledObserved += observed[i];
-    if (pooledExpected < fewest) continue;
-    chiSquared += (pooledObserved - pooledExpected) * (pooledObserved - pooledExpected) / pooledExpected;
-    pooledExpected = pooledObserved = 0;
-    ++cells;
-  }
-  return cells > 1 ? chiSquaredTail(chiSquared, cells - 1) : 1;
-}
-
 }  // namespace
 
 MirrorCoordinates::MirrorCoordinates(const Direction& wo) : mirror_(-wo.x, -wo.y, wo.z) {
@@ -145,6 +130,21 @@ double integralOfPdf(const Brdf& brdf, const Direction& wo, const HemisphereCell
   return adaptive(integrand, cell, ruleOver(integrand, cell), tolerance, startDepth);
 }
 
+double pearsonPValue(const std::vector<double>& expected, const std::vector<double>& observed) {
+  constexpr double fewest = 10;
+  double chiSquared = 0, pooledExpected = 0, pooledObserved = 0;
+  int cells = 0;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    pooledExpected += expected[i];
+    pooledObserved += observed[i];
+    if (pooledExpected < fewest) continue;
+    chiSquared += (pooledObserved - pooledExpected) * (pooledObserved - pooledExpected) / pooledExpected;
+    pooledExpected = pooledObserved = 0;
+    ++cells;
+  }
+  return cells > 1 ? chiSquaredTail(chiSquared, cells - 1) : 1;
+}
+
 SamplingCheck checkSampling(const Brdf& brdf, const Direction& wo) {
   const MirrorCoordinates coordinates(wo);
   const std::vector<HemisphereCell> cells = cellsOfDraws(brdf, wo);
@@ -165,7 +165,7 @@ SamplingCheck checkSampling(const Brdf& brdf, const Direction& wo) {
     });
     if (cell != cells.end()) observed[std::size_t(cell - cells.begin())] += 1;
   }
-  check.pValue = pearson(expected, observed);
+  check.pValue = pearsonPValue(expected, observed);
   return check;
 }
 

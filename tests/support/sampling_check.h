@@ -39,6 +39,10 @@ std::vector<HemisphereCell> cellsOfDraws(const Brdf& brdf, const Direction& wo);
 /// Integral of the density over a cell: adaptive Gauss-Legendre.
 double integralOfPdf(const Brdf& brdf, const Direction& wo, const HemisphereCell& cell);
 
+/// The probability that Pearson's chi-squared is as large as found, were counts of draws by chance about what is
+/// expected; cells next to each other are pooled until ten are expected.
+double pearsonPValue(const std::vector<double>& expected, const std::vector<double>& observed);
+
 struct SamplingCheck {
   double integral = 0;  ///< of the density over the hemisphere: 1
   double pValue = 1;    ///< of Pearson's chi-squared test of the draws against the integrals of the cells

@@ -67,7 +67,7 @@ class PdvFileTest : public QObject {
     QVERIFY(pdvFileBytes(f) < 45000);
   }
 
-  void wrongHeadersAreToldWithWhatWasFound() {
+  void hardCase13CorruptHeadersAreRefused() {
     const auto contains = [](const std::string& text, const char* part) {
       return text.find(part) != std::string::npos;
     };
@@ -84,7 +84,7 @@ class PdvFileTest : public QObject {
     QVERIFY(contains(errorWith(30, std::nanf("")), "number 22 is not finite"));
   }
 
-  void shortAndForeignFilesAreRefused() {
+  void hardCase13ShortAndForeignFilesAreRefused() {
     const auto path = test::outputPath("pdv/short.pdv");
     writePdv(someFactors(PdvForm::threeFactors), path);
     test::Bytes bytes = test::readFile(path);
