@@ -34,13 +34,18 @@ Place placeOf(FactorAxes axes, const DirectionPair& pair) {
     return {at.thetaO, at.thetaH};
   }
   const HalfDifference at = toHalfDifference(pair.wi, pair.wo);
+  if (axes == FactorAxes::symmetricDeviation) return {at.thetaD, toProjectedDeviation(pair.wi, pair.wo).deviation};
   return {at.thetaD, at.thetaH};
+}
+
+bool isDeviation(FactorAxes axes) {
+  return axes == FactorAxes::projectedDeviation || axes == FactorAxes::symmetricDeviation;
 }
 
 /// Both arms in the plane of incidence; none where the light would be below the horizon.
 std::optional<DirectionPair> armsAt(FactorAxes axes, const Place& at) {
   DirectionPair pair;
-  if (axes == FactorAxes::projectedDeviation) {
+  if (isDeviation(axes)) {
     const ProjectedDirections found = fromProjectedDeviation({at.angle, at.distance, 0});
     if (!found.valid) return std::nullopt;
     pair = found.pair;
@@ -90,6 +95,20 @@ void store(std::array<std::vector<double>, 3>& curves, const Rgb& z) {
   for (int channel = 0; channel < 3; ++channel) curves[std::size_t(channel)].push_back(z[channel]);
 }
 
+/// Takes out of the curve across what it owes to theta_d, which is not the fixed angle beside the mirror direction.
+void divideByDifference(FactorMeasurement& m, double fixedAngle) {
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    if (m.unscaled[channel]) continue;
+    const std::vector<double> slopes = monotoneSlopes(m.angles, m.along[channel]);
+    const auto along = [&](double angle) { return evaluateMonotoneCubic(m.angles, m.along[channel], slopes, angle); };
+    for (std::size_t j = 0; j < m.distances.size(); ++j) {
+      const auto arms = armsAt(m.axes, {fixedAngle, m.distances[j]});
+      const double there = along(placeOf(m.axes, *arms).angle);
+      if (there > smallestScale) m.across[channel][j] *= along(fixedAngle) / there;
+    }
+  }
+}
+
 class PredictedBrdf final : public Brdf {
  public:
   explicit PredictedBrdf(const FactorMeasurement& m) : m_(m) {
@@ -134,7 +153,7 @@ FactorMeasurement measureFactors(const Brdf& material, const FactorMeasurementOp
     m.angles.push_back(angle);
     store(m.along, *z);
   }
-  const double last = options.axes == FactorAxes::projectedDeviation ? 2 : halfPi;
+  const double last = isDeviation(options.axes) ? 2 : halfPi;
   for (int j = 0; j < options.distances; ++j) {
     const double share = double(j) / (options.distances - 1), distance = last * share * share;
     const std::optional<Rgb> z = goniometer.read({options.fixedAngle, distance});
@@ -155,6 +174,7 @@ FactorMeasurement measureFactors(const Brdf& material, const FactorMeasurementOp
     else
       for (double& z : m.across[channel]) z /= scale;
   }
+  if (options.axes == FactorAxes::symmetricDeviation) divideByDifference(m, options.fixedAngle);
   return m;
 }
 

@@ -18,7 +18,10 @@ namespace gonio::acquisition {
 enum class FactorAxes {
   projectedDeviation,  ///< theta_R, |Dp|
   halfDifference,      ///< theta_d, theta_h
-  halfOut              ///< theta_o, theta_h
+  halfOut,             ///< theta_o, theta_h
+  /// theta_d, |Dp|, which stay when light and viewer change places. Read as projectedDeviation: on the curve along the
+  /// mirror direction theta_d is theta_R, and the curve across is divided by what the other tells at its theta_d.
+  symmetricDeviation
 };
 
 struct FactorMeasurementOptions {
@@ -36,7 +39,8 @@ struct FactorMeasurement {
   FactorAxes axes = FactorAxes::projectedDeviation;
   std::vector<double> angles, distances;
   std::array<std::vector<double>, 3> along;   ///< z_i1: at distance 0, for each angle
-  std::array<std::vector<double>, 3> across;  ///< z_mj / z_m1: at the fixed angle, for each distance
+  std::array<std::vector<double>, 3> across;  ///< z_mj / z_m1: at the fixed angle, for each distance; with
+                                              ///< symmetricDeviation, times z(fixed angle) / z(theta_d) along
   /// Channels whose mirror direction is black at the fixed angle (z_m1 <= 1e-12): their `along` is 1 and `across` is
   /// z_mj itself, the same for all angles.
   std::array<bool, 3> unscaled{};

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// pdv_study MERL_FILE ...: two tables of docs/factors.md. Noise at equal samples: the standard deviation of the light
+// pdv_study MERL_FILE ...: three tables of docs/factors.md. Noise at equal samples: the standard deviation of the light
 // that the material sends to a viewer under the studio environment, relative to its mean and averaged over viewers, for
-// directions drawn by four densities. And factor measurement: BRDF SNR of the prediction from two curves, over three
-// pairs of axes, at the best of several fixed angles.
+// directions drawn by four densities. Factor measurement: SNR of pictures and of reflectances predicted from two
+// curves, over four pairs of axes, each at the best of several fixed angles. And where in |Dp| and theta_h the
+// highlight has fallen to half, in the plane of incidence toward the viewer.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +15,8 @@
 
 #include "core/acquisition/factor_measurement.h"
 #include "core/brdf/lobe_mixture.h"
+#include "core/coordinates/half_difference.h"
+#include "core/coordinates/projected_deviation.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/factorization/pdv_sampler.h"
 #include "core/fitting/fit.h"
@@ -21,6 +24,7 @@
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
+#include "core/rendering/rendered_comparison.h"
 
 using namespace gonio;
 
@@ -71,16 +75,37 @@ void printNoise(const std::string& name, const TabulatedBrdf& table) {
 }
 
 void printMeasurement(const std::string& name, const TabulatedBrdf& table) {
+  using acquisition::FactorAxes;
+  const RenderedComparison comparison(table, {.width = 128, .height = 128, .samples = 16});
   std::printf("| %s |", name.c_str());
-  for (const auto axes : {acquisition::FactorAxes::projectedDeviation, acquisition::FactorAxes::halfDifference,
-                          acquisition::FactorAxes::halfOut}) {
-    double best = -1e9, at = 0;
+  for (const auto axes : {FactorAxes::projectedDeviation, FactorAxes::symmetricDeviation, FactorAxes::halfDifference,
+                          FactorAxes::halfOut}) {
+    double rendered = -1e9, renderedAt = 0, reflectance = -1e9, reflectanceAt = 0;
     for (double degrees = 10; degrees < 80; degrees += 10) {
       const auto m = acquisition::measureFactors(table, {.axes = axes, .fixedAngle = radians(degrees)});
-      const double snr = metrics::brdfSignalToNoiseRatio(table, *acquisition::predictFromFactors(m));
-      if (snr > best) best = snr, at = degrees;
+      const auto predicted = acquisition::predictFromFactors(m);
+      const double snr = metrics::brdfSignalToNoiseRatio(table, *predicted);
+      const double picture = comparison.signalToNoiseRatio(comparison.render(*predicted));
+      if (snr > reflectance) reflectance = snr, reflectanceAt = degrees;
+      if (picture > rendered) rendered = picture, renderedAt = degrees;
     }
-    std::printf(" %.2f (%.0f) |", best, at);
+    std::printf(" %.2f (%.0f), %.2f (%.0f) |", rendered, renderedAt, reflectance, reflectanceAt);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+/// Where green has fallen to half of ln(1 + rho) of the mirror direction.
+void printWidths(const std::string& name, const TabulatedBrdf& table) {
+  std::printf("| %s |", name.c_str());
+  for (const double degrees : {10.0, 45.0, 70.0, 80.0}) {
+    const auto z = [&](const DirectionPair& pair) { return std::log1p(table.Brdf::evaluate(pair.wi, pair.wo).y); };
+    const double peak = z(fromProjectedDeviation({radians(degrees), 0, 0}).pair);
+    double deviation = 0;
+    const auto pairAt = [&] { return fromProjectedDeviation({radians(degrees), deviation, 0}).pair; };
+    while (deviation < 1 && z(pairAt()) > peak / 2) deviation += 1e-4;
+    const DirectionPair half = pairAt();
+    std::printf(" %.3f, %.1f |", deviation, gonio::degrees(toHalfDifference(half.wi, half.wo).thetaH));
   }
   std::printf("\n");
 }
@@ -93,7 +118,9 @@ int main(int argc, char** argv) {
     materials.emplace_back(std::filesystem::path(argv[i]).stem().string(), io::readMaterial(argv[i]).tabulated());
   std::printf("| material | cosine | printed | exact | GGX fit |\n|---|---|---|---|---|\n");
   for (const auto& [name, table] : materials) printNoise(name, *table);
-  std::printf("\n| material | PDV | half-difference | half-out |\n|---|---|---|---|\n");
+  std::printf("\n| material | deviation | symmetric | half-difference | half-out |\n|---|---|---|---|---|\n");
   for (const auto& [name, table] : materials) printMeasurement(name, *table);
+  std::printf("\n| material | 10 | 45 | 70 | 80 degrees |\n|---|---|---|---|---|\n");
+  for (const auto& [name, table] : materials) printWidths(name, *table);
   return 0;
 }
