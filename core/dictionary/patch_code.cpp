@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/dictionary/patch_code.h"
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include "core/dictionary/dictionary.h"
+#include "core/math/parallel.h"
+
+namespace gonio::dictionary {
+
+namespace {
+
+using Eigen::Index;
+
+void checkSizes(const Sizes& sizes, const Sizes& patch) {
+  for (std::size_t mode = 0; mode < 3; ++mode)
+    if (patch[mode] < 1 || sizes[mode] % patch[mode] != 0)
+      throw Error("patches of " + std::to_string(patch[mode]) + " nodes do not tile the " +
+                  std::to_string(sizes[mode]) + " nodes of mode " + std::to_string(mode));
+}
+
+/// Calls work(cell, row, column) for every cell of a signal and where it stands among the patches.
+template <typename Work>
+void forEachCell(const Sizes& sizes, const Sizes& patch, const Work& work) {
+  const Index across = sizes[0] / patch[0], along = sizes[1] / patch[1];
+  Index cell = 0;
+  for (Index k = 0; k < sizes[2]; ++k)
+    for (Index j = 0; j < sizes[1]; ++j)
+      for (Index i = 0; i < sizes[0]; ++i, ++cell)
+        work(cell, i % patch[0] + patch[0] * (j % patch[1] + patch[1] * (k % patch[2])),
+             i / patch[0] + across * (j / patch[1] + along * (k / patch[2])));
+}
+
+PatchCode codeToError(const AtomSet& atoms, const Eigen::MatrixXd& patches, double error, int most,
+                      const TaskControl& control) {
+  PatchCode code;
+  code.patches.resize(std::size_t(patches.cols()));
+  constexpr std::size_t block = 16;
+  const auto pursue = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const double norm = patches.col(Index(p)).norm();
+      code.patches[p] = orthogonalMatchingPursuit(atoms, patches.col(Index(p)),
+                                                  {.steps = most, .residual = norm > 0 ? error / norm : 0});
+    }
+  };
+  parallelForBlocks(code.patches.size(), block, pursue, {.stop = control.stop});
+  return code;
+}
+
+}  // namespace
+
+Eigen::MatrixXd patchesOf(const Eigen::ArrayXf& signal, const Sizes& sizes, const Sizes& patch) {
+  checkSizes(sizes, patch);
+  Eigen::MatrixXd patches(Index(count(patch)), Index(count(sizes) / count(patch)));
+  forEachCell(sizes, patch, [&](Index cell, Index row, Index column) { patches(row, column) = double(signal[cell]); });
+  return patches;
+}
+
+Eigen::ArrayXf signalOf(const Eigen::MatrixXd& patches, const Sizes& sizes, const Sizes& patch) {
+  checkSizes(sizes, patch);
+  Eigen::ArrayXf signal(Index(count(sizes)));
+  forEachCell(sizes, patch, [&](Index cell, Index row, Index column) { signal[cell] = float(patches(row, column)); });
+  return signal;
+}
+
+KSvdResult learnPatchAtoms(const TrainingMaterials& materials, const PatchTrainingOptions& options,
+                           const TaskControl& control) {
+  const Sizes sizes = modeSizes(materials.grid);
+  checkSizes(sizes, options.patch);
+  const std::size_t signals = materials.names.size() * options.signals.signalsPerMaterial();
+  const std::size_t each = std::max<std::size_t>(1, options.samples / std::max<std::size_t>(1, signals));
+  std::vector<Eigen::MatrixXd> drawn(signals);
+  const auto draw = [&](std::size_t, std::size_t signal, const Eigen::ArrayXf& values) {
+    const Eigen::MatrixXd patches = patchesOf(values, sizes, options.patch);
+    std::mt19937_64 random(options.kSvd.seed + signal);
+    drawn[signal].resize(patches.rows(), Index(each));
+    for (auto column : drawn[signal].colwise()) column = patches.col(Index(random() % std::uint64_t(patches.cols())));
+  };
+  constexpr double readingShare = 0.1;
+  forEachSignal(
+      materials, options.signals, draw, [](std::size_t) {}, control.between(0, readingShare));
+  Eigen::MatrixXd all(Index(count(options.patch)), Index(signals * each));
+  for (std::size_t s = 0; s < signals; ++s) all.middleCols(Index(s * each), Index(each)) = drawn[s];
+  return learnKSvd(all, options.kSvd, control.between(readingShare, 1));
+}
+
+std::size_t PatchCode::coefficients() const {
+  std::size_t sum = 0;
+  for (const PursuitResult& patch : patches) sum += patch.atoms.size();
+  return sum;
+}
+
+PatchCode encodePatches(const AtomSet& atoms, const Eigen::MatrixXd& patches, std::size_t coefficients,
+                        int mostOfAPatch, const TaskControl& control) {
+  // At the error of the largest patch no coefficient is spent.
+  double tooMany = 0, fits = patches.size() > 0 ? patches.colwise().norm().maxCoeff() : 0;
+  PatchCode best = codeToError(atoms, patches, fits, mostOfAPatch, control);
+  constexpr int bisections = 16;
+  for (int step = 0; step < bisections; ++step) {
+    const double error = (tooMany + fits) / 2;
+    PatchCode code = codeToError(atoms, patches, error, mostOfAPatch, control);
+    control.report(double(step + 1) / bisections);
+    if (code.coefficients() > coefficients) {
+      tooMany = error;
+    } else {
+      fits = error;
+      best = std::move(code);
+    }
+  }
+  return best;
+}
+
+Eigen::MatrixXd decodePatches(const AtomSet& atoms, const PatchCode& code) {
+  Eigen::MatrixXd patches = Eigen::MatrixXd::Zero(atoms.length(), Index(code.patches.size()));
+  for (std::size_t p = 0; p < code.patches.size(); ++p)
+    for (std::size_t i = 0; i < code.patches[p].atoms.size(); ++i)
+      patches.col(Index(p)) += code.patches[p].coefficients[i] * atoms.matrix().col(code.patches[p].atoms[i]);
+  return patches;
+}
+
+}  // namespace gonio::dictionary
