@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/factorization/pdv_operations.h"
+#include "core/factorization/width_blend.h"
 #include "core/support/error.h"
 
 namespace gonio::factorization {
@@ -44,13 +45,15 @@ void add(Curve& sum, const Curve& curve, double weight) {
 PdvTerm blendedFirstTerm(std::span<const PdvFactors* const> ends, std::span<const double> weights,
                          std::size_t channel) {
   PdvTerm sum;
+  std::vector<Curve> shapes;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (!(weights[i] > 0)) continue;
-    const PdvTerm term = termOn(*ends[0], *ends[i], ends[i]->channels[channel].front());
-    add(sum.f1, term.f1, weights[i]);
-    add(sum.f2, term.f2, weights[i]);
+    PdvTerm term = termOn(*ends[0], *ends[i], ends[i]->channels[channel].front());
+    // F1 takes up the height of F2, which is 1 unless it was edited.
+    add(sum.f1, term.f1, weights[i] * *std::max_element(term.f2.begin(), term.f2.end()));
     add(sum.f3, term.f3, weights[i]);
+    shapes.push_back(std::move(term.f2));
   }
+  sum.f2 = blendedByWidth(ends[0]->deviationNodes, shapes, weights);
   return sum;
 }
 
