@@ -3,7 +3,7 @@
 // Twin of core/factorization/pdv_brdf.cpp: a reflectance straight from its factor curves, read from a small buffer that
 // widgets/preview/factor_texture.h fills: rgb by place, set, term, axis, the last fastest, so that all terms at a place
 // lie side by side. FACTOR_TERMS and FACTOR_AXES (2: F1 F2, 3: and F3) are set by the renderer.
-#include "math.glsl"
+#include "preview/data_transform.glsl"
 
 uniform samplerBuffer factorCurves;
 uniform int factorPlaceCount;
@@ -32,14 +32,6 @@ vec3 factorCurve(int at, float share) {
   return mix(texelFetch(factorCurves, at).rgb, texelFetch(factorCurves, at + factorStride).rgb, share);
 }
 
-vec3 factorInverse(int transform, vec3 y, float weight) {
-  if (transform <= 1) {
-    vec3 value = vec3(expMinusOne(y.r), expMinusOne(y.g), expMinusOne(y.b));
-    return transform == 0 ? value : value / weight;
-  }
-  return transform == 2 ? y * y : y;
-}
-
 // Linear RGB in 1/sr of the edited (0) or the original (1) curves at factorPlaces().
 vec3 evaluateFactors(vec3 places, float cosines, int set) {
   vec3 sum = vec3(0.0);
@@ -54,5 +46,5 @@ vec3 evaluateFactors(vec3 places, float cosines, int set) {
     at += FACTOR_AXES;
     sum += product;
   }
-  return factorInverse(factorTransform[set], clamp(sum, vec3(0.0), vec3(factorHighest[set])), max(cosines, 1e-3));
+  return inverseTransformed(factorTransform[set], clamp(sum, vec3(0.0), vec3(factorHighest[set])), cosines);
 }

@@ -7,9 +7,15 @@
 //   EDIT_MODEL          measured + strength (model(edited) - model(fitted)), with EVALUATE_MODEL and MODEL_PARAMETERS
 //   EDIT_FACTORS        the table changed by its factor curves, before EDIT_MODEL; KEEP_DETAIL: by their difference
 //   MODEL_ALONE         the model and no table, with EVALUATE_MODEL and MODEL_PARAMETERS
+//   BLEND_TABLES        several tables mixed (preview/blend.glsl), and nothing else
+// A file is put where it is first included: what several variants share comes before what only one has.
 #include "half_difference.glsl"
 #ifndef MODEL_ALONE
 #include "preview/table.glsl"
+#include "preview/data_transform.glsl"
+#endif
+#ifdef BLEND_TABLES
+#include "preview/blend.glsl"
 #endif
 #ifdef EDIT_FACTORS
 #include "preview/factors.glsl"
@@ -50,7 +56,9 @@ uniform vec3 modelParameters[MODEL_PARAMETERS];
 
 vec3 evaluateBrdf(vec3 wi, vec3 wo) {
   if (wi.z <= 0.0 || wo.z <= 0.0) return vec3(0.0);
-#ifdef MODEL_ALONE
+#ifdef BLEND_TABLES
+  return evaluateBlend(wi, wo);
+#elif defined(MODEL_ALONE)
   return EVALUATE_MODEL(wi, wo, modelParameters);
 #else
   bool valid;

@@ -9,6 +9,7 @@
 #include "core/factorization/pdv_operations.h"
 #include "core/models/model.h"
 #include "tests/widgets/offscreen_context.h"
+#include "widgets/interpolation/prepared_blend.h"
 #include "widgets/preview/preview_renderer.h"
 
 namespace {
@@ -96,6 +97,57 @@ void runFactorDrag(benchmark::State& state, bool environment) {
 void directionalFactorDrag(benchmark::State& state) { runFactorDrag(state, false); }
 void environmentFactorDrag(benchmark::State& state) { runFactorDrag(state, true); }
 
+/// The drag of a point between materials: new weights, the first frame.
+void runBlendDrag(benchmark::State& state, bool environment, editing::InterpolationSpace space) {
+  PreviewFixture& fixture = PreviewFixture::instance();
+  const models::Model& model = *fixture.edit.model;
+  static const auto materials = [&model] {
+    std::vector<editing::InterpolationEnd> ends;
+    for (const double roughness : {0.1, 0.2, 0.4, 0.7}) {
+      models::ParameterValues values = models::defaultParameters(model.spec());
+      values.values[*model.spec().find("roughness")] = Rgb(roughness);
+      ends.push_back({bakeTable(*model.instantiate(values))});
+    }
+    return ends;
+  }();
+  const auto count = std::size_t(state.range(0));
+  const auto blend = widgets::prepareBlend(space, {materials.begin(), materials.begin() + std::ptrdiff_t(count)});
+  SphereScene scene;
+  if (environment) scene.environment = studioEnvironment();
+  fixture.renderer.setScene(scene);
+  const SamplingLobe lobe = fixture.renderer.subject().lobe;
+  std::vector<double> weights(count);
+  double t = 0.1;
+  for (auto _ : state) {
+    t = t < 0.9 ? t + 0.013 : 0.1;
+    weights.assign(count, t / double(count - 1));
+    weights[0] = 1 - t;
+    widgets::PreviewSubject subject = widgets::blendSubject(*blend, weights);
+    subject.lobe = lobe;
+    fixture.renderer.setSubject(subject);
+    fixture.renderer.accumulate(1);
+  }
+  fixture.renderer.setSubject({.table = materials[0].table, .lobe = lobe});
+}
+void directionalLinearBlend(benchmark::State& state) {
+  runBlendDrag(state, false, editing::InterpolationSpace::linear);
+}
+void environmentLinearBlend(benchmark::State& state) { runBlendDrag(state, true, editing::InterpolationSpace::linear); }
+void environmentDifferentialBlend(benchmark::State& state) {
+  runBlendDrag(state, true, editing::InterpolationSpace::differential);
+}
+void environmentParameterBlend(benchmark::State& state) {
+  runBlendDrag(state, true, editing::InterpolationSpace::parameters);
+}
+void environmentFactorBlend(benchmark::State& state) {
+  runBlendDrag(state, true, editing::InterpolationSpace::factors);
+}
+
+BENCHMARK(directionalLinearBlend)->DenseRange(2, 4)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(environmentLinearBlend)->DenseRange(2, 4)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(environmentDifferentialBlend)->DenseRange(2, 4)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(environmentParameterBlend)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(environmentFactorBlend)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(directionalFactorDrag)
     ->Arg(1)
     ->Arg(3)

@@ -20,10 +20,6 @@ namespace {
 constexpr int maxSamples = 64;  // of sphere.frag
 QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d.z)}; }
 
-QString shaderId(const models::Model& model) {
-  return QString::fromUtf8(model.spec().id.data(), qsizetype(model.spec().id.size()));
-}
-
 }  // namespace
 
 PreviewRenderer::PreviewRenderer(std::shared_ptr<PreviewResources> resources) : resources_(std::move(resources)) {}
@@ -39,6 +35,7 @@ void PreviewRenderer::release() {
   accumulation_.reset();
   tableTexture_.reset();
   uploadedTable_.reset();
+  blendTextures_.release();
   if (resources_->isInitialized()) factorTexture_.release(*this);
   if (resources_.use_count() == 1) resources_->release();
   restart();
@@ -85,13 +82,12 @@ QOpenGLShaderProgram& PreviewRenderer::sphereProgram() {
   if (scene_.environment) definitions << "LIGHT_ENVIRONMENT";
   if (scene_.environment && scene_.showEnvironment) definitions << "SHOW_ENVIRONMENT";
   const bool edited = subject_.hasActiveEdit();
-  if (const models::Model* model = edited ? subject_.edit->model : subject_.model) {
-    const auto count = model->shaderParameters(edited ? subject_.edit->fitted : subject_.parameters).size();
-    definitions << (edited ? "EDIT_MODEL" : "MODEL_ALONE")
-                << "EVALUATE_MODEL evaluate_" + shaderId(*model).replace('-', '_')
-                << QString("MODEL_PARAMETERS %1").arg(count);
-    preamble << "models/" + shaderId(*model) + ".glsl";
+  const models::Model* model = edited ? subject_.edit->model : subject_.blend ? nullptr : subject_.model;
+  if (model) {
+    definitions << (edited ? "EDIT_MODEL" : "MODEL_ALONE");
+    addModel(*model, edited ? subject_.edit->fitted : subject_.parameters, definitions, preamble);
   }
+  if (subject_.blend) BlendTextures::addVariant(*subject_.blend, definitions, preamble);
   if (subject_.hasActiveFactors()) definitions << FactorTexture::definitions(*subject_.factors);
   return resources_->program("preview/sphere.frag", definitions, preamble);
 }
@@ -121,6 +117,7 @@ void PreviewRenderer::setModelUniforms(QOpenGLShaderProgram& program) {
     const std::vector<glm::vec3> uniforms = model.shaderParameters(values);
     program.setUniformValueArray(name, &uniforms.front().x, int(uniforms.size()), 3);
   };
+  if (subject_.blend) return;
   if (subject_.model) set("modelParameters", *subject_.model, subject_.parameters);
   if (!subject_.hasActiveEdit()) return;
   const editing::DifferentialEdit& edit = *subject_.edit;
@@ -153,7 +150,7 @@ void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count
 }
 
 void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
-  const std::shared_ptr<const TabulatedBrdf> table = subject_.model ? nullptr : subject_.table;
+  const std::shared_ptr<const TabulatedBrdf> table = subject_.isAlone() ? nullptr : subject_.table;
   if (table != uploadedTable_ || (table && !tableTexture_)) {
     glActiveTexture(GL_TEXTURE0 + tableUnit);
     tableTexture_ = resources_->table(table);
@@ -165,6 +162,7 @@ void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
     program.setUniformValue("table", tableUnit);
     program.setUniformValue("phiPeriod", float(tableTexture_->phiPeriod));
   }
+  if (subject_.blend) blendTextures_.bind(*this, program, *resources_, *subject_.blend);
   if (!scene_.environment) return;
   resources_->bindEnvironment(scene_.environment);
   program.setUniformValue("environment", environmentUnit);

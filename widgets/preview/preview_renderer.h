@@ -6,6 +6,7 @@
 #include <QSize>
 
 #include "core/rendering/sphere_scene.h"
+#include "widgets/preview/blend_textures.h"
 #include "widgets/preview/factor_texture.h"
 #include "widgets/preview/preview_resources.h"
 #include "widgets/preview/preview_subject.h"
@@ -69,6 +70,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   std::shared_ptr<PreviewResources> resources_;
   std::shared_ptr<const TableTexture> tableTexture_;
   FactorTexture factorTexture_;
+  BlendTextures blendTextures_;
   std::unique_ptr<QOpenGLFramebufferObject> accumulation_;
   PreviewSubject subject_;
   std::shared_ptr<const TabulatedBrdf> uploadedTable_;

@@ -46,6 +46,7 @@ void PreviewResources::release() {
   glDeleteVertexArrays(1, &vertexArray_);
   programs_.clear();
   tables_.clear();
+  mixtures_.clear();
   uploadedEnvironment_.reset();
   initialized_ = false;
 }
@@ -70,9 +71,24 @@ std::shared_ptr<const TableTexture> PreviewResources::table(const std::shared_pt
   if (auto texture = known.lock()) return texture;
   auto texture = std::make_shared<TableTexture>();
   texture->phiPeriod = table->grid().phiDPeriod();
-  uploadTable(*this, texture->name, *table);
+  uploadTable(*this, texture->name, table->grid(), table->values(), table->valid());
   known = texture;
   return texture;
+}
+
+std::shared_ptr<const MixtureTextures> PreviewResources::mixture(
+    const std::shared_ptr<const editing::TransformedMixture>& mixture) {
+  std::erase_if(mixtures_, [](const auto& entry) { return entry.second.expired(); });
+  auto& known = mixtures_[mixture];
+  if (auto textures = known.lock()) return textures;
+  auto textures = std::make_shared<MixtureTextures>();
+  for (const editing::TransformedTable& table : mixture->tables) {
+    auto& texture = *textures->tables.emplace_back(std::make_unique<TableTexture>());
+    texture.phiPeriod = table.grid.phiDPeriod();
+    uploadTable(*this, texture.name, table.grid, table.values, table.valid);
+  }
+  known = textures;
+  return textures;
 }
 
 void PreviewResources::bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/brdf/tabulated_brdf.h"
+#include "core/editing/interpolation/interpolation.h"
 #include "core/rendering/environment.h"
 
 namespace gonio::widgets {
@@ -20,7 +21,9 @@ enum TextureUnit {
   accumulationUnit,
   otherAccumulationUnit,
   colourMapUnit,
-  factorUnit
+  factorUnit,
+  firstBlendUnit,  ///< and those after it, one a material
+  endOfBlendUnits = firstBlendUnit + 4
 };
 
 /// A table on the graphics card; freed with its last user, in whose hands the context must be current.
@@ -32,6 +35,11 @@ struct TableTexture {
   TableTexture(const TableTexture&) = delete;
   TableTexture& operator=(const TableTexture&) = delete;
   ~TableTexture();
+};
+
+/// The tables of a mixture, in the order of the materials; as TableTexture.
+struct MixtureTextures {
+  std::vector<std::unique_ptr<TableTexture>> tables;
 };
 
 /// What all pictures of one OpenGL context share: linked shaders, the environment's textures, tables that several
@@ -53,6 +61,8 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
 
   /// Uploads at the first use (about 20 ms for 90 x 90 x 180).
   std::shared_ptr<const TableTexture> table(const std::shared_ptr<const TabulatedBrdf>& table);
+  /// The same of each table of a mixture.
+  std::shared_ptr<const MixtureTextures> mixture(const std::shared_ptr<const editing::TransformedMixture>& mixture);
   /// Binds the environment's pictures to their units, uploading them when it is another one than before.
   void bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
   /// Binds viridis or the signed map (core/rendering/false_colour.h) to its unit.
@@ -66,6 +76,8 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   GLuint colourMaps_[2] = {0, 0};
   std::map<QString, std::unique_ptr<QOpenGLShaderProgram>> programs_;
   std::map<std::weak_ptr<const TabulatedBrdf>, std::weak_ptr<const TableTexture>, std::owner_less<>> tables_;
+  std::map<std::weak_ptr<const editing::TransformedMixture>, std::weak_ptr<const MixtureTextures>, std::owner_less<>>
+      mixtures_;
   std::shared_ptr<const EnvironmentMap> uploadedEnvironment_;
 };
 

@@ -5,6 +5,9 @@
 namespace gonio::widgets {
 
 bool sameSubject(const PreviewSubject& a, const PreviewSubject& b) {
+  if (a.blend || b.blend)
+    return a.blend && b.blend && a.blend->interpolation == b.blend->interpolation &&
+           a.blend->weights == b.blend->weights;
   if (a.model || b.model) return a.model == b.model && a.parameters == b.parameters;
   if (a.table != b.table || a.hasActiveEdit() != b.hasActiveEdit()) return false;
   if (a.hasActiveFactors() != b.hasActiveFactors() || (a.hasActiveFactors() && a.factors != b.factors)) return false;
@@ -14,6 +17,7 @@ bool sameSubject(const PreviewSubject& a, const PreviewSubject& b) {
 }
 
 std::shared_ptr<const Brdf> subjectBrdf(const PreviewSubject& subject) {
+  if (subject.blend) return subject.blend->interpolation->brdf(subject.blend->weights);
   if (subject.model) return subject.model->instantiate(subject.parameters);
   if (!subject.table) return nullptr;
   return editing::applyEdits(subject.table, subject.edits());

@@ -30,12 +30,10 @@ void uploadPicture(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, int width, in
 
 }  // namespace
 
-void uploadTable(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const TabulatedBrdf& table) {
-  std::vector<glm::vec4> texels(table.values().size());
-  // Invalid cells hold 0 already: their alpha alone must be 0.
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    texels[i] = glm::vec4(table.values()[i], table.valid()[i] ? 1.f : 0.f);
-  const HalfDifferenceGrid& grid = table.grid();
+void uploadTable(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const HalfDifferenceGrid& grid,
+                 std::span<const glm::vec3> values, std::span<const std::uint8_t> valid) {
+  std::vector<glm::vec4> texels(values.size());
+  for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = valid[i] ? glm::vec4(values[i], 1) : glm::vec4(0);
   bindNew(gl, GL_TEXTURE_3D, texture);
   gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, grid.phiDCount, grid.thetaDCount, grid.thetaHCount, 0, GL_RGBA,
                   GL_FLOAT, texels.data());

@@ -5,9 +5,10 @@
 #include <QOpenGLFunctions_4_1_Core>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "core/brdf/tabulated_brdf.h"
+#include "core/coordinates/half_difference_grid.h"
 #include "core/rendering/environment.h"
 
 namespace gonio::widgets {
@@ -15,7 +16,9 @@ namespace gonio::widgets {
 /// Uploads for the preview's shaders; each makes the texture when `texture` is 0 and else replaces its content.
 
 /// RGBA32F of (rgb * valid, valid): x phi_d (repeats), y theta_d, z theta_h (shaders/preview/table.glsl).
-void uploadTable(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const TabulatedBrdf& table);
+/// @param values linear RGB in 1/sr, or transformed; one a cell, as are the flags (1 valid, 0 invalid).
+void uploadTable(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const HalfDifferenceGrid& grid,
+                 std::span<const glm::vec3> values, std::span<const std::uint8_t> valid);
 
 /// What the shaders read of an environment, computed on the CPU.
 struct EnvironmentTexels {

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <cmath>
+
+#include "core/metrics/image_metrics.h"
+#include "core/models/registry.h"
+#include "core/rendering/sphere_renderer.h"
+#include "offscreen_context.h"
+#include "widgets/interpolation/prepared_blend.h"
+#include "widgets/preview/preview_renderer.h"
+
+using namespace gonio;
+using editing::InterpolationSpace;
+
+namespace {
+
+constexpr int side = 64;
+
+std::shared_ptr<const TabulatedBrdf> material(double roughness, const Rgb& colour, const HalfDifferenceGrid& grid) {
+  const models::Model& model = models::ggx();
+  models::ParameterValues values = models::defaultParameters(model.spec());
+  values.values[*model.spec().find("roughness")] = Rgb(roughness);
+  values.values[*model.spec().find("specular")] = colour;
+  return bakeTable(*model.instantiate(values), grid);
+}
+
+/// Four materials that nobody takes for each other; the last on a grid of its own.
+std::vector<editing::InterpolationEnd> ends(int count) {
+  static const std::vector<editing::InterpolationEnd> all{{material(0.15, {0.9, 0.5, 0.2}, {60, 60, 60})},
+                                                          {material(0.5, {0.2, 0.6, 0.9}, {60, 60, 60})},
+                                                          {material(0.3, {0.8, 0.8, 0.8}, {60, 60, 60})},
+                                                          {material(0.4, {0.1, 0.9, 0.1}, {45, 50, 90})}};
+  return {all.begin(), all.begin() + count};
+}
+
+const std::vector<std::vector<double>> someWeights{{0.3, 0.7}, {0.2, 0.5, 0.3}, {0.1, 0.2, 0.3, 0.4}};
+
+/// Means of transformed tables, transformed back: what the shader is to show, on the CPU.
+class TransformedMean final : public Brdf {
+ public:
+  TransformedMean(DataTransform transform, std::vector<std::shared_ptr<const TabulatedBrdf>> tables,
+                  std::vector<double> weights)
+      : transform_(transform), tables_(std::move(tables)), weights_(std::move(weights)) {}
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      Rgb sum(0);
+      for (std::size_t m = 0; m < tables_.size(); ++m)
+        sum += weights_[m] * tables_[m]->evaluate(pairs[i].wi, pairs[i].wo);
+      for (int c = 0; c < 3; ++c)
+        values[i][c] = inverseTransformed(transform_, sum[c], cosineWeight(pairs[i].wi.z, pairs[i].wo.z));
+    }
+  }
+
+ private:
+  DataTransform transform_;
+  std::vector<std::shared_ptr<const TabulatedBrdf>> tables_;
+  std::vector<double> weights_;
+};
+
+/// A space whose mixture lies in a transformed domain, as that of sparse codes does.
+class TransformedSpace final : public editing::Interpolation {
+ public:
+  TransformedSpace(std::vector<Table> tables, DataTransform transform)
+      : Interpolation(std::move(tables)), transform_(transform) {
+    mixture_.transform = transform;
+    for (const Table& table : this->tables()) {
+      std::vector<glm::vec3> values(table->values().begin(), table->values().end());
+      for (glm::vec3& value : values)
+        for (int c = 0; c < 3; ++c) value[c] = float(transformed(transform, value[c], 1));
+      const std::vector<std::uint8_t> valid(table->valid().begin(), table->valid().end());
+      mixture_.tables.push_back({table->grid(), values, valid});
+      transformed_.push_back(std::make_shared<const TabulatedBrdf>(table->grid(), values, valid));
+    }
+  }
+  std::optional<editing::TransformedMixture> mixture() const override { return mixture_; }
+
+ private:
+  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
+    return std::make_shared<TransformedMean>(transform_, transformed_,
+                                             std::vector<double>(weights.begin(), weights.end()));
+  }
+  DataTransform transform_;
+  editing::TransformedMixture mixture_;
+  std::vector<std::shared_ptr<const TabulatedBrdf>> transformed_;
+};
+
+}  // namespace
+
+/// The shader's blends against the core's.
+class BlendPreviewTest : public QObject {
+  Q_OBJECT
+ private:
+  std::unique_ptr<tests::OffscreenContext> m_context;
+  std::unique_ptr<widgets::PreviewRenderer> m_renderer;
+
+  Image drawn(const widgets::PreviewSubject& subject, const SphereScene& scene, int samples) {
+    m_renderer->setSubject(subject);
+    m_renderer->setScene(scene);
+    m_renderer->setSize({side, side});
+    for (int i = 0; i < samples / 64; ++i) m_renderer->accumulate(64);
+    return m_renderer->readPicture();
+  }
+  /// SNR of the shader's picture against that of `brdf` on the CPU, dB.
+  double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const SphereScene& scene) {
+    constexpr int samples = 512;
+    const Image reference =
+        renderSphere(brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
+    return metrics::signalToNoiseRatio(reference, drawn(subject, scene, samples));
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    m_context = std::make_unique<tests::OffscreenContext>();
+    if (!m_context->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
+    m_renderer = std::make_unique<widgets::PreviewRenderer>();
+    m_renderer->initialize();
+  }
+  void cleanupTestCase() {
+    if (m_renderer) m_renderer->release();
+  }
+
+  /// Every space, two to four materials: the frame under the hand is the interpolation of core.
+  void everySpaceIsThatOfCore() {
+    for (const auto space : {InterpolationSpace::linear, InterpolationSpace::parameters,
+                             InterpolationSpace::differential, InterpolationSpace::factors})
+      for (const std::vector<double>& weights : someWeights) {
+        const auto blend = widgets::prepareBlend(space, ends(int(weights.size())));
+        const auto subject = widgets::blendSubject(*blend, weights);
+        const double snr = agreement(subject, *blend->interpolation->brdf(weights), {});
+        const QString what =
+            QString("%1, %2 materials: %3 dB").arg(widgets::spaceName(space)).arg(weights.size()).arg(snr);
+        qInfo("%s", qPrintable(what));
+        QVERIFY2(snr > 40, qPrintable(what));
+      }
+  }
+
+  void theStudioToo() {
+    const auto blend = widgets::prepareBlend(InterpolationSpace::linear, ends(2));
+    const auto subject = widgets::blendSubject(*blend, someWeights[0]);
+    const double snr =
+        agreement(subject, *blend->interpolation->brdf(someWeights[0]), {.environment = studioEnvironment()});
+    QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
+  }
+
+  /// Mixed in a transformed domain and brought back, as sparse codes are.
+  void transformedDomains() {
+    for (const DataTransform transform : {DataTransform::logPlus, DataTransform::root, DataTransform::none}) {
+      widgets::PreparedBlend blend{.space = InterpolationSpace::dictionary, .ends = ends(2), .lobes = {{}, {}}};
+      blend.interpolation = std::make_shared<const TransformedSpace>(
+          std::vector<editing::Interpolation::Table>{blend.ends[0].table, blend.ends[1].table}, transform);
+      blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
+      const auto subject = widgets::blendSubject(blend, someWeights[0]);
+      QVERIFY(subject.blend.has_value());
+      const double snr = agreement(subject, *widgets::subjectBrdf(subject), {});
+      const QString what = QString("transform %1: %2 dB").arg(int(transform)).arg(snr);
+      qInfo("%s", qPrintable(what));
+      QVERIFY2(snr > 40, qPrintable(what));
+    }
+  }
+
+  /// All of the weight on one material: the same bits as that material alone, in every space.
+  void aCornerIsTheMaterial() {
+    const Image alone = drawn({.table = ends(1)[0].table, .lobe = {}}, {}, 64);
+    for (const auto space : {InterpolationSpace::linear, InterpolationSpace::factors}) {
+      auto subject = widgets::blendSubject(*widgets::prepareBlend(space, ends(2)), {1, 0});
+      subject.lobe = {};
+      QVERIFY(drawn(subject, {}, 64).pixels == alone.pixels);
+    }
+  }
+
+  /// A drag changes weights alone: the picture is that of a renderer which knows the last ones only.
+  void aDragLeavesNothingBehind() {
+    const auto blend = widgets::prepareBlend(InterpolationSpace::differential, ends(3));
+    const auto last = widgets::blendSubject(*blend, {0.5, 0.25, 0.25});
+    const Image expected = drawn(last, {}, 64);
+    for (const auto& weights : {std::vector{0.1, 0.8, 0.1}, {1.0, 0.0, 0.0}, {0.0, 0.5, 0.5}})
+      drawn(widgets::blendSubject(*blend, weights), {}, 64);
+    QVERIFY(drawn(last, {}, 64).pixels == expected.pixels);
+    // From two materials to three, and to a model alone.
+    drawn(widgets::blendSubject(*widgets::prepareBlend(InterpolationSpace::linear, ends(2)), {0.5, 0.5}), {}, 64);
+    drawn(widgets::blendSubject(*widgets::prepareBlend(InterpolationSpace::parameters, ends(2)), {0.5, 0.5}), {}, 64);
+    QVERIFY(drawn(last, {}, 64).pixels == expected.pixels);
+  }
+
+  /// Where one material has no data it adds nothing; what the others have stays.
+  void invalidCellsAddNothing() {
+    const HalfDifferenceGrid grid{8, 8, 8};
+    std::vector<std::uint8_t> all(grid.size(), 1), none(grid.size(), 0);
+    const std::vector<glm::vec3> values(grid.size(), glm::vec3(0.5f));
+    const auto full = std::make_shared<const TabulatedBrdf>(grid, values, all);
+    const auto empty = std::make_shared<const TabulatedBrdf>(grid, values, none);
+    const auto blend = widgets::prepareBlend(InterpolationSpace::linear, {{full}, {empty}});
+    const auto subject = widgets::blendSubject(*blend, {0.5, 0.5});
+    const Image picture = drawn(subject, {}, 64);
+    const Image expected = drawn({.table = full, .lobe = {}}, {}, 64);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+      QVERIFY(glm::length(picture.pixels[i] - 0.5f * expected.pixels[i]) < 1e-6f);
+  }
+
+  /// Subjects are told apart by what they blend and how much.
+  void subjectsAreToldApart() {
+    const auto blend = widgets::prepareBlend(InterpolationSpace::linear, ends(2));
+    const auto half = widgets::blendSubject(*blend, {0.5, 0.5});
+    QVERIFY(widgets::sameSubject(half, widgets::blendSubject(*blend, {0.5, 0.5})));
+    QVERIFY(!widgets::sameSubject(half, widgets::blendSubject(*blend, {0.4, 0.6})));
+    QVERIFY(!widgets::sameSubject(half, {.table = half.table, .lobe = half.lobe}));
+    QVERIFY(!half.isEmpty() && !half.isMeasured());
+  }
+};
+
+QTEST_MAIN(BlendPreviewTest)
+#include "blend_preview_test.moc"

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/interpolation/prepared_blend.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "core/models/registry.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+using editing::InterpolationSpace;
+
+QString tr(const char* text) { return QCoreApplication::translate("InterpolationSpace", text); }
+
+constexpr double preparedShare = 0.9;
+
+std::optional<editing::TransformedMixture> mixtureOf(const PreparedBlend& blend) {
+  if (blend.space != InterpolationSpace::differential) return blend.interpolation->mixture();
+  // The measured tables, which the shader moves.
+  return editing::prepareInterpolation(InterpolationSpace::linear, blend.ends)->mixture();
+}
+
+editing::FactorEdit curvesAlone(factorization::PdvFactors factors) {
+  const auto curves = std::make_shared<const factorization::PdvFactors>(std::move(factors));
+  editing::FactorEdit edit;
+  edit.original = edit.edited = curves;
+  edit.keepDetail = false;
+  return edit;
+}
+
+}  // namespace
+
+editing::InterpolationOptions blendOptions() {
+  editing::InterpolationOptions options;
+  // Further terms are large ones that cancel: means of their curves do not.
+  options.pdv.terms = 1;
+  return options;
+}
+
+PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editing::InterpolationEnd>& ends,
+                              const editing::InterpolationOptions& options, const TaskControl& control) {
+  auto blend = std::make_shared<PreparedBlend>();
+  blend->space = space;
+  blend->ends = ends;
+  blend->model = options.model ? options.model : &models::ggx();
+  for (const editing::InterpolationEnd& end : ends) blend->lobes.push_back(estimateSamplingLobe(*end.table));
+  blend->interpolation = editing::prepareInterpolation(space, ends, options, control.between(0, preparedShare));
+  control.throwIfStopped();
+  if (auto mixture = mixtureOf(*blend))
+    blend->mixture = std::make_shared<const editing::TransformedMixture>(std::move(*mixture));
+  control.report(1);
+  return blend;
+}
+
+PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights) {
+  const auto heaviest = std::size_t(std::max_element(weights.begin(), weights.end()) - weights.begin());
+  PreviewSubject subject{.table = blend.ends[heaviest].table, .lobe = blend.lobes[heaviest]};
+  if (weights[heaviest] == 1) return subject;
+  if (blend.mixture) {
+    subject.blend = {blend.interpolation, blend.mixture, weights, blend.interpolation->moves(weights)};
+  } else if (auto factors = blend.interpolation->factors(weights)) {
+    subject.factors = curvesAlone(std::move(*factors));
+  } else if (const auto parameters = blend.interpolation->parameters(weights)) {
+    subject.model = blend.model;
+    subject.parameters = *parameters;
+  }
+  return subject;
+}
+
+QString spaceName(InterpolationSpace space) {
+  switch (space) {
+    case InterpolationSpace::linear:
+      return tr("Linear");
+    case InterpolationSpace::parameters:
+      return tr("Parameters");
+    case InterpolationSpace::differential:
+      return tr("Differential");
+    case InterpolationSpace::factors:
+      return tr("Factors");
+    default:
+      return tr("Dictionary");
+  }
+}
+
+QString spaceExplanation(InterpolationSpace space) {
+  switch (space) {
+    case InterpolationSpace::linear:
+      return tr(
+          "The reflectances themselves are mixed. Half of a sharp and half of a wide highlight are both highlights "
+          "on top of each other, like two coats: nothing in between. All measured detail stays.");
+    case InterpolationSpace::parameters:
+      return tr(
+          "A model is fitted to each material and its parameters are mixed: a highlight of medium width lies "
+          "between a sharp and a wide one. What the model does not explain is lost between the materials.");
+    case InterpolationSpace::differential:
+      return tr(
+          "Each material is moved to the mixed parameters of the model by a differential edit, which keeps its "
+          "measured detail; then the results are mixed. Source: Tongbuasirilai and Unger 2016.");
+    case InterpolationSpace::factors:
+      return tr(
+          "The factor curves of projected-deviation coordinates are mixed: strength and width of the highlight go "
+          "from one to the other. What the curves do not explain is lost between the materials.");
+    default:
+      return tr(
+          "Each material is a sum of learned patterns with few coefficients; the coefficients are mixed, so the "
+          "logarithm-like transformed reflectances are. What the codes leave out is lost between the materials.");
+  }
+}
+
+}  // namespace gonio::widgets

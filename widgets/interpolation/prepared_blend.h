@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QString>
+
+#include "widgets/preview/preview_subject.h"
+
+namespace gonio::widgets {
+
+/// Materials ready to be blended in one space, for the preview and for pictures. Immutable.
+struct PreparedBlend {
+  editing::InterpolationSpace space;
+  std::vector<editing::InterpolationEnd> ends;
+  std::vector<SamplingLobe> lobes;       ///< of the materials
+  const models::Model* model = nullptr;  ///< of `parameters` and `differential`
+  std::shared_ptr<const editing::Interpolation> interpolation;
+  /// What the shader mixes, in spaces where it mixes tables.
+  std::shared_ptr<const editing::TransformedMixture> mixture;
+};
+using PreparedBlendPtr = std::shared_ptr<const PreparedBlend>;
+
+/// What blends under the hand are prepared with.
+editing::InterpolationOptions blendOptions();
+
+/// Fits, factorises and encodes what the space needs: up to some seconds. @throws Error, Cancelled.
+PreparedBlendPtr prepareBlend(editing::InterpolationSpace space, const std::vector<editing::InterpolationEnd>& ends,
+                              const editing::InterpolationOptions& options = blendOptions(),
+                              const TaskControl& control = {});
+
+/// What the preview shows at the weights, by what costs least in a frame: `linear`, `dictionary` and `differential` are
+/// mixed in the shader, `parameters` are those of a model, `factors` are curves, and a material alone is its own table.
+PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights);
+
+/// "Linear"; and what it means, for tool tips.
+QString spaceName(editing::InterpolationSpace space);
+QString spaceExplanation(editing::InterpolationSpace space);
+
+}  // namespace gonio::widgets
