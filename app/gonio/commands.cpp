@@ -91,4 +91,36 @@ std::size_t ReplaceStateCommand::bytes() const {
 
 void ReplaceStateCommand::release() { m_before = m_after = {}; }
 
+ReplaceMaterialCommand::ReplaceMaterialCommand(Document& document, LoadedMaterialPtr after, const QString& text)
+    : m_document(document), m_before(current()), m_after{std::move(after), {}, {}} {
+  setText(text);
+}
+
+ReplaceMaterialCommand::Content ReplaceMaterialCommand::current() const {
+  return {m_document.material(), m_document.state(), m_document.path()};
+}
+
+void ReplaceMaterialCommand::show(const Content& content) {
+  m_document.setContent(content.material, content.state, content.path);
+  Q_EMIT m_document.materialReplaced();
+}
+
+void ReplaceMaterialCommand::apply() {
+  m_before = current();
+  show(m_after);
+}
+
+void ReplaceMaterialCommand::revert() {
+  // With the automatic fit and the file that it has got meanwhile.
+  m_after = current();
+  show(m_before);
+}
+
+void ReplaceMaterialCommand::release() { m_before = m_after = {}; }
+
+std::size_t ReplaceMaterialCommand::bytes() const {
+  const auto of = [](const Content& content) { return content.material ? content.material->table->bytes() : 0; };
+  return sizeof(*this) + of(m_before) + of(m_after);
+}
+
 }  // namespace gonio::app

@@ -95,4 +95,30 @@ class ReplaceStateCommand final : public Command {
   EditState m_before, m_after;
 };
 
+/// Puts another material in the place of the document's. What stands beside the material (edits, the automatic fit, the
+/// file) goes and comes back with it.
+class ReplaceMaterialCommand final : public Command {
+ public:
+  ReplaceMaterialCommand(Document& document, LoadedMaterialPtr after, const QString& text);
+
+  std::size_t bytes() const override;
+
+ protected:
+  void apply() override;
+  void revert() override;
+  void release() override;
+
+ private:
+  struct Content {
+    LoadedMaterialPtr material;
+    EditState state;
+    QString path;
+  };
+  Content current() const;
+  void show(const Content& content);
+
+  Document& m_document;
+  Content m_before, m_after;
+};
+
 }  // namespace gonio::app

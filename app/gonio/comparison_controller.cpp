@@ -72,7 +72,7 @@ void ComparisonController::setComparison(const widgets::PreviewComparison& compa
 void ComparisonController::chooseUsualSides() {
   const auto edits = m_document.edits();
   const bool edited = !std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); });
-  m_sides = {edited ? ComparedSubject::edited : ComparedSubject::fit, ComparedSubject::measured};
+  m_sides = {edited || m_standIn ? ComparedSubject::edited : ComparedSubject::fit, ComparedSubject::measured};
 }
 
 void ComparisonController::setSides(ComparedSubject first, ComparedSubject second) {
@@ -81,7 +81,15 @@ void ComparisonController::setSides(ComparedSubject first, ComparedSubject secon
   refresh();
 }
 
+void ComparisonController::setStandIn(std::optional<widgets::PreviewSubject> subject, const QString& name) {
+  if (!subject && !m_standIn) return;
+  m_standIn = std::move(subject);
+  m_standInName = name;
+  refresh();
+}
+
 widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) const {
+  if (side == ComparedSubject::edited && m_standIn) return *m_standIn;
   const LoadedMaterialPtr& material = side == ComparedSubject::reference ? m_reference : m_document.material();
   if (!material) return {.table = nullptr, .lobe = {}};
   widgets::PreviewSubject subject{.table = material->table, .lobe = material->lobe};
@@ -100,6 +108,7 @@ widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) cons
 
 QString ComparisonController::name(ComparedSubject side) const {
   const LoadedMaterialPtr& material = m_document.material();
+  if (side == ComparedSubject::edited && m_standIn) return tr("Blend");
   if (side == ComparedSubject::reference)
     return m_reference ? QString::fromStdString(m_reference->material.name) : QString();
   if (!material) return {};

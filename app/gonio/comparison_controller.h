@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <array>
+#include <optional>
 
 #include "app/gonio/background_task.h"
 #include "app/gonio/document.h"
@@ -38,6 +39,11 @@ class ComparisonController : public QObject {
   std::array<widgets::ComparedSubject, 2> sides() const { return m_sides; }
 
   widgets::PreviewSubject subject(widgets::ComparedSubject side) const;
+  /// Shows something else in the place of the edited material, until it is taken back: a blend under the hand.
+  void setStandIn(std::optional<widgets::PreviewSubject> subject, const QString& name);
+  const std::optional<widgets::PreviewSubject>& standIn() const { return m_standIn; }
+  QString standInName() const { return m_standInName; }
+
   /// "Measured", "Fit: GGX", "Edited", the name of the reference; empty while it is not there.
   QString name(widgets::ComparedSubject side) const;
 
@@ -62,6 +68,8 @@ class ComparisonController : public QObject {
   std::array<widgets::ComparedSubject, 2> m_sides{widgets::ComparedSubject::edited, widgets::ComparedSubject::measured};
   bool m_sidesChosen = false;  ///< by the user; otherwise those that tell most
   LoadedMaterialPtr m_reference;
+  std::optional<widgets::PreviewSubject> m_standIn;
+  QString m_standInName;
 };
 
 }  // namespace gonio::app

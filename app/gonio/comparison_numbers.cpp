@@ -20,6 +20,7 @@ QString tr(const char* text) { return QCoreApplication::translate("ComparisonNum
 
 std::shared_ptr<const TabulatedBrdf> tabulated(const widgets::PreviewSubject& subject, const TaskControl& control) {
   if (subject.isMeasured()) return subject.table;
+  if (subject.blend) return subject.blend->interpolation->table(subject.blend->weights, control);
   if (!subject.model) return editing::bakeEdits(subject.table, subject.edits(), control);
   return bakeTable(*widgets::subjectBrdf(subject), subject.table ? subject.table->grid() : HalfDifferenceGrid{},
                    {control.stop, {}});

@@ -24,16 +24,24 @@ QString Document::name() const {
   return m_material ? QString::fromStdString(m_material->material.name) : tr("Untitled");
 }
 
-void Document::startAnew(LoadedMaterialPtr material, const EditState& state, const QString& path) {
+void Document::setContent(LoadedMaterialPtr material, const EditState& state, const QString& path) {
   m_material = std::move(material);
   m_state = state;
   m_path = path;
   m_interacting = false;
-  m_history.clear();
-  m_history.setClean();
   Q_EMIT materialChanged();
   Q_EMIT stateChanged();
   Q_EMIT titleChanged();
+}
+
+void Document::startAnew(LoadedMaterialPtr material, const EditState& state, const QString& path) {
+  m_history.clear();
+  m_history.setClean();
+  setContent(std::move(material), state, path);
+}
+
+void Document::replaceMaterial(LoadedMaterialPtr material, const QString& text) {
+  m_history.add(new ReplaceMaterialCommand(*this, std::move(material), text));
 }
 
 void Document::setMaterial(LoadedMaterialPtr material) { startAnew(std::move(material), {}, {}); }
@@ -137,6 +145,7 @@ editing::EditDocument Document::toEditDocument() const {
   if (m_material) {
     document.sourcePath = m_material->material.source.path.string();
     document.sourceSha256 = m_material->material.source.sha256;
+    document.blend = m_material->blend;
   }
   document.edits = edits();
   return document;

@@ -48,6 +48,10 @@ class Document : public QObject {
   /// Counts as unsaved from now on (a recovered document).
   void markUnsaved() { m_history.resetClean(); }
 
+  /// Another material takes the place of this one, without edits and never saved: one undo step, which brings back the
+  /// material with its edits and its file.
+  void replaceMaterial(LoadedMaterialPtr material, const QString& text);
+
   /// The automatic fit after opening: no undo step.
   void adoptFit(const fitting::FitResult& fit);
   /// One undo step with the old and the new values. The edit starts anew at the fitted values.
@@ -75,6 +79,7 @@ class Document : public QObject {
   void markSaved(const QString& path);
 
   /// For commands only.
+  void setContent(LoadedMaterialPtr material, const EditState& state, const QString& path);
   void setState(const EditState& state);
   void setEditedValue(int parameter, const Rgb& value);
   void setEditShare(double strength, bool enabled);
@@ -82,6 +87,8 @@ class Document : public QObject {
 
  Q_SIGNALS:
   void materialChanged();
+  /// By an undo step: the history goes on. After materialChanged().
+  void materialReplaced();
   /// The model, the fit or all values changed.
   void stateChanged();
   /// Only edited values changed.

@@ -34,7 +34,12 @@ editing::FactorEdit carriedOver(const editing::FactorEdit& edit, const Tabulated
 const models::Model& defaultModel() { return models::findModel("ggx"); }
 
 DocumentController::DocumentController(Document& document, BackgroundTasks& tasks, QObject* parent)
-    : QObject(parent), m_document(document), m_tasks(tasks) {}
+    : QObject(parent), m_document(document), m_tasks(tasks) {
+  connect(&document, &Document::materialReplaced, this, [this] {
+    forgetFits();
+    if (!m_document.edit()) automaticFit();
+  });
+}
 
 void DocumentController::open(const QString& path) { start(path, isDocument(path) ? path : QString(), false); }
 
@@ -49,14 +54,13 @@ void DocumentController::start(const QString& path, const QString& documentPath,
       {tr("Opening %1").arg(shortName(path)), openKey},
       [path, documentPath, stored](const TaskControl& control) {
         Opened opened;
-        std::filesystem::path source = path.toStdString();
+        const std::filesystem::path source = path.toStdString();
         if (stored) {
-          opened.stored = editing::readDocument(source);
           // A recovered copy names its source as the document that it stands for would.
           const std::string document = (documentPath.isEmpty() ? path : documentPath).toStdString();
-          source = editing::resolveSource(*opened.stored, document);
+          opened.stored = editing::resolved(editing::readDocument(source), document);
         }
-        opened.material = loadMaterial(source, control);
+        opened.material = stored ? loadSource(*opened.stored, control) : loadMaterial(source, control);
         return opened;
       },
       [=, this](const Opened& opened) {
@@ -76,10 +80,7 @@ void DocumentController::start(const QString& path, const QString& documentPath,
 
 void DocumentController::install(const Opened& opened, const QString& path, const QString& documentPath,
                                  bool recovered) {
-  m_tasks.drop(fitKey);
-  m_tasks.drop(pasteKey);
-  m_fits.clear();
-  m_proposal.reset();
+  forgetFits();
   if (!opened.stored) {
     m_document.setMaterial(opened.material);
   } else {
@@ -91,12 +92,22 @@ void DocumentController::install(const Opened& opened, const QString& path, cons
     Q_EMIT viewRestored(opened.stored->view);
     if (opened.stored->sourceSha256 != opened.material->material.source.sha256)
       Q_EMIT warned(
-          tr("The measured file %1 has changed since this document was saved. The edit is applied to the file "
-             "as it is now.")
-              .arg(QString::fromStdString(opened.material->material.source.path.string())));
+          opened.stored->blend
+              ? tr("A material that this document blends has changed since it was saved. The blend is made of the "
+                   "files as they are now.")
+              : tr("The measured file %1 has changed since this document was saved. The edit is applied to the file "
+                   "as it is now.")
+                    .arg(QString::fromStdString(opened.material->material.source.path.string())));
   }
   Q_EMIT this->opened(recovered ? documentPath : path);
   if (!m_document.edit()) automaticFit();
+}
+
+void DocumentController::forgetFits() {
+  m_tasks.drop(fitKey);
+  m_tasks.drop(pasteKey);
+  m_fits.clear();
+  m_proposal.reset();
 }
 
 void DocumentController::automaticFit() {

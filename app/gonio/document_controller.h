@@ -71,6 +71,7 @@ class DocumentController : public QObject {
   /// @param choices the conventions to keep, as fitting::fit() takes them.
   void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
               const models::ParameterValues& choices = {});
+  void forgetFits();
   void automaticFit();
   struct Pasted {
     std::optional<editing::FactorEdit> factors;     ///< carried over

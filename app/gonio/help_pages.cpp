@@ -36,7 +36,9 @@ QString gestures() {
          row(tr("Arrow keys, Page Up, Page Down"), tr("step a slider or a number")) +
          row(tr("Typing into a number"), tr("arithmetic works: 0.3*2")) +
          row(tr("Drag a point of a factor curve, Escape"), tr("pull the curve, take the drag back")) +
-         row(tr("Enter in the library"), tr("open the material"));
+         row(tr("Enter in the library"), tr("open the material")) +
+         row(tr("Ctrl + Enter, Shift + Enter in the library"), tr("compare, interpolate with the material")) +
+         row(tr("Arrow keys, 1 to 4 in the pad of materials"), tr("move the point, go to a corner"));
 }
 
 /// The model under the Factor curves dock (core/factorization/pdv_factors.h).

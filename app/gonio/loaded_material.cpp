@@ -4,28 +4,35 @@
 
 namespace gonio::app {
 
-namespace {
-
-/// The control of one part of a longer task.
-TaskControl part(const TaskControl& control, double from, double to) {
-  return {control.stop, [&control, from, to](double share) { control.report(from + share * (to - from)); }};
-}
-
-}  // namespace
-
-LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control) {
+LoadedMaterialPtr measuredMaterial(io::Material material, std::shared_ptr<const editing::BlendSource> blend,
+                                   const TaskControl& control) {
   auto loaded = std::make_shared<LoadedMaterial>();
-  loaded->material = io::readMaterial(path, part(control, 0, 0.3));
+  loaded->material = std::move(material);
+  loaded->blend = std::move(blend);
   control.throwIfStopped();
-  loaded->table = loaded->material.tabulated(part(control, 0.3, 0.8));
+  constexpr double tabulatedShare = 0.7;
+  loaded->table = loaded->material.tabulated(control.between(0, tabulatedShare));
   loaded->lobe = estimateSamplingLobe(*loaded->table);
   loaded->statistics = tableStatistics(*loaded->table);
+  const double each = (1 - tabulatedShare) / double(loaded->albedo.size());
   for (std::size_t i = 0; i < loaded->albedo.size(); ++i) {
     control.throwIfStopped();
     loaded->albedo[i] = directionalAlbedo(*loaded->table, radians(LoadedMaterial::albedoDegrees[i]));
-    control.report(0.8 + 0.05 * double(i + 1));
+    control.report(tabulatedShare + each * double(i + 1));
   }
   return loaded;
+}
+
+LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control) {
+  constexpr double readShare = 0.3;
+  return measuredMaterial(io::readMaterial(path, control.between(0, readShare)), nullptr,
+                          control.between(readShare, 1));
+}
+
+LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control) {
+  const double readShare = document.blend ? 0.8 : 0.3;
+  return measuredMaterial(editing::readSource(document, {}, control.between(0, readShare)), document.blend,
+                          control.between(readShare, 1));
 }
 
 }  // namespace gonio::app

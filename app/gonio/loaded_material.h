@@ -7,6 +7,7 @@
 
 #include "core/brdf/sampling_lobe.h"
 #include "core/brdf/statistics.h"
+#include "core/editing/blend_source.h"
 #include "core/io/material.h"
 
 namespace gonio::app {
@@ -17,6 +18,7 @@ struct LoadedMaterial {
   static constexpr std::array<int, 4> albedoDegrees{0, 30, 60, 80};
 
   io::Material material;
+  std::shared_ptr<const editing::BlendSource> blend = nullptr;  ///< of a material without a file of its own
   std::shared_ptr<const TabulatedBrdf> table;
   SamplingLobe lobe;
   TableStatistics statistics;
@@ -27,5 +29,10 @@ using LoadedMaterialPtr = std::shared_ptr<const LoadedMaterial>;
 /// Reads and tabulates a material and measures what the source panel shows. Up to some seconds (RGL files).
 /// @throws Error, Cancelled.
 LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control = {});
+/// What a document of resolved paths is about, without its edits. @throws Error, Cancelled.
+LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control = {});
+/// The same of a material that is there already.
+LoadedMaterialPtr measuredMaterial(io::Material material, std::shared_ptr<const editing::BlendSource> blend,
+                                   const TaskControl& control = {});
 
 }  // namespace gonio::app

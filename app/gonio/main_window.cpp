@@ -20,6 +20,7 @@
 #include "app/gonio/file_menu.h"
 #include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/help_menu.h"
+#include "app/gonio/interpolation_panel.h"
 #include "app/gonio/material_menu.h"
 #include "app/gonio/thumbnail.h"
 #include "app/gonio/view_menu.h"
@@ -78,6 +79,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_plots(new PlotsPanel(m_document, m_tasks)),
       m_factors(new FactorCurvesPanel(m_document, m_tasks)),
       m_ranking(new FitRankingPanel(m_document, m_controller, m_tasks)),
+      m_interpolation(new InterpolationPanel(m_document, m_tasks)),
       m_messages(new widgets::MessageBar),
       m_progress(new widgets::ProgressStrip),
       m_dropOverlay(nullptr),
@@ -109,6 +111,12 @@ MainWindow::~MainWindow() = default;
 void MainWindow::connectDocument() {
   connect(&m_document, &Document::titleChanged, this, &MainWindow::showTitle);
   connect(&m_document, &Document::materialChanged, this, [this] { m_messages->hide(); });
+  connect(&m_document, &Document::materialReplaced, this, [this] {
+    m_autosave.setDocumentPath(m_document.path());
+    m_autosave.update();
+  });
+  connect(m_interpolation, &InterpolationPanel::subjectChanged, this,
+          [this] { m_comparison->setStandIn(m_interpolation->subject(), m_interpolation->description()); });
   connect(m_comparison, &ComparisonController::subjectsChanged, this, &MainWindow::showRepresentation);
   connect(m_comparison, &ComparisonController::comparisonChanged, this, &MainWindow::showRepresentation);
 }
@@ -138,6 +146,7 @@ void MainWindow::connectController() {
   connect(m_comparison, &ComparisonController::failed, this, &MainWindow::showFailure);
   connect(m_factors, &FactorCurvesPanel::failed, this, &MainWindow::showFailure);
   connect(m_ranking, &FitRankingPanel::failed, this, &MainWindow::showFailure);
+  connect(m_interpolation, &InterpolationPanel::failed, this, &MainWindow::showFailure);
   connect(&m_controller, &DocumentController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_controller, &DocumentController::proposalOffered, m_messages, &widgets::MessageBar::showProposal);
   connect(m_messages, &widgets::MessageBar::applied, &m_controller, &DocumentController::applyProposal);
@@ -167,11 +176,13 @@ void MainWindow::showProgress() {
 
 void MainWindow::showRepresentation() {
   const LoadedMaterialPtr& material = m_document.material();
-  if (!material) return m_representation->setText(tr("Nothing open"));
+  const bool blending = m_comparison->standIn().has_value();
+  if (!material && !blending) return m_representation->setText(tr("Nothing open"));
   if (m_preview->isComparing()) {
     const auto sides = m_comparison->sides();
     return m_representation->setText(tr("%1 | %2").arg(m_comparison->name(sides[0]), m_comparison->name(sides[1])));
   }
+  if (blending) return m_representation->setText(tr("Blend: %1").arg(m_comparison->standInName()));
   QString text = tr("%1 table").arg(QString::fromStdString(material->material.source.format));
   if (const auto& edit = m_document.edit(); edit && !edit->isIdentity())
     text = tr("%1 + %2 edit").arg(text, widgets::fromView(edit->model->spec().name));
@@ -213,7 +224,7 @@ bool MainWindow::mayDiscard() {
 bool MainWindow::isSettled() const {
   const auto task = m_tasks.topmost();
   return (!task || task->quiet) && m_inspector->isSettled() && m_comparisonPanel->isSettled() && m_plots->isSettled() &&
-         m_factors->isSettled() && m_libraryController.isVisibleComplete() &&
+         m_factors->isSettled() && m_interpolation->isSettled() && m_libraryController.isVisibleComplete() &&
          (!m_preview->hasMaterial() || m_preview->converged());
 }
 

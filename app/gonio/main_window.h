@@ -30,6 +30,7 @@ namespace gonio::app {
 class ComparisonPanel;
 class FactorCurvesPanel;
 class FitRankingPanel;
+class InterpolationPanel;
 
 /// The editor's window: library left, preview in the middle, inspector right. It connects the parts; what they do lies
 /// in them. The menus are built by the classes in file_menu.h, edit_menu.h, view_menu.h, analyse_menu.h and
@@ -53,6 +54,7 @@ class MainWindow : public QMainWindow {
   ComparisonController& comparison() { return *m_comparison; }
   PlotsPanel& plots() { return *m_plots; }
   FactorCurvesPanel& factors() { return *m_factors; }
+  InterpolationPanel& interpolation() { return *m_interpolation; }
   FitRankingPanel& ranking() { return *m_ranking; }
   QList<QDockWidget*> docks() const { return m_docks; }
 
@@ -110,6 +112,7 @@ class MainWindow : public QMainWindow {
   PlotsPanel* m_plots;
   FactorCurvesPanel* m_factors;
   FitRankingPanel* m_ranking;
+  InterpolationPanel* m_interpolation;
   widgets::MessageBar* m_messages;
   widgets::ProgressStrip* m_progress;
   widgets::DropOverlay* m_dropOverlay;

@@ -10,6 +10,7 @@
 #include "app/gonio/comparison_panel.h"
 #include "app/gonio/factor_curves_panel.h"
 #include "app/gonio/fit_ranking_panel.h"
+#include "app/gonio/interpolation_panel.h"
 #include "app/gonio/main_window.h"
 #include "widgets/library/library_view.h"
 #include "widgets/panels/message_bar.h"
@@ -74,10 +75,16 @@ void MainWindow::buildBottomDocks() {
   QDockWidget* comparison = addDock(tr("Comparison"), "comparison", m_comparisonPanel, Qt::BottomDockWidgetArea);
   QDockWidget* models = addDock(tr("Models"), "models", m_ranking, Qt::BottomDockWidgetArea);
   QDockWidget* factors = addDock(tr("Factor curves"), "factors", m_factors, Qt::BottomDockWidgetArea);
+  QDockWidget* interpolation = addDock(tr("Interpolation"), "interpolation", m_interpolation, Qt::BottomDockWidgetArea);
   tabifyDockWidget(plots, comparison);
   tabifyDockWidget(comparison, models);
   tabifyDockWidget(models, factors);
-  for (QDockWidget* dock : {plots, comparison, models, factors}) dock->hide();
+  tabifyDockWidget(factors, interpolation);
+  for (QDockWidget* dock : {plots, comparison, models, factors, interpolation}) dock->hide();
+  connect(m_libraryView, &widgets::LibraryView::interpolationRequested, this, [this](const QString& id) {
+    showDock(QStringLiteral("interpolation"));
+    m_interpolation->take(id);
+  });
   connect(m_plots, &PlotsPanel::pickingToggled, m_preview, &widgets::PreviewWidget::setPicking);
   connect(m_preview, &widgets::PreviewWidget::polarAnglePicked, m_plots, &PlotsPanel::setThetaI);
   connect(m_inspector->plausibility(), &widgets::PlausibilityBadges::showRequested, m_plots,

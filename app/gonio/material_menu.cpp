@@ -5,6 +5,7 @@
 #include <QMenuBar>
 
 #include "app/gonio/fit_ranking_panel.h"
+#include "app/gonio/interpolation_panel.h"
 #include "app/gonio/main_window.h"
 
 namespace gonio::app {
@@ -19,6 +20,14 @@ MaterialMenu::MaterialMenu(MainWindow& window) : QObject(&window) {
     window.ranking().fitAll();
   });
   fitAll->setToolTip(tr("Fits every model and ranks them"));
+  QAction* interpolate = menu->addAction(tr("&Interpolate..."), QKeySequence(Qt::CTRL | Qt::Key_I), this, [&window] {
+    window.showDock(QStringLiteral("interpolation"));
+    window.interpolation().begin();
+  });
+  interpolate->setToolTip(tr("Blends the open material with others; it becomes A if A is empty"));
+  QAction* keep = menu->addAction(tr("&Keep Blend as Material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
+                                  &window.interpolation(), &InterpolationPanel::keep);
+  keep->setToolTip(tr("The blend of the Interpolation dock becomes the open material; undo brings back what was open"));
   QAction* cancel =
       menu->addAction(tr("&Cancel"), QKeySequence(Qt::Key_Escape), &window.tasks(), &BackgroundTasks::cancelTopmost);
   cancel->setToolTip(tr("Stops the newest work in progress"));

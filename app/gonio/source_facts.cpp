@@ -37,7 +37,8 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded) {
   std::vector<widgets::Fact> facts;
   const QString description = QString::fromStdString(source.description);
   facts.push_back({tr("Material"), description.isEmpty() ? QString::fromStdString(loaded.material.name) : description});
-  if (!path.startsWith(QStringLiteral("library:"))) facts.push_back({tr("File"), path.section('/', -1), path});
+  if (!path.isEmpty() && !path.startsWith(QStringLiteral("library:")))
+    facts.push_back({tr("File"), path.section('/', -1), path});
   facts.push_back({tr("Format"), QString::fromStdString(source.format)});
   if (!source.grid.empty()) facts.push_back({tr("Data"), gridText(source.grid)});
   const HalfDifferenceGrid& grid = loaded.table->grid();

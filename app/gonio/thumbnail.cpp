@@ -39,22 +39,22 @@ double meanHue(const QImage& image) {
   return mean.saturationF() < greySaturation ? -1 : mean.hueF() * 360.0;
 }
 
-QImage render(const io::Material& material, const TaskControl& control) {
+}  // namespace
+
+QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control) {
   SphereScene scene = comparisonScene();
   scene.showEnvironment = false;
   SphereRenderOptions options;
-  options.width = options.height = side;
-  options.samples = samplesPerPixel;
-  options.lobe = estimateSamplingLobe(*material.brdf);
-  const Image picture = renderSphere(*material.brdf, scene, options, control);
+  options.width = options.height = pixels;
+  options.samples = samples;
+  options.lobe = estimateSamplingLobe(brdf);
+  const Image picture = renderSphere(brdf, scene, options, control);
   const std::vector<std::uint8_t> bytes = toDisplayBytes(picture, exposure, ToneMap::filmic);
-  QImage image = QImage(bytes.data(), side, side, side * 4, QImage::Format_RGBA8888).copy();
+  QImage image = QImage(bytes.data(), pixels, pixels, pixels * 4, QImage::Format_RGBA8888).copy();
   image.setText("roughness", QString::number(options.lobe->roughness));
   image.setText("hue", QString::number(meanHue(image)));
   return image;
 }
-
-}  // namespace
 
 QString thumbnailCacheFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/thumbnails");
@@ -68,7 +68,7 @@ widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder,
                              .arg(side);
   const QImage known(cached);
   if (!known.isNull()) return fromImage(known);
-  const QImage image = render(material, control);
+  const QImage image = spherePicture(*material.brdf, side, samplesPerPixel, control);
   // A cache that cannot be written costs time and nothing else.
   QDir().mkpath(cacheFolder);
   QSaveFile file(cached);

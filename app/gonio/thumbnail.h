@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include "core/brdf/brdf.h"
 #include "core/support/task_control.h"
 #include "widgets/library/library_model.h"
 
@@ -14,6 +15,9 @@ namespace gonio::app {
 /// else rendered from the material's own form (no table is made) and put there. Some 100 ms when it is rendered.
 /// @throws Error, Cancelled.
 widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control);
+
+/// The same of any reflectance, at any size: the studio, a transparent ground. @throws Cancelled.
+QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control = {});
 
 /// Under the user's cache folder.
 QString thumbnailCacheFolder();

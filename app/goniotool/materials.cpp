@@ -6,7 +6,7 @@
 #include <cctype>
 #include <fstream>
 
-#include "core/editing/edit_document.h"
+#include "core/editing/blend_source.h"
 
 namespace gonio::tool {
 
@@ -14,13 +14,14 @@ namespace {
 
 io::Material replay(const std::filesystem::path& path, const TaskControl& control) {
   const editing::EditDocument document = editing::readDocument(path);
-  io::Material material = io::readMaterial(editing::resolveSource(document, path), control);
+  io::Material material = editing::readSource(document, path, control);
   if (material.source.sha256 != document.sourceSha256)
-    throw Error(path.string() + ": its source " + material.source.path.string() + " has SHA-256 " +
-                material.source.sha256 + ", the edits were made on " + document.sourceSha256);
+    throw Error(path.string() + ": its source " +
+                (document.blend ? "(" + material.source.description + ")" : material.source.path.string()) +
+                " has SHA-256 " + material.source.sha256 + ", the edits were made on " + document.sourceSha256);
   const auto base = material.tabulated(control);
   const auto edited = editing::bakeEdits(base, document.edits, control);
-  if (edited == base) return material;
+  if (edited == base && !document.blend) return material;
   material.name = path.stem().string();
   material.table = edited;
   material.brdf = edited;

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
+#include "core/editing/blend_source.h"
+#include "core/editing/edit_document_json.h"
 #include "core/editing/edit_migration.h"
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/models/parameters_json.h"
-#include "core/support/json_object.h"
 #include "core/support/naming_file.h"
 
 namespace gonio::editing {
@@ -73,7 +74,7 @@ int readVersion(const JsonObject& root) {
   return version.get<int>();
 }
 
-/// The source as it is written: relative where it lies beside or below the document.
+/// A path as it is written: relative where it lies beside or below the document.
 std::string portableSource(const std::string& source, const std::filesystem::path& documentPath) {
   const std::filesystem::path path(source);
   if (isLibraryPath(source) || !path.is_absolute()) return source;
@@ -82,16 +83,55 @@ std::string portableSource(const std::string& source, const std::filesystem::pat
   return relative.empty() || *relative.begin() == ".." ? source : relative.generic_string();
 }
 
+/// The document with every path changed: its own, and those of all materials of a blend.
+template <class Change>
+EditDocument withPaths(EditDocument document, const Change& change) {
+  if (document.blend) {
+    auto blend = std::make_shared<BlendSource>(*document.blend);
+    for (EditDocument& material : blend->materials) material = withPaths(std::move(material), change);
+    document.blend = std::move(blend);
+  } else {
+    document.sourcePath = change(document);
+  }
+  return document;
+}
+
 }  // namespace
 
-nlohmann::json toJson(const EditDocument& document) {
+nlohmann::json contentToJson(const EditDocument& document) {
   nlohmann::json edits = nlohmann::json::array();
   for (const Edit& edit : document.edits)
     edits.push_back(std::visit([](const auto& one) { return toJson(one); }, edit));
-  nlohmann::json json = {{"format", formatName},
-                         {"version", EditDocument::currentVersion},
-                         {"source", {{"path", document.sourcePath}, {"sha256", document.sourceSha256}}},
-                         {"edits", std::move(edits)}};
+  nlohmann::json source = {{"sha256", document.sourceSha256}};
+  if (document.blend)
+    source["blend"] = toJson(*document.blend);
+  else
+    source["path"] = document.sourcePath;
+  return {{"source", std::move(source)}, {"edits", std::move(edits)}};
+}
+
+EditDocument contentFromJson(const JsonObject& object, int version) {
+  EditDocument document;
+  const JsonObject source = object.object("source");
+  if (source.contains("blend")) {
+    document.blend = blendSourceFromJson(source.member("blend", "an object"), source.place("blend"), version);
+  } else {
+    document.sourcePath = source.text("path");
+    if (document.sourcePath.empty()) source.fail("path", "the path of a material");
+  }
+  document.sourceSha256 = source.text("sha256");
+  if (!isSha256(document.sourceSha256)) source.fail("sha256", "64 digits 0-9 and a-f");
+  const nlohmann::json& edits = object.array("edits");
+  for (std::size_t i = 0; i < edits.size(); ++i)
+    document.edits.push_back(
+        editFromJson(migratedEdit(edits[i], version), object.place("edits") + "[" + std::to_string(i) + "]"));
+  return document;
+}
+
+nlohmann::json toJson(const EditDocument& document) {
+  nlohmann::json json = contentToJson(document);
+  json["format"] = formatName;
+  json["version"] = EditDocument::currentVersion;
   if (!document.view.is_null()) json["view"] = document.view;
   return json;
 }
@@ -99,15 +139,7 @@ nlohmann::json toJson(const EditDocument& document) {
 EditDocument documentFromJson(const nlohmann::json& json) {
   const JsonObject root(json, "");
   const int version = readVersion(root);
-  EditDocument document;
-  const JsonObject source = root.object("source");
-  document.sourcePath = source.text("path");
-  if (document.sourcePath.empty()) source.fail("path", "the path of a material");
-  document.sourceSha256 = source.text("sha256");
-  if (!isSha256(document.sourceSha256)) source.fail("sha256", "64 digits 0-9 and a-f");
-  const nlohmann::json& edits = root.array("edits");
-  for (std::size_t i = 0; i < edits.size(); ++i)
-    document.edits.push_back(editFromJson(migratedEdit(edits[i], version), "edits[" + std::to_string(i) + "]"));
+  EditDocument document = contentFromJson(root, version);
   if (root.contains("view")) {
     if (!root.member("view", "an object").is_object()) root.fail("view", "an object");
     document.view = root.member("view", "an object");
@@ -138,10 +170,9 @@ EditDocument readDocument(const std::filesystem::path& path) {
 
 void writeDocument(const EditDocument& document, const std::filesystem::path& path) {
   const std::string text = namingFile(path, [&] {
-    EditDocument portable = document;
-    portable.sourcePath = portableSource(document.sourcePath, path);
     try {
-      return toJson(portable).dump(2) + "\n";
+      const auto portable = [&](const EditDocument& one) { return portableSource(one.sourcePath, path); };
+      return toJson(withPaths(document, portable)).dump(2) + "\n";
     } catch (const nlohmann::json::exception& exception) {
       throw Error(std::string("cannot be written as JSON: ") + exception.what());
     }
@@ -153,6 +184,11 @@ std::filesystem::path resolveSource(const EditDocument& document, const std::fil
   const std::filesystem::path source(document.sourcePath);
   if (isLibraryPath(document.sourcePath) || source.is_absolute()) return source;
   return (std::filesystem::absolute(documentPath).parent_path() / source).lexically_normal();
+}
+
+EditDocument resolved(EditDocument document, const std::filesystem::path& documentPath) {
+  return withPaths(std::move(document),
+                   [&](const EditDocument& one) { return resolveSource(one, documentPath).string(); });
 }
 
 }  // namespace gonio::editing

@@ -12,17 +12,21 @@
 
 namespace gonio::editing {
 
+struct BlendSource;
+
 /// What a .gonio file holds: which source, which edits; never measured data. JSON, versioned:
 ///   {"format": "gonio document", "version": 3, "source": {"path": "a.binary", "sha256": "..."},
 ///    "edits": [{"type": "differential", "model": "ggx", "fitted": {..}, "edited": {..}, "strength": 1,
 ///               "enabled": true}], "view": {..}}
-/// Edits of factors are written by toJson(FactorEdit). Version 2 knew none of them: it refuses documents of version 3.
+/// Edits of factors are written by toJson(FactorEdit), a source that is blended of several by toJson(BlendSource).
+/// Version 2 knew no edits of factors, version 3 no blends: they refuse newer documents.
 struct EditDocument {
-  static constexpr int currentVersion = 3;
+  static constexpr int currentVersion = 4;
 
   /// Absolute, or relative to the folder of the document; "library:sgd/chrome" for a bundled material.
   std::string sourcePath;
-  std::string sourceSha256;
+  std::string sourceSha256;                            ///< of a blend that of blendSha256()
+  std::shared_ptr<const BlendSource> blend = nullptr;  ///< instead of a path
   std::vector<Edit> edits;
   nlohmann::json view = nlohmann::json::object();  ///< camera, light, exposure: opaque to core; null: none
 };
@@ -40,7 +44,11 @@ EditDocument documentFromText(std::string_view text);
 /// Atomic. An absolute `sourcePath` beside or below the document's folder is written relative to it, so that both can
 /// be moved together. @throws Error naming the file.
 void writeDocument(const EditDocument& document, const std::filesystem::path& path);
-/// The source's path as readMaterial() takes it: relative ones resolved against the document's folder.
+/// The source's path (of one that is no blend) as readMaterial() takes it: relative ones resolved against the
+/// document's folder.
 std::filesystem::path resolveSource(const EditDocument& document, const std::filesystem::path& documentPath);
+
+/// The document with paths that need no folder: its own, and those of all materials of a blend.
+EditDocument resolved(EditDocument document, const std::filesystem::path& documentPath);
 
 }  // namespace gonio::editing

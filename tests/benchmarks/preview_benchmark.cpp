@@ -117,6 +117,10 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
   fixture.renderer.setScene(scene);
   const SamplingLobe lobe = fixture.renderer.subject().lobe;
   std::vector<double> weights(count);
+  // Textures and shaders are there when the hand begins.
+  const auto first = std::vector<double>(count, 1.0 / double(count));
+  fixture.renderer.setSubject(widgets::blendSubject(*blend, first));
+  fixture.renderer.accumulate(1);
   double t = 0.1;
   for (auto _ : state) {
     t = t < 0.9 ? t + 0.013 : 0.1;

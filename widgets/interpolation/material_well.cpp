@@ -18,7 +18,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr double pictureLines = 4.2;
+constexpr double pictureLines = 3.6;
 }
 
 MaterialWell::MaterialWell(QChar letter, QWidget* parent)
@@ -29,7 +29,7 @@ MaterialWell::MaterialWell(QChar letter, QWidget* parent)
       m_note(new QLabel),
       m_current(addButton(tr("Current"), tr("Takes the open material as it is now, with its edits"))),
       m_file(addButton(tr("File..."), tr("Takes a measured file or a document"))),
-      m_clear(addButton({}, tr("Empties this place"))) {
+      m_clear(addButton({}, {})) {
   m_clear->setIcon(glyphIcon(Glyph::close));
   m_clear->setAutoRaise(true);
   connect(m_current, &QToolButton::clicked, this, &MaterialWell::currentWanted);
@@ -76,7 +76,8 @@ void MaterialWell::setContent(const WellContent& content) {
   setToolTip(content.failed           ? content.toolTip
              : content.name.isEmpty() ? tr("Drop a material of the library or a file here")
                                       : tr("%1\nDrop another one here to replace it").arg(content.toolTip));
-  m_clear->setVisible(!content.name.isEmpty() || content.failed);
+  m_clear->setVisible(!content.name.isEmpty() || content.failed || content.removable);
+  m_clear->setToolTip(content.removable ? tr("Takes this place away") : tr("Empties this place"));
   const QString what = content.name.isEmpty() ? tr("empty") : content.name;
   setAccessibleName(tr("Material %1: %2").arg(m_letter).arg(what));
   setAccessibleDescription(content.note);
@@ -85,6 +86,13 @@ void MaterialWell::setContent(const WellContent& content) {
   m_clear->setAccessibleName(tr("Material %1: empty it").arg(m_letter));
   showTexts();
   update();
+}
+
+void MaterialWell::setNote(const QString& note) {
+  if (note == m_content.note) return;
+  m_content.note = note;
+  setAccessibleDescription(note);
+  showTexts();
 }
 
 void MaterialWell::setCurrentAvailable(bool available) { m_current->setEnabled(available); }

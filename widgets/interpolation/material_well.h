@@ -17,6 +17,7 @@ struct WellContent {
   QImage picture;   ///< null: a quiet disc
   QString note;     ///< below the name: a weight, "Opening...", what went wrong
   bool failed = false;
+  bool removable = false;  ///< the place itself can be taken away, also when it is empty
 };
 
 /// A place for one material: dropped from the library or the desktop, taken from what is open, or from a file. Buttons
@@ -29,6 +30,8 @@ class MaterialWell : public QFrame {
   explicit MaterialWell(QChar letter, QWidget* parent = nullptr);
 
   void setContent(const WellContent& content);
+  /// The note alone: what changes with every step of a drag.
+  void setNote(const QString& note);
   const WellContent& content() const { return m_content; }
   void setCurrentAvailable(bool available);
 

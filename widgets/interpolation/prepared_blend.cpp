@@ -33,13 +33,6 @@ editing::FactorEdit curvesAlone(factorization::PdvFactors factors) {
 
 }  // namespace
 
-editing::InterpolationOptions blendOptions() {
-  editing::InterpolationOptions options;
-  // Further terms are large ones that cancel: means of their curves do not.
-  options.pdv.terms = 1;
-  return options;
-}
-
 PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editing::InterpolationEnd>& ends,
                               const editing::InterpolationOptions& options, const TaskControl& control) {
   auto blend = std::make_shared<PreparedBlend>();

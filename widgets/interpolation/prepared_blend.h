@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include "core/editing/blend_source.h"
 #include "widgets/preview/preview_subject.h"
 
 namespace gonio::widgets {
@@ -20,12 +21,9 @@ struct PreparedBlend {
 };
 using PreparedBlendPtr = std::shared_ptr<const PreparedBlend>;
 
-/// What blends under the hand are prepared with.
-editing::InterpolationOptions blendOptions();
-
 /// Fits, factorises and encodes what the space needs: up to some seconds. @throws Error, Cancelled.
 PreparedBlendPtr prepareBlend(editing::InterpolationSpace space, const std::vector<editing::InterpolationEnd>& ends,
-                              const editing::InterpolationOptions& options = blendOptions(),
+                              const editing::InterpolationOptions& options = editing::blendOptions(),
                               const TaskControl& control = {});
 
 /// What the preview shows at the weights, by what costs least in a frame: `linear`, `dictionary` and `differential` are

@@ -134,6 +134,8 @@ void LibraryView::showMenu(const QPoint& position) {
   menu->addAction(tr("&Open"), QKeySequence(Qt::Key_Return), this, [this, id] { Q_EMIT openRequested(id); });
   menu->addAction(tr("&Compare with This"), QKeySequence(Qt::CTRL | Qt::Key_Return), this,
                   [this, id] { Q_EMIT referenceRequested(id); });
+  menu->addAction(tr("&Interpolate with This"), QKeySequence(Qt::SHIFT | Qt::Key_Return), this,
+                  [this, id] { Q_EMIT interpolationRequested(id); });
   menu->popup(m_list->viewport()->mapToGlobal(position));
 }
 
@@ -145,10 +147,13 @@ bool LibraryView::eventFilter(QObject* watched, QEvent* event) {
   const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
   if (watched == m_list && enter) {
     const QModelIndex index = m_list->currentIndex();
-    if (!(static_cast<QKeyEvent*>(event)->modifiers() & Qt::ControlModifier))
+    const auto modifiers = static_cast<QKeyEvent*>(event)->modifiers();
+    if (!(modifiers & (Qt::ControlModifier | Qt::ShiftModifier)))
       openIndex(index);
-    else if (index.isValid())
+    else if (index.isValid() && modifiers & Qt::ControlModifier)
       Q_EMIT referenceRequested(index.data(LibraryModel::IdRole).toString());
+    else if (index.isValid())
+      Q_EMIT interpolationRequested(index.data(LibraryModel::IdRole).toString());
     return true;
   }
   // From the search field: Down goes into the grid, Enter opens the first match.

@@ -43,6 +43,8 @@ class LibraryView : public QWidget {
   void openRequested(const QString& id);
   /// As the reference of comparisons: Ctrl + Enter, or the context menu.
   void referenceRequested(const QString& id);
+  /// As one of the materials to interpolate between: Shift + Enter, or the context menu.
+  void interpolationRequested(const QString& id);
   void visibleIdsChanged(const QStringList& ids);
 
  protected:

@@ -106,8 +106,8 @@ class EditDocumentTest : public QObject {
       return all;
     };
     QVERIFY(tells(errorWith("/format", "other"), "format", "the text \"other\""));
-    QVERIFY(tells(errorWith("/version", 4), "version", "the number 4"));
-    QVERIFY(contains(errorWith("/version", 4), "newer"));
+    QVERIFY(tells(errorWith("/version", 5), "version", "the number 5"));
+    QVERIFY(contains(errorWith("/version", 5), "newer"));
     QVERIFY(tells(errorWith("/version", 1.5), "version", "the number 1.5"));
     QVERIFY(tells(errorWith("/version", -1), "version", "the number -1"));
     QVERIFY(tells(errorWithout("/source", "path"), "source.path", "nothing"));

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/blend_spaces.h"
+
+#include <algorithm>
+
+#include "app/gonio/thumbnail.h"
+#include "widgets/interpolation/blend_place.h"
+
+namespace gonio::app {
+
+namespace {
+
+const QString blendKey = QStringLiteral("blend-spaces");
+constexpr int pictureSide = 112, pictureSamples = 16;
+
+std::vector<QImage> drawStrip(const widgets::PreparedBlend& blend, const TaskControl& control) {
+  std::vector<QImage> pictures;
+  const int materials = int(blend.ends.size());
+  for (int i = 0; i < BlendSpaces::pictureCount; ++i) {
+    const double t = i / (BlendSpaces::pictureCount - 1.0);
+    const auto weights = widgets::weightsAt(materials, widgets::wayPlace(materials, t));
+    pictures.push_back(
+        spherePicture(*blend.interpolation->brdf(weights), pictureSide, pictureSamples, {control.stop, {}}));
+    control.report((i + 1.0) / BlendSpaces::pictureCount);
+  }
+  return pictures;
+}
+
+}  // namespace
+
+BlendSpaces::BlendSpaces(BackgroundTasks& tasks, QObject* parent)
+    : QObject(parent),
+      m_tasks(tasks),
+      m_spaces{Space::linear, Space::parameters, Space::differential, Space::factors} {}
+
+void BlendSpaces::setEnds(std::vector<editing::InterpolationEnd> ends) {
+  m_tasks.drop(blendKey);
+  m_ends = std::move(ends);
+  m_entries = {};
+  m_wanted = false;
+  for (const Space space : m_spaces) Q_EMIT changed(space);
+}
+
+void BlendSpaces::want(Space first) {
+  m_first = first;
+  if (m_ends.empty()) return;
+  const bool again = entry(first).state == State::failed || entry(first).state == State::cancelled;
+  for (const Space space : m_spaces)
+    if (entry(space).state == State::cancelled || (again && space == first)) entry(space).state = State::waiting;
+  const bool idle = !m_wanted || !m_tasks.isRunning(blendKey);
+  m_wanted = true;
+  if (idle) next();
+}
+
+void BlendSpaces::pause() {
+  m_wanted = false;
+  m_tasks.drop(blendKey);
+  for (const Space space : m_spaces)
+    if (entry(space).state == State::running) entry(space).state = State::waiting;
+}
+
+bool BlendSpaces::isSettled() const {
+  return !m_wanted || std::all_of(m_spaces.begin(), m_spaces.end(), [this](Space space) {
+    return state(space) != State::waiting && state(space) != State::running;
+  });
+}
+
+void BlendSpaces::next() {
+  if (!m_wanted || m_ends.empty()) return;
+  std::vector<Space> order = m_spaces;
+  std::stable_partition(order.begin(), order.end(), [this](Space space) { return space == m_first; });
+  for (const Space space : order) {
+    if (state(space) != State::waiting) continue;
+    entry(space).state = State::running;
+    Q_EMIT changed(space);
+    return entry(space).prepared ? draw(space) : prepare(space);
+  }
+}
+
+void BlendSpaces::prepare(Space space) {
+  m_tasks.run<widgets::PreparedBlendPtr>(
+      {tr("Preparing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
+      [space, ends = m_ends](const TaskControl& control) {
+        return widgets::prepareBlend(space, ends, editing::blendOptions(), control);
+      },
+      [this, space](const widgets::PreparedBlendPtr& prepared) {
+        entry(space).prepared = prepared;
+        Q_EMIT changed(space);
+        // Another space that is wanted under the hand goes before these pictures.
+        entry(space).state = State::waiting;
+        if (space != m_first && state(m_first) == State::waiting) return next();
+        entry(space).state = State::running;
+        draw(space);
+      },
+      [this, space](const QString& error) { fail(space, error); }, [this] { cancelAll(); });
+}
+
+void BlendSpaces::draw(Space space) {
+  m_tasks.run<std::vector<QImage>>(
+      {tr("Drawing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
+      [prepared = entry(space).prepared](const TaskControl& control) { return drawStrip(*prepared, control); },
+      [this, space](const std::vector<QImage>& pictures) {
+        entry(space).pictures = pictures;
+        entry(space).state = State::ready;
+        Q_EMIT changed(space);
+        next();
+      },
+      [this, space](const QString& error) { fail(space, error); }, [this] { cancelAll(); });
+}
+
+void BlendSpaces::fail(Space space, const QString& error) {
+  entry(space).failure = error;
+  entry(space).state = State::failed;
+  Q_EMIT changed(space);
+  next();
+}
+
+void BlendSpaces::cancelAll() {
+  m_wanted = false;
+  for (const Space space : m_spaces) {
+    State& state = entry(space).state;
+    if (state == State::waiting || state == State::running) state = State::cancelled;
+    Q_EMIT changed(space);
+  }
+}
+
+}  // namespace gonio::app
+
+#include "moc_blend_spaces.cpp"

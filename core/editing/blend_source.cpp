@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/editing/blend_source.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/editing/edit_document_json.h"
+#include "core/io/sha256.h"
+
+namespace gonio::editing {
+
+namespace {
+
+constexpr double readShare = 0.5;
+
+bool hasModel(InterpolationSpace space) {
+  return space == InterpolationSpace::parameters || space == InterpolationSpace::differential;
+}
+
+std::string_view nameOf(InterpolationSpace space) { return interpolationSpaceNames[std::size_t(space)]; }
+
+InterpolationSpace spaceFromJson(const JsonObject& object) {
+  const auto found = std::find(interpolationSpaceNames.begin(), interpolationSpaceNames.end(), object.text("space"));
+  if (found == interpolationSpaceNames.end()) object.fail("space", "the name of a space of interpolation");
+  return InterpolationSpace(found - interpolationSpaceNames.begin());
+}
+
+const models::Model* modelFromJson(const JsonObject& object) {
+  try {
+    return &models::findModel(object.text("model"));
+  } catch (const Error& error) {
+    throw Error(object.place("model") + ": " + error.what());
+  }
+}
+
+/// Of one material: its own hash and its edits.
+nlohmann::json identityOf(const EditDocument& material) {
+  nlohmann::json json = contentToJson(material);
+  json["source"] = material.sourceSha256;
+  return json;
+}
+
+std::string percent(double weight) { return std::to_string(std::lround(100 * weight)) + " %"; }
+
+/// The last part of a path, without its suffix.
+std::string nameOf(const EditDocument& material) {
+  if (material.blend) return "blend";
+  return std::filesystem::path(material.sourcePath.substr(material.sourcePath.rfind(':') + 1)).stem().string();
+}
+
+io::Material readBlend(const BlendSource& blend, const std::filesystem::path& path, const TaskControl& control) {
+  BlendSource found = blend;
+  std::vector<InterpolationEnd> ends;
+  for (std::size_t i = 0; i < blend.materials.size(); ++i) {
+    const double each = readShare / double(blend.materials.size());
+    const TaskControl part = control.between(double(i) * each, double(i + 1) * each);
+    const io::Material source = readSource(blend.materials[i], path, part);
+    found.materials[i].sourceSha256 = source.source.sha256;
+    ends.push_back({bakeEdits(source.tabulated({control.stop, {}}), blend.materials[i].edits, {control.stop, {}})});
+  }
+  const auto interpolation =
+      prepareInterpolation(blend.space, ends, blendOptions(blend.model), control.between(readShare, 0.9));
+  return blendedMaterial(found, interpolation->table(blend.weights, control.between(0.9, 1)));
+}
+
+}  // namespace
+
+InterpolationOptions blendOptions(const models::Model* model) {
+  InterpolationOptions options;
+  options.model = model;
+  // Further terms are large ones that cancel: means of their curves do not.
+  options.pdv.terms = 1;
+  return options;
+}
+
+nlohmann::json toJson(const BlendSource& blend) {
+  nlohmann::json materials = nlohmann::json::array();
+  for (std::size_t i = 0; i < blend.materials.size(); ++i) {
+    nlohmann::json material = contentToJson(blend.materials[i]);
+    material["weight"] = blend.weights[i];
+    materials.push_back(std::move(material));
+  }
+  nlohmann::json json = {{"space", nameOf(blend.space)}, {"materials", std::move(materials)}};
+  if (hasModel(blend.space) && blend.model) json["model"] = blend.model->spec().id;
+  return json;
+}
+
+std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& json, const std::string& where,
+                                                       int version) {
+  const JsonObject object(json, where);
+  auto blend = std::make_shared<BlendSource>();
+  blend->space = spaceFromJson(object);
+  if (hasModel(blend->space)) blend->model = modelFromJson(object);
+  const nlohmann::json& materials = object.array("materials");
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const JsonObject material(materials[i], object.place("materials") + "[" + std::to_string(i) + "]");
+    blend->weights.push_back(material.number("weight", 0, 1));
+    blend->materials.push_back(contentFromJson(material, version));
+  }
+  if (materials.empty()) object.fail("materials", "one material at least");
+  try {
+    checkWeights(blend->weights, blend->materials.size());
+  } catch (const Error& error) {
+    throw Error(object.place("materials") + ": " + error.what());
+  }
+  return blend;
+}
+
+std::string blendSha256(const BlendSource& blend) {
+  nlohmann::json identity = toJson(blend);
+  for (std::size_t i = 0; i < blend.materials.size(); ++i)
+    identity["materials"][i] = {blend.weights[i], identityOf(blend.materials[i])};
+  return io::sha256Hex(std::string_view(identity.dump()));
+}
+
+io::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<const TabulatedBrdf> table) {
+  io::Material material;
+  std::string names, shares;
+  for (std::size_t i = 0; i < blend.materials.size(); ++i) {
+    if (!(blend.weights[i] > 0)) continue;
+    const std::string name = nameOf(blend.materials[i]);
+    names += (names.empty() ? "" : " + ") + name;
+    shares += (shares.empty() ? "" : ", ") + percent(blend.weights[i]) + " " + name;
+  }
+  material.name = names;
+  material.source.format = "blend";
+  material.source.description = shares + "; space " + std::string(nameOf(blend.space));
+  material.source.sha256 = blendSha256(blend);
+  const HalfDifferenceGrid& grid = table->grid();
+  material.source.grid = {grid.thetaHCount, grid.thetaDCount, grid.phiDCount};
+  material.table = table;
+  material.brdf = std::move(table);
+  return material;
+}
+
+io::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,
+                        const TaskControl& control) {
+  if (document.blend) return readBlend(*document.blend, documentPath, control);
+  return io::readMaterial(resolveSource(document, documentPath), control);
+}
+
+}  // namespace gonio::editing

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/editing/edit_document.h"
+#include "core/editing/interpolation/interpolation.h"
+#include "core/io/material.h"
+
+namespace gonio::editing {
+
+/// What a document is about that has no file of its own: materials blended in a space. In a document's "source":
+///   {"blend": {"space": "linear", "model": "ggx", "materials": [
+///      {"weight": 0.4, "source": {..}, "edits": [..]}, ..]}, "sha256": ..}
+/// "model" in spaces that have one. The materials are documents of their own, and may be blends again.
+struct BlendSource {
+  InterpolationSpace space = InterpolationSpace::linear;
+  const models::Model* model = nullptr;  ///< of `parameters` and `differential`; else not looked at
+  std::vector<EditDocument> materials;   ///< their views do not count
+  std::vector<double> weights;
+};
+
+/// What an editor's blends are prepared with.
+InterpolationOptions blendOptions(const models::Model* model = nullptr);
+
+/// @throws Error when an edit's values do not fit its model.
+nlohmann::json toJson(const BlendSource& blend);
+/// @param version of the document. @throws Error as documentFromJson(); weights that are none too.
+std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& json, const std::string& where,
+                                                       int version);
+
+/// Tells a blend from one of other materials, other edits or other weights; those of the sources count, not their
+/// paths. Lower-case hex.
+std::string blendSha256(const BlendSource& blend);
+
+/// A blend as a material: named after its materials, without a path.
+io::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<const TabulatedBrdf> table);
+
+/// Reads what a document is about, without its own edits: the file, or the blend of all files. Each of a blend's
+/// materials takes as long as its file and its edits, the blend up to some seconds.
+/// @param documentPath against which relative paths are resolved. @throws Error naming the file; Cancelled.
+io::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,
+                        const TaskControl& control = {});
+
+}  // namespace gonio::editing

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/editing/edit_document.h"
+#include "core/support/json_object.h"
+
+/// What documents and the materials of blends have in common: "source" and "edits".
+namespace gonio::editing {
+
+nlohmann::json contentToJson(const EditDocument& document);
+/// @throws Error as documentFromJson().
+EditDocument contentFromJson(const JsonObject& object, int version);
+
+}  // namespace gonio::editing

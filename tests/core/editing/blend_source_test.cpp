@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/editing/blend_source.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/models/registry.h"
+
+using namespace gonio;
+using namespace gonio::editing;
+
+namespace {
+
+std::shared_ptr<const TabulatedBrdf> lambert(double albedo) {
+  static const HalfDifferenceGrid grid;
+  return std::make_shared<const TabulatedBrdf>(
+      grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(float(albedo / pi))),
+      std::vector<std::uint8_t>(grid.size(), 1));
+}
+
+std::string textOf(const std::exception& error) { return error.what(); }
+
+}  // namespace
+
+/// Documents about blends: two grey MERL files in a folder.
+class BlendSourceTest : public QObject {
+  Q_OBJECT
+ private:
+  QTemporaryDir m_folder;
+
+  std::string path(const char* name) const { return m_folder.filePath(name).toStdString(); }
+  EditDocument fileDocument(const char* name) const {
+    EditDocument document;
+    document.sourcePath = path(name);
+    document.sourceSha256 = io::readMaterial(document.sourcePath).source.sha256;
+    return document;
+  }
+  EditDocument blendDocument(std::vector<double> weights = {0.25, 0.75},
+                             InterpolationSpace space = InterpolationSpace::linear) const {
+    auto blend = std::make_shared<BlendSource>();
+    blend->space = space;
+    blend->model = &models::ggx();
+    blend->weights = std::move(weights);
+    blend->materials = {fileDocument("dark.binary"), fileDocument("light.binary")};
+    EditDocument document;
+    document.blend = blend;
+    document.sourceSha256 = blendSha256(*blend);
+    return document;
+  }
+  std::string errorOf(const nlohmann::json& json) const {
+    try {
+      documentFromJson(json);
+    } catch (const Error& error) {
+      return textOf(error);
+    }
+    return {};
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    io::writeMerl(*lambert(0.2), path("dark.binary"));
+    io::writeMerl(*lambert(0.6), path("light.binary"));
+  }
+
+  /// Read again, a blend is the sum that its weights say, and its hash is the one that was written.
+  void aBlendIsMadeAgain() {
+    const EditDocument document = blendDocument();
+    writeDocument(document, path("blend.gonio"));
+    const EditDocument stored = readDocument(path("blend.gonio"));
+    const io::Material material = readSource(stored, path("blend.gonio"));
+    const double value = material.brdf->evaluate({0, 0, 1}, {0, 0, 1}).r;
+    QVERIFY(std::abs(value - (0.25 * 0.2 + 0.75 * 0.6) / pi) < 1e-6);
+    QCOMPARE(material.source.sha256, document.sourceSha256);
+    QCOMPARE(material.source.sha256, stored.sourceSha256);
+    QCOMPARE(material.name, std::string("dark + light"));
+    QCOMPARE(material.source.description, std::string("25 % dark, 75 % light; space linear"));
+    QVERIFY(material.source.path.empty());
+  }
+
+  /// The materials' paths go with the folder, as a document's own does; resolved, they need none.
+  void pathsAreRelative() {
+    writeDocument(blendDocument(), path("blend.gonio"));
+    const EditDocument stored = readDocument(path("blend.gonio"));
+    QCOMPARE(stored.blend->materials[1].sourcePath, std::string("light.binary"));
+    const EditDocument absolute = resolved(stored, path("blend.gonio"));
+    QCOMPARE(absolute.blend->materials[1].sourcePath, path("light.binary"));
+    readSource(absolute, "/elsewhere/blend.gonio");
+    QVERIFY_THROWS_EXCEPTION(Error, readSource(stored, "/elsewhere/blend.gonio"));
+  }
+
+  /// A material's own edits count, and blends of blends are blends.
+  void materialsHaveEditsAndMayBeBlends() {
+    EditDocument document = blendDocument();
+    DifferentialEdit edit{.model = &models::findModel("lambert")};
+    edit.fitted.values = {Rgb(0.2)};
+    edit.edited.values = {Rgb(0.5)};
+    auto outer = std::make_shared<BlendSource>();
+    outer->weights = {0.5, 0.5};
+    outer->materials = {blendDocument(), fileDocument("dark.binary")};
+    outer->materials[1].edits = {edit};
+    document.blend = outer;
+    document.sourceSha256 = blendSha256(*outer);
+    const EditDocument again = documentFromJson(toJson(document));
+    const io::Material material = readSource(again, {});
+    const double value = material.brdf->evaluate({0, 0, 1}, {0, 0, 1}).r;
+    QVERIFY(std::abs(value - (0.5 * 0.5 + 0.5 * 0.5) / pi) < 1e-6);
+    QCOMPARE(material.source.sha256, document.sourceSha256);
+  }
+
+  void theHashTellsBlendsApart() {
+    const auto hash = [](const EditDocument& document) { return blendSha256(*document.blend); };
+    QVERIFY(hash(blendDocument({0.25, 0.75})) == hash(blendDocument({0.25, 0.75})));
+    QVERIFY(hash(blendDocument({0.25, 0.75})) != hash(blendDocument({0.75, 0.25})));
+    QVERIFY(hash(blendDocument()) != hash(blendDocument({0.25, 0.75}, InterpolationSpace::parameters)));
+    EditDocument moved = blendDocument();
+    auto blend = std::make_shared<BlendSource>(*moved.blend);
+    blend->materials[0].sourcePath = "/another/place.binary";
+    QVERIFY(blendSha256(*blend) == hash(moved));
+    blend->materials[0].sourceSha256 = std::string(64, '0');
+    QVERIFY(blendSha256(*blend) != hash(moved));
+  }
+
+  void theModelIsKept() {
+    const EditDocument again = documentFromJson(toJson(blendDocument({0.25, 0.75}, InterpolationSpace::differential)));
+    QCOMPARE(again.blend->model, &models::ggx());
+    QCOMPARE(again.blend->space, InterpolationSpace::differential);
+    QVERIFY(!documentFromJson(toJson(blendDocument())).blend->model);
+  }
+
+  void errorsNameThePlace() {
+    nlohmann::json json = toJson(blendDocument());
+    const auto with = [&](const char* pointer, const nlohmann::json& value) {
+      nlohmann::json changed = json;
+      changed[nlohmann::json::json_pointer(pointer)] = value;
+      return errorOf(changed);
+    };
+    QCOMPARE(errorOf(json), std::string());
+    QVERIFY(with("/source/blend/space", "sideways").find("source.blend.space") != std::string::npos);
+    QVERIFY(with("/source/blend/materials/1/weight", 0.5).find("add up") != std::string::npos);
+    QVERIFY(with("/source/blend/materials/1/weight", -1).find("materials[1].weight") != std::string::npos);
+    QVERIFY(with("/source/blend/materials", nlohmann::json::array()).find("source.blend.materials") !=
+            std::string::npos);
+    QVERIFY(with("/source/blend/materials/0/source", 7).find("materials[0].source") != std::string::npos);
+    QVERIFY(with("/source/blend", 7).find("source.blend") != std::string::npos);
+  }
+
+  /// A file that is gone is named.
+  void missingFilesAreNamed() {
+    EditDocument document = blendDocument();
+    auto blend = std::make_shared<BlendSource>(*document.blend);
+    blend->materials[0].sourcePath = path("gone.binary");
+    document.blend = blend;
+    try {
+      readSource(document, {});
+      QFAIL("read");
+    } catch (const Error& error) {
+      QVERIFY(textOf(error).find("gone.binary") != std::string::npos);
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(BlendSourceTest)
+#include "blend_source_test.moc"
