@@ -29,3 +29,5 @@ picture editor-factors light library:sgd/gold-metallic-paint --factors
 picture factors-original dark library:sgd/gold-metallic-paint --factors
 picture factors-widened dark library:sgd/gold-metallic-paint --factors --widen 1.8
 picture factors-swapped dark library:sgd/gold-metallic-paint --factors --take-f1 library:sgd/green-metallic-paint
+picture interpolation light library:sgd/gold-metallic-paint \
+  --interpolate library:sgd/gold-metallic-paint,library:sgd/blue-metallic-paint2

@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -36,6 +37,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_pad(new widgets::BlendPad),
       m_spaceBox(new QComboBox),
       m_show(new QCheckBox(tr("Show in the &preview"))),
+      m_explanation(new QLabel),
       m_keep(new QPushButton(tr("&Keep as Material"))),
       m_draw(new QPushButton(tr("&Draw the Spaces"))),
       m_strip(new widgets::BlendStrip) {
@@ -73,6 +75,7 @@ void InterpolationPanel::setSpace(Space space) {
   const int index = m_spaceBox->findData(int(space));
   m_spaceBox->setCurrentIndex(index);
   m_spaceBox->setToolTip(widgets::spaceExplanation(space));
+  m_explanation->setText(widgets::spaceExplanation(space));
   m_strip->setCurrentRow(index);
   if (isVisible()) m_spaces.want(space);
   showPlace();

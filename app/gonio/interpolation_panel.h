@@ -11,7 +11,7 @@
 
 class QCheckBox;
 class QComboBox;
-class QGridLayout;
+class QLabel;
 class QPushButton;
 class QStackedWidget;
 class QToolButton;
@@ -110,6 +110,7 @@ class InterpolationPanel : public QWidget {
   widgets::BlendPad* m_pad;
   QComboBox* m_spaceBox;
   QCheckBox* m_show;
+  QLabel* m_explanation;
   QPushButton *m_keep, *m_draw;
   widgets::BlendStrip* m_strip;
 };

@@ -40,9 +40,9 @@ QWidget* InterpolationPanel::buildWells() {
     m_wells.push_back(new widgets::MaterialWell(QChar(u'A' + i)));
     column->addWidget(m_wells.back());
   }
-  m_swap->setText(tr("&Swap A and B"));
+  m_swap->setText(tr("S&wap A and B"));
   m_swap->setToolTip(tr("A takes the place of B, and B that of A"));
-  m_add->setText(tr("&Add a material"));
+  m_add->setText(tr("Add a ma&terial"));
   m_add->setToolTip(tr("A third or a fourth material: a triangle or a square in place of the slider"));
   auto* buttons = new QHBoxLayout;
   for (QToolButton* button : {m_swap, m_add}) {
@@ -81,7 +81,7 @@ QWidget* InterpolationPanel::buildPlace() {
   auto* column = new QVBoxLayout(line);
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(row);
-  column->addStretch();
+  column->addWidget(m_explanation, 1);
   m_places->addWidget(line);
   m_places->addWidget(m_pad);
   return m_places;
@@ -98,7 +98,7 @@ QWidget* InterpolationPanel::buildChoice() {
   m_keep->setToolTip(
       tr("The blend becomes the open material, to be edited further, saved and exported.\n"
          "Undo brings back what was open."));
-  auto* label = new QLabel(tr("S&pace"));
+  auto* label = new QLabel(tr("Spa&ce"));
   label->setBuddy(m_spaceBox);
   auto* row = new QHBoxLayout;
   row->addWidget(label);
@@ -108,6 +108,10 @@ QWidget* InterpolationPanel::buildChoice() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(row);
   column->addWidget(buildPlace(), 1);
+  m_explanation->setWordWrap(true);
+  m_explanation->setForegroundRole(QPalette::PlaceholderText);
+  m_explanation->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::MinimumExpanding);
+  m_explanation->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   column->addWidget(m_show);
   column->addWidget(m_keep);
   choice->setFixedWidth(placeEms * fontMetrics().height());
@@ -127,7 +131,6 @@ QWidget* InterpolationPanel::buildChoice() {
   layout->addWidget(buildWells());
   layout->addWidget(choice);
   layout->addLayout(right, 1);
-  setTabOrder(m_spaceBox, m_slider);
   return choice;
 }
 

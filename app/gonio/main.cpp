@@ -9,6 +9,7 @@
 
 #include "app/gonio/factor_curves_panel.h"
 #include "app/gonio/fit_ranking_panel.h"
+#include "app/gonio/interpolation_panel.h"
 #include "app/gonio/main_window.h"
 #include "app/gonio/screenshot.h"
 #include "app/gonio/theme.h"
@@ -29,6 +30,7 @@ struct Options {
   bool models, factors;
   double widen;
   QString takeF1;
+  QStringList blended;
 };
 
 Options readOptions(const QApplication& application) {
@@ -58,6 +60,7 @@ Options readOptions(const QApplication& application) {
   parser.addOption(factors);
   hidden("widen", "FACTOR");  // stretches F2
   hidden("take-f1", "FILE");  // takes F1 of another material over
+  hidden("interpolate", "A,B,...");  // shows the Interpolation dock with these materials
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
   return {parser.positionalArguments(),
@@ -70,7 +73,8 @@ Options readOptions(const QApplication& application) {
           parser.isSet(models),
           parser.isSet(factors),
           parser.value("widen").toDouble(),
-          parser.value("take-f1")};
+          parser.value("take-f1"),
+          parser.value("interpolate").split(',', Qt::SkipEmptyParts)};
 }
 
 QString asGiven(const QString& file) {
@@ -98,6 +102,17 @@ void prepare(MainWindow& window, const Options& options) {
     window.comparison().setComparison({.mode = gonio::widgets::CompareMode(modes.indexOf(options.compare))});
   if (options.factors) window.showDock(QStringLiteral("factors"));
   if (options.widen > 0 || !options.takeF1.isEmpty()) editFactors(window, options);
+  if (!options.blended.isEmpty()) window.showDock(QStringLiteral("interpolation"));
+  // Also when the material that is opened comes later than these.
+  InterpolationPanel& interpolation = window.interpolation();
+  if (!options.blended.isEmpty())
+    QObject::connect(
+        &window.document(), &Document::materialChanged, &window,
+        [&interpolation] { interpolation.setShownInPreview(true); }, Qt::QueuedConnection);
+  for (qsizetype i = 0; i < options.blended.size(); ++i) {
+    if (i >= interpolation.ends().count()) interpolation.ends().addPlace();
+    interpolation.ends().read(int(i), options.blended[i]);
+  }
   if (!options.models) return;
   window.showDock(QStringLiteral("models"));
   // Once, when the material and its first fit are there.

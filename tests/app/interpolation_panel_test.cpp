@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <cmath>
 
 #include "app/gonio/document_controller.h"
@@ -222,6 +223,8 @@ class InterpolationPanelTest : public QObject {
     Editor editor;
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
     const std::unique_ptr<QMimeData> data(widgets::toDrag("/nowhere/at-all.binary"));
+    QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(&editor.panel.well(0), &enter);
     QDropEvent drop(QPointF(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
     QApplication::sendEvent(&editor.panel.well(0), &drop);
     QCOMPARE(editor.panel.well(0).content().note, QStringLiteral("Opening..."));

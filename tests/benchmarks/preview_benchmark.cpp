@@ -147,11 +147,23 @@ void environmentFactorBlend(benchmark::State& state) {
   runBlendDrag(state, true, editing::InterpolationSpace::factors);
 }
 
-BENCHMARK(directionalLinearBlend)->DenseRange(2, 4)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(environmentLinearBlend)->DenseRange(2, 4)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(environmentDifferentialBlend)->DenseRange(2, 4)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(environmentParameterBlend)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(environmentFactorBlend)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(directionalLinearBlend)
+    ->DenseRange(2, 4)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+BENCHMARK(environmentLinearBlend)
+    ->DenseRange(2, 4)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+BENCHMARK(environmentDifferentialBlend)
+    ->DenseRange(2, 4)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+BENCHMARK(environmentParameterBlend)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(environmentFactorBlend)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
 BENCHMARK(directionalFactorDrag)
     ->Arg(1)
     ->Arg(3)

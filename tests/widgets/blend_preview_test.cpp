@@ -205,7 +205,7 @@ class BlendPreviewTest : public QObject {
     const auto half = widgets::blendSubject(*blend, {0.5, 0.5});
     QVERIFY(widgets::sameSubject(half, widgets::blendSubject(*blend, {0.5, 0.5})));
     QVERIFY(!widgets::sameSubject(half, widgets::blendSubject(*blend, {0.4, 0.6})));
-    QVERIFY(!widgets::sameSubject(half, {.table = half.table, .lobe = half.lobe}));
+    QVERIFY(!widgets::sameSubject(half, {.table = ends(1)[0].table, .lobe = half.lobe}));
     QVERIFY(!half.isEmpty() && !half.isMeasured());
   }
 };

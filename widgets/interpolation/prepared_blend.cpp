@@ -53,6 +53,7 @@ PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double
   PreviewSubject subject{.table = blend.ends[heaviest].table, .lobe = blend.lobes[heaviest]};
   if (weights[heaviest] == 1) return subject;
   if (blend.mixture) {
+    subject.table = nullptr;
     subject.blend = {blend.interpolation, blend.mixture, weights, blend.interpolation->moves(weights)};
   } else if (auto factors = blend.interpolation->factors(weights)) {
     subject.factors = curvesAlone(std::move(*factors));
