@@ -49,6 +49,17 @@ constexpr Row rows[] = {{"linear", InterpolationSpace::linear, "ggx", 0},
                         {"factors, 1 term", InterpolationSpace::factors, "ggx", 1},
                         {"factors, 10 terms", InterpolationSpace::factors, "ggx", 10}};
 
+/// What the space of dictionaries is where codes leave nothing out.
+std::shared_ptr<const TabulatedBrdf> transformedMean(const TabulatedBrdf& a, const TabulatedBrdf& b) {
+  std::vector<TabulatedBrdf::Value> values(a.grid().size());
+  for (std::size_t cell = 0; cell < values.size(); ++cell)
+    for (int c = 0; c < 3; ++c)
+      values[cell][c] =
+          float(std::expm1((std::log1p(double(a.values()[cell][c])) + std::log1p(double(b.values()[cell][c]))) / 2));
+  return std::make_shared<const TabulatedBrdf>(a.grid(), std::move(values),
+                                               std::vector<std::uint8_t>(a.valid().begin(), a.valid().end()));
+}
+
 /// Pictures of the family between the ends: all share their noise.
 struct Family {
   std::vector<double> roughnesses;
@@ -74,21 +85,25 @@ void print(const Ends& ends) {
       {.table = bakeTable(*ggx(ends.secondDiffuse, ends.secondRoughness))}};
   std::printf("\n| roughness %g and %g, truth %.3g | SNR, dB | nearest: roughness | SNR, dB |\n|---|---|---|---|\n",
               ends.firstRoughness, ends.secondRoughness, middle);
-  for (const Row& row : rows) {
-    editing::InterpolationOptions options;
-    options.model = &models::findModel(row.model);
-    if (row.terms > 0) options.pdv.terms = row.terms;
-    const auto between = editing::prepareInterpolation(row.space, materials, options);
-    const Image result = renderSphere(*between->table(std::vector{0.5, 0.5}), scene, render);
+  const auto tell = [&](const char* name, const Brdf& between) {
+    const Image result = renderSphere(between, scene, render);
     std::size_t nearest = 0;
     std::vector<double> snr;
     for (const Image& member : family.pictures) snr.push_back(metrics::signalToNoiseRatio(member, result));
     for (std::size_t m = 1; m < snr.size(); ++m)
       if (snr[m] > snr[nearest]) nearest = m;
-    std::printf("| %s | %.1f | %.3f | %.1f |\n", row.name, metrics::signalToNoiseRatio(picture, result),
+    std::printf("| %s | %.1f | %.3f | %.1f |\n", name, metrics::signalToNoiseRatio(picture, result),
                 family.roughnesses[nearest], snr[nearest]);
     std::fflush(stdout);
+  };
+  for (const Row& row : rows) {
+    editing::InterpolationOptions options;
+    options.model = &models::findModel(row.model);
+    if (row.terms > 0) options.pdv.terms = row.terms;
+    const auto between = editing::prepareInterpolation(row.space, materials, options);
+    tell(row.name, *between->table(std::vector{0.5, 0.5}));
   }
+  tell("dictionary, log-plus, all coefficients", *transformedMean(*materials[0].table, *materials[1].table));
 }
 
 }  // namespace
