@@ -58,9 +58,9 @@ class Atoms {
 /// One channel: its coefficients grouped by the atoms of modes 1 and 2, so that a coefficient costs one product.
 class ChannelSum {
  public:
-  ChannelSum(const Dictionary& dictionary, const std::vector<Coefficient<float>>& coefficients) {
-    const std::uint32_t n0 = std::uint32_t(dictionary.modes[0].rows()), n1 = std::uint32_t(dictionary.modes[1].rows());
-    std::vector<Coefficient<float>> sorted = coefficients;
+  ChannelSum(const std::array<Eigen::MatrixXd, 3>& atoms, const ChannelCode& channel) : highest_(channel.highest) {
+    const std::uint32_t n0 = std::uint32_t(atoms[0].rows()), n1 = std::uint32_t(atoms[1].rows());
+    std::vector<Coefficient<float>> sorted = channel.coefficients;
     std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
     std::array<std::map<int, std::uint16_t>, 3> places;
     std::array<std::vector<int>, 3> used;
@@ -77,7 +77,7 @@ class ChannelSum {
       values_.push_back(c.value);
       groups_.back().end = std::uint32_t(values_.size());
     }
-    for (std::size_t mode = 0; mode < 3; ++mode) atoms_.emplace_back(dictionary.modes[mode], used[mode]);
+    for (std::size_t mode = 0; mode < 3; ++mode) atoms_.emplace_back(atoms[mode], used[mode]);
   }
 
   float at(const std::array<Place, 3>& places, std::vector<float>& scratch) const {
@@ -94,7 +94,7 @@ class ChannelSum {
       for (std::uint32_t i = group.begin; i < group.end; ++i) inner += values_[i] * a0[atoms0_[i]];
       sum += inner * a1[group.atom1] * a2[group.atom2];
     }
-    return sum;
+    return std::min(sum, highest_);
   }
 
  private:
@@ -106,14 +106,16 @@ class ChannelSum {
   std::vector<Group> groups_;
   std::vector<std::uint16_t> atoms0_;
   std::vector<float> values_;
+  float highest_;
 };
 
 class CodeBrdf final : public Brdf {
  public:
   CodeBrdf(const Ensemble& ensemble, const SparseCode& code) : grid_(code.grid), transform_(code.transform) {
     checkCode(ensemble, code);
+    const auto geometry = GridGeometry::of(code.grid);
     for (const ChannelCode& channel : code.channels)
-      channels_.emplace_back(ensemble.dictionaries[std::size_t(channel.dictionary)], channel.coefficients);
+      channels_.emplace_back(unscaledAtoms(ensemble.dictionaries[std::size_t(channel.dictionary)], *geometry), channel);
   }
 
   using Brdf::evaluate;

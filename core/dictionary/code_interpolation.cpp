@@ -75,6 +75,10 @@ ChannelCode interpolateChannel(const Ensemble& ensemble, std::span<const SparseC
                                std::span<const double> weights, std::size_t channel, std::size_t coefficients) {
   ChannelCode result;
   result.dictionary = codes.front().channels[channel].dictionary;
+  double highest = 0;
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    if (weights[i] > 0) highest += weights[i] * double(codes[i].channels[channel].highest);
+  result.highest = float(highest);
   const bool share = std::all_of(codes.begin(), codes.end(), [&](const SparseCode& code) {
     return code.channels[channel].dictionary == result.dictionary;
   });

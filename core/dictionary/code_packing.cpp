@@ -76,6 +76,7 @@ void pack(const ChannelCode& channel, CodePrecision precision, Writer& writer) {
   writer.write(std::uint8_t(channel.dictionary));
   writer.write(std::uint16_t(sorted.size()));
   writer.write(scale);
+  writer.write(channel.highest);
   std::uint32_t before = 0;
   for (const Coefficient<float>& c : sorted) {
     writer.writeVariable(c.index - before);
@@ -94,6 +95,9 @@ ChannelCode unpack(Reader& reader, CodePrecision precision, std::size_t cells) {
   const std::size_t count = reader.read<std::uint16_t>();
   const float scale = reader.read<float>();
   if (!std::isfinite(scale) || scale < 0) throw Error("a scale of the code is not a finite positive number");
+  channel.highest = reader.read<float>();
+  if (!std::isfinite(channel.highest) || channel.highest < 0)
+    throw Error("a highest value of the code is not a finite positive number");
   if (count > reader.left()) throw Error("the code ends within its indices");
   channel.coefficients.resize(count);
   std::uint64_t index = 0;

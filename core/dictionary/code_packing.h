@@ -19,8 +19,8 @@ enum class CodePrecision : std::uint8_t {
   half     ///< float16 of the value over the channel's largest: relative error 2^-11, far below what is left out
 };
 
-/// For each channel: uint8 dictionary, uint16 count of coefficients, float32 scale, the indices, the values.
-/// Little-endian. @throws Error for more than 65535 coefficients or 256 dictionaries.
+/// For each channel: uint8 dictionary, uint16 count of coefficients, float32 scale, float32 highest value, the indices,
+/// the values. Little-endian. @throws Error for more than 65535 coefficients or 256 dictionaries.
 std::vector<std::byte> packChannels(const SparseCode& code, CodePrecision precision);
 /// Their inverse, into the channels of `code`, whose grid is set.
 /// @throws Error when the bytes end before, hold more, or hold an index beyond the grid or a value that is not finite.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <string>
 
-#include "core/dictionary/signals.h"
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 
@@ -19,10 +18,6 @@ std::size_t endOfGroup(const std::vector<Coefficient<Scalar>>& coefficients, std
   std::size_t end = begin + 1;
   while (end < coefficients.size() && atom(coefficients[end]) == atom(coefficients[begin])) ++end;
   return end;
-}
-
-ModeMatrices<float> inSinglePrecision(const Dictionary& dictionary) {
-  return {dictionary.modes[0].cast<float>(), dictionary.modes[1].cast<float>(), dictionary.modes[2].cast<float>()};
 }
 
 }  // namespace
@@ -60,6 +55,13 @@ void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scala
 template void compose<float>(const ModeMatrices<float>&, std::vector<Coefficient<float>>, float*);
 template void compose<double>(const ModeMatrices<double>&, std::vector<Coefficient<double>>, double*);
 
+std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry) {
+  std::array<Eigen::MatrixXd, 3> atoms;
+  for (std::size_t mode = 0; mode < 3; ++mode)
+    atoms[mode] = dictionary.modes[mode].array().colwise() / geometry.importance[mode];
+  return atoms;
+}
+
 void checkCode(const Ensemble& ensemble, const SparseCode& code) {
   if (!(code.grid == ensemble.grid)) throw Error("the code's grid is not that of the dictionary");
   const std::size_t cells = ensemble.grid.size();
@@ -76,12 +78,15 @@ void checkCode(const Ensemble& ensemble, const SparseCode& code) {
 
 std::array<Eigen::ArrayXf, 3> decodeSignals(const Ensemble& ensemble, const SparseCode& code) {
   checkCode(ensemble, code);
+  const auto geometry = GridGeometry::of(code.grid);
   std::array<Eigen::ArrayXf, 3> signals;
   parallelForBlocks(3, 1, [&](std::size_t c, std::size_t) {
     const ChannelCode& channel = code.channels[c];
+    const auto atoms = unscaledAtoms(ensemble.dictionaries[std::size_t(channel.dictionary)], *geometry);
     signals[c].resize(Eigen::Index(code.grid.size()));
-    compose(inSinglePrecision(ensemble.dictionaries[std::size_t(channel.dictionary)]), channel.coefficients,
-            signals[c].data());
+    compose<float>({atoms[0].cast<float>(), atoms[1].cast<float>(), atoms[2].cast<float>()}, channel.coefficients,
+                   signals[c].data());
+    signals[c] = signals[c].min(channel.highest);
   });
   return signals;
 }

@@ -6,6 +6,7 @@
 
 #include "core/brdf/tabulated_brdf.h"
 #include "core/dictionary/mode_products.h"
+#include "core/dictionary/signals.h"
 #include "core/dictionary/sparse_code.h"
 
 namespace gonio::dictionary {
@@ -15,7 +16,10 @@ namespace gonio::dictionary {
 template <typename Scalar>
 void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scalar>> coefficients, Scalar* block);
 
-/// The signals of a code: the transformed values of every cell, in single precision.
+/// The atoms divided by the importance of their nodes: what composes transformed values and not scaled signals.
+std::array<Eigen::MatrixXd, 3> unscaledAtoms(const Dictionary& dictionary, const GridGeometry& geometry);
+
+/// The transformed values of every cell of a code, in single precision.
 std::array<Eigen::ArrayXf, 3> decodeSignals(const Ensemble& ensemble, const SparseCode& code);
 
 /// The table that a code stands for; cells below the horizon are invalid. Negative values become 0. Under 50 ms on two

@@ -51,12 +51,22 @@ std::size_t countForError(const std::vector<Coefficient<float>>& coefficients, d
   return n;
 }
 
+/// The largest transformed value of the valid cells.
+float highestOf(const TabulatedBrdf& table, int channel, DataTransform transform, const GridGeometry& geometry) {
+  double highest = 0;
+  for (std::size_t cell = 0; cell < table.grid().size(); ++cell) {
+    if (table.valid()[cell] == 0) continue;
+    const double weight = transform == DataTransform::cosineLog ? double(geometry.weights[Eigen::Index(cell)]) : 1.0;
+    highest = std::max(highest, double(table.values()[cell][channel]) * weight);
+  }
+  return float(std::log1p(highest));
+}
+
 void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const TabulatedBrdf& decoded, double gamma) {
   const GridDirections directions(table.grid());
   const double cosGrazing = std::cos(grazing);
   struct Sums {
-    double gammaError = 0, squaredError = 0;
-    std::size_t count = 0;
+    double gammaError = 0, squaredError = 0, weight = 0;
   };
   constexpr std::size_t block = 1 << 14;
   std::vector<Sums> sums((table.grid().size() + block - 1) / block);
@@ -66,24 +76,25 @@ void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const Tabu
       if (table.valid()[cell] == 0 || decoded.valid()[cell] == 0) continue;
       const DirectionPair pair = directions.at(cell).pair;
       if (std::min(pair.wi.z, pair.wo.z) < cosGrazing) continue;
+      const double weight = table.grid().cellMeasure(cell) * pair.wi.z * pair.wo.z;
       for (int c = 0; c < 3; ++c) {
         const double a = table.values()[cell][c], b = decoded.values()[cell][c];
         const double d = gammaTransformed(a, gamma) - gammaTransformed(b, gamma);
-        sum.gammaError += d * d;
-        sum.squaredError += (a - b) * (a - b);
+        sum.gammaError += weight * d * d;
+        sum.squaredError += weight * (a - b) * (a - b);
       }
-      ++sum.count;
+      sum.weight += 3 * weight;
     }
   });
   Sums total;
   for (const Sums& sum : sums) {
     total.gammaError += sum.gammaError;
     total.squaredError += sum.squaredError;
-    total.count += sum.count;
+    total.weight += sum.weight;
   }
-  const double values = double(std::max<std::size_t>(total.count, 1)) * 3;
-  candidate.gammaError = total.gammaError / values;
-  candidate.squaredError = total.squaredError / values;
+  if (!(total.weight > 0)) return;
+  candidate.gammaError = total.gammaError / total.weight;
+  candidate.squaredError = total.squaredError / total.weight;
 }
 
 }  // namespace
@@ -144,6 +155,7 @@ Encoded Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options
     parallelForBlocks(3, 1,
                       [&](std::size_t c, std::size_t) {
                         candidate.code.channels[c] = encodeSignal(signals[c], table.valid(), options);
+                        candidate.code.channels[c].highest = highestOf(table, int(c), options.transforms[t], *geometry);
                       },
                       {.stop = control.stop});
     if (options.bytes) candidate.code = truncatedToBytes(candidate.code, *options.bytes);

@@ -27,7 +27,8 @@ struct EncodeOptions {
 /// One transform that was tried.
 struct EncodedCandidate {
   SparseCode code;
-  /// Mean over the valid cells to 85 degrees of (rho^(1/gamma) - rho'^(1/gamma))^2, rho in 1/sr (dissertation 4.3.2.4).
+  /// Mean over the valid cells to 85 degrees, weighted by the projected solid angles of both directions, of
+  /// (rho^(1/gamma) - rho'^(1/gamma))^2, rho in 1/sr (dissertation 4.3.2.4, where all cells count the same).
   double gammaError = 0;
   double squaredError = 0;  ///< mean of (rho - rho')^2 over the same cells: what the selection does not go by
 };

@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/dictionary/signals.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -22,8 +24,38 @@ void hold(Eigen::ArrayXf& values, const TabulatedBrdf& table) {
     if (table.valid()[cell] == 0) values[Eigen::Index(cell)] = values[Eigen::Index(cell - slab)];
 }
 
+/// Integrals of a density over the cells around the nodes of an axis in [0, pi/2], as the importance of a mode.
+template <typename Angle, typename Integral>
+Eigen::ArrayXd importanceOf(int count, const Angle& angle, const Integral& integral) {
+  constexpr double least = 1e-2;
+  Eigen::ArrayXd measure(count);
+  for (int i = 0; i < count; ++i)
+    measure[i] = integral(angle(std::min(i + 0.5, double(count)))) - integral(angle(std::max(i - 0.5, 0.0)));
+  measure = measure.max(least * measure.maxCoeff());
+  return (measure / measure.mean()).sqrt();
+}
+
+std::array<Eigen::ArrayXd, 3> importanceOf(const HalfDifferenceGrid& grid) {
+  const auto square = [](double x) { return x * x; };
+  return {Eigen::ArrayXd::Ones(grid.phiDCount),
+          importanceOf(
+              grid.thetaDCount, [&](double node) { return node / grid.thetaDCount * halfPi; },
+              [&](double theta) { return -square(square(std::cos(theta))); }),
+          importanceOf(
+              grid.thetaHCount, [&](double node) { return square(node / grid.thetaHCount) * halfPi; },
+              [&](double theta) { return -square(std::cos(theta)) * std::cos(theta); })};
+}
+
+void scale(Eigen::ArrayXf& values, const HalfDifferenceGrid& grid, const GridGeometry& geometry) {
+  Eigen::Index cell = 0;
+  for (int h = 0; h < grid.thetaHCount; ++h)
+    for (int d = 0; d < grid.thetaDCount; ++d, cell += grid.phiDCount)
+      values.segment(cell, grid.phiDCount) *= float(geometry.importance[1][d] * geometry.importance[2][h]);
+}
+
 std::shared_ptr<const GridGeometry> computed(const HalfDifferenceGrid& grid) {
   auto geometry = std::make_shared<GridGeometry>();
+  geometry->importance = importanceOf(grid);
   geometry->weights.resize(Eigen::Index(grid.size()));
   geometry->aboveHorizon.resize(grid.size());
   const GridDirections directions(grid);
@@ -87,6 +119,7 @@ std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransfor
     values = interleaved.row(c);
     dictionary::transform(values, transform, geometry.weights);
     if (fill == InvalidFill::hold) hold(values, table);
+    scale(values, table.grid(), geometry);
   }
   return signals;
 }

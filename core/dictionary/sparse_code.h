@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "core/brdf/data_transform.h"
@@ -16,6 +17,9 @@ namespace gonio::dictionary {
 struct ChannelCode {
   int dictionary = 0;
   std::vector<Coefficient<float>> coefficients;  ///< larger in size first
+  /// No transformed value is more: the largest of the measurement. A sum of few atoms overshoots where cells count
+  /// little, and the inverse of a logarithm makes a cliff of it.
+  float highest = std::numeric_limits<float>::max();
 };
 
 /// A material as a sparse code over an ensemble: red, green, blue.

@@ -60,6 +60,8 @@ class CodeInterpolationTest : public QObject {
       // One channel in the same dictionary, the others in different ones.
       codes[1].channels[0].dictionary = codes[2].channels[0].dictionary = codes[0].channels[0].dictionary;
       codes[1].channels[1].dictionary = (codes[0].channels[1].dictionary + 1) % 4;
+      for (SparseCode& code : codes)
+        for (ChannelCode& channel : code.channels) channel.highest = ChannelCode().highest;  // bounds are not linear
       const std::vector<double> weights{0.5, 0.2, 0.3};
       const SparseCode between = interpolateCodes(ensemble, codes, weights, smallGrid.size());
       const auto result = decodeSignals(ensemble, between);
