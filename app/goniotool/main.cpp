@@ -33,8 +33,10 @@ int work(const tool::Tool& tool) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Measured materials (BRDFs) without a window: read, check, convert, fit, edit, blend, render, compare.",
-               "goniotool");
+  CLI::App app(
+      "Measured materials (BRDFs) without a window: read, check, convert, fit, edit, factor, encode, blend, render,\n"
+      "compare.",
+      "goniotool");
   tool::Tool tool;
   app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
   app.require_subcommand(1);
@@ -46,7 +48,8 @@ int main(int argc, char** argv) {
       "A MATERIAL is a MERL .binary, an RGL .bsdf or a .pdv file of factors (found by content), a .gonio document,\n"
       "or a bundled material such as library:sgd/chrome. Exit code: 0 success, 1 failure, 2 wrong usage.");
   for (const auto add : {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit,
-                         tool::addEdit, tool::addFactor, tool::addInterpolate, tool::addRender, tool::addCompare})
+                         tool::addEdit, tool::addFactor, tool::addDictionary, tool::addEncode, tool::addDecode,
+                         tool::addInterpolate, tool::addRender, tool::addCompare})
     add(app, tool);
   try {
     app.parse(argc, argv);

@@ -37,6 +37,9 @@ void addEdit(CLI::App& app, Tool& tool);
 void addRender(CLI::App& app, Tool& tool);
 void addCompare(CLI::App& app, Tool& tool);
 void addFactor(CLI::App& app, Tool& tool);
+void addDictionary(CLI::App& app, Tool& tool);
+void addEncode(CLI::App& app, Tool& tool);
+void addDecode(CLI::App& app, Tool& tool);
 void addInterpolate(CLI::App& app, Tool& tool);
 
 }  // namespace gonio::tool

@@ -4,10 +4,11 @@
 
 #include <future>
 
-#include "core/io/pdv_file.h"
 #include "core/io/atomic_file.h"
+#include "core/io/code_file.h"
 #include "core/io/format_mismatch.h"
 #include "core/io/merl_file.h"
+#include "core/io/pdv_file.h"
 #include "core/io/rgl_brdf.h"
 #include "core/io/sgd_library.h"
 #include "core/io/sha256.h"
@@ -59,8 +60,15 @@ void readPdvMaterial(const ByteSource& source, const TaskControl&, Material& mat
                                 std::string(dataTransformNames[std::size_t(factors.transform)]);
 }
 
-constexpr MaterialReader readers[] = {
-    {"MERL", readMerlMaterial}, {"RGL", readRglMaterial}, {"PDV factors", readPdvMaterial}};
+void readCodeMaterial(const ByteSource& source, const TaskControl&, Material& material) {
+  if (!isCode(source)) throw FormatMismatch("another start", "GONIOCOD");
+  setCode(readCode(source), material);
+}
+
+constexpr MaterialReader readers[] = {{"MERL", readMerlMaterial},
+                                      {"RGL", readRglMaterial},
+                                      {"PDV factors", readPdvMaterial},
+                                      {"sparse code", readCodeMaterial}};
 
 Material readFormat(const ByteSource& source, const TaskControl& control) {
   std::string refusals;

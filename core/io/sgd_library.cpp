@@ -7,6 +7,7 @@
 #include <charconv>
 #include <map>
 
+#include "core/io/measured_library.h"
 #include "core/io/sha256.h"
 #include "core/models/parameters_json.h"
 #include "core/support/error.h"
@@ -16,7 +17,7 @@ namespace gonio::io {
 namespace {
 
 constexpr std::string_view pathPrefix = "library:";
-constexpr std::string_view idPrefix = "sgd/";
+constexpr std::string_view idPrefix = "sgd/", measuredPrefix = "rgl/";
 
 /// Columns of the table that are called otherwise than the parameter.
 std::string columnOf(std::string_view parameterId, int channel) {
@@ -96,6 +97,8 @@ const std::vector<SgdFit>& sgdFits() {
 const std::vector<LibraryEntry>& bundledLibrary() {
   static const std::vector<LibraryEntry> entries = [] {
     std::vector<LibraryEntry> result;
+    for (const MeasuredMaterial& measured : measuredMaterials())
+      result.push_back({std::string(measuredPrefix) + measured.name, measured.name, measured.description()});
     for (const SgdFit& fit : sgdFits())
       result.push_back({std::string(idPrefix) + fit.name, fit.name, descriptionOf(fit.name)});
     return result;
@@ -104,11 +107,14 @@ const std::vector<LibraryEntry>& bundledLibrary() {
 }
 
 Material readLibraryMaterial(const std::string& path) {
+  for (const MeasuredMaterial& measured : measuredMaterials())
+    if (path == std::string(pathPrefix) + std::string(measuredPrefix) + measured.name)
+      return readMeasuredMaterial(measured);
   const std::string prefix = std::string(pathPrefix) + std::string(idPrefix);
   const std::string name = path.starts_with(prefix) ? path.substr(prefix.size()) : "";
   const auto fit = std::ranges::find(sgdFits(), name, &SgdFit::name);
   if (fit == sgdFits().end())
-    throw Error(path + ": found no such bundled material, expected one of " + std::to_string(sgdFits().size()) +
+    throw Error(path + ": found no such bundled material, expected one of " + std::to_string(bundledLibrary().size()) +
                 " such as " + prefix + sgdFits().front().name);
   const models::Model& model = models::findModel("sgd");
   Material material;

@@ -28,7 +28,7 @@ std::vector<SgdFit> parseSgdFigures(std::string_view csv);
 /// The bundled fits, parsed once.
 const std::vector<SgdFit>& sgdFits();
 
-/// The material of a path "library:sgd/NAME". Its hash is that of its parameters as JSON.
+/// The material of a path "library:sgd/NAME", whose hash is that of its parameters as JSON, or "library:rgl/NAME".
 /// @throws Error when there is none of this name.
 Material readLibraryMaterial(const std::string& path);
 

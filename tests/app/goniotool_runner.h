@@ -79,10 +79,11 @@ class TestFolder {
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) throw Error("cannot write a test file");
   }
   /// A model's table as a MERL file, of its first parameters; returns its path.
-  QString writeTable(const QString& name, const char* model, const models::ParameterValues& parameters) const {
+  QString writeTable(const QString& name, const char* model, const models::ParameterValues& parameters,
+                     const HalfDifferenceGrid& grid = smallGrid) const {
     const models::Model& source = models::findModel(model);
     const auto brdf = source.instantiate(testing::leadingParameters(source, parameters.values));
-    io::writeMerl(*bakeTable(*brdf, smallGrid), path(name).toStdString());
+    io::writeMerl(*bakeTable(*brdf, grid), path(name).toStdString());
     return path(name);
   }
 

@@ -131,6 +131,8 @@ class ReaderMutationTest : public QObject {
     readMaterialBytes(rglSeed());
     readPdvBytes(pdvSeed());
     readNpfBytes(npfSeed());
+    readCodeBytes(codeSeed());
+    readDictionaryBytes(dictionarySeed());
     readImageBytes(hdrSeed());
     readImageBytes(exrSeed());
     readDocumentBytes(documentSeed());
@@ -140,6 +142,8 @@ class ReaderMutationTest : public QObject {
   void rgl() { check("rgl.bsdf", rglSeed(), readMaterialBytes); }
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
   void npf() { check("npf.bin", npfSeed(), readNpfBytes); }
+  void code() { check("sparse.code", codeSeed(), readCodeBytes); }
+  void dictionary() { check("ensemble.dictionary", dictionarySeed(), readDictionaryBytes); }
   void hdr() { check("picture.hdr", hdrSeed(), readImageBytes); }
   void exr() { check("picture.exr", exrSeed(), readImageBytes); }
   void document() { check("edit.gonio", documentSeed(), readDocumentBytes); }

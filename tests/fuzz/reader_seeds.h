@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/code_file.h"
 #include "tests/core/io/synthetic_tensors.h"
 
 /// Small valid files of every format, from which mutations start.
@@ -39,6 +40,33 @@ inline Bytes pdvSeed() {
   for (const float node : {0.0f, 0.5f, 1.5f, 0.0f, 0.1f, 0.5f, 2.0f, 0.0f, 3.0f}) append(bytes, node);
   for (int i = 0; i < 3 * 2 * 9; ++i) append(bytes, 1.5f - 0.3f * float(i % 7));
   return bytes;
+}
+
+/// Three coefficients a channel over a grid of 3 x 4 x 5, in half precision.
+inline Bytes codeSeed() {
+  dictionary::SparseCode code{.grid = {.thetaHCount = 3, .thetaDCount = 4, .phiDCount = 5},
+                              .transform = DataTransform::cosineLog,
+                              .channels = {}};
+  for (dictionary::ChannelCode& channel : code.channels)
+    channel = {.dictionary = 1, .coefficients = {{7, 3.0f}, {59, -1.5f}, {0, 0.25f}}, .highest = 4};
+  return io::encodeCode(code, 1234);
+}
+
+/// Two dictionaries of unit matrices over a grid of 2 x 3 x 2.
+inline Bytes dictionarySeed() {
+  dictionary::Ensemble ensemble{
+      .grid = {.thetaHCount = 2, .thetaDCount = 3, .phiDCount = 2}, .dictionaries = {}, .learnedFrom = {"one"}};
+  for (const int sparsity : {2, 3}) {
+    dictionary::Dictionary& unit = ensemble.dictionaries.emplace_back();
+    unit.sparsity = sparsity;
+    for (std::size_t mode = 0; mode < 3; ++mode) {
+      const int size = dictionary::modeSizes(ensemble.grid)[mode];
+      unit.modes[mode] = Eigen::MatrixXd::Identity(size, size);
+    }
+  }
+  const auto path = test::outputPath("fuzz/seed.dictionary");
+  io::writeDictionary(ensemble, path);
+  return test::readFile(path);
 }
 
 /// Names of the rows, a byte 0, then a table of two rows.

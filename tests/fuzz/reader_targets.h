@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/editing/edit_document.h"
+#include "core/io/code_file.h"
 #include "core/io/image_io.h"
 #include "core/io/material.h"
 #include "core/io/npf_file.h"
@@ -46,6 +47,19 @@ inline void readNpfBytes(std::span<const std::byte> bytes) {
   const auto table = bytes.subspan(std::min(names.size() + 1, bytes.size()));
   for (const auto& [name, factors] : io::readNpf(io::MemorySource(table), names).materials)
     checkValues(*factorization::makeNonparametricBrdf(factors));
+}
+
+/// What was read packs and unpacks again.
+inline void readCodeBytes(std::span<const std::byte> bytes) {
+  const io::CodeFile file = io::readCode(io::MemorySource(bytes));
+  const auto again = io::readCode(io::MemorySource(io::encodeCode(file.code, file.dictionaryId, file.precision)));
+  if (again.code.coefficients() != file.code.coefficients()) throw std::logic_error("a code that is lost in its file");
+}
+
+inline void readDictionaryBytes(std::span<const std::byte> bytes) {
+  const auto dictionary = io::readDictionary(io::MemorySource(bytes));
+  if (!(dictionary::orthonormalityError(dictionary->ensemble) < 1e-10))
+    throw std::logic_error("a dictionary that is not orthonormal");
 }
 
 inline void readImageBytes(std::span<const std::byte> bytes) {

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <thread>
+
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/io/dictionary_file.h"
+
+namespace gonio::tool {
+
+namespace {
+
+using namespace dictionary;
+
+struct Options {
+  std::vector<std::string> sources, excluded;
+  std::string out, checkpoint;
+  TrainingOptions training;
+};
+
+std::atomic<bool> interrupted = false;
+
+/// While alive, an interrupt from the keyboard asks the work to stop; a second one ends the program as always.
+class StopOnInterrupt {
+ public:
+  StopOnInterrupt() : watcher_([this](const std::stop_token& end) { watch(end); }) {
+    std::signal(SIGINT, [](int) {
+      interrupted = true;
+      std::signal(SIGINT, SIG_DFL);
+    });
+  }
+  ~StopOnInterrupt() { std::signal(SIGINT, SIG_DFL); }
+  std::stop_token token() const { return stop_.get_token(); }
+
+ private:
+  void watch(const std::stop_token& end) {
+    while (!end.stop_requested()) {
+      if (interrupted) stop_.request_stop();
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+  }
+  std::stop_source stop_;
+  std::jthread watcher_;
+};
+
+/// Files as they are, of folders all files of materials, in the order of their names; less the excluded names.
+std::vector<std::string> trainingFiles(const Options& options) {
+  std::vector<std::string> files;
+  for (const std::string& source : options.sources) {
+    if (!std::filesystem::is_directory(source)) {
+      files.push_back(source);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(source))
+      if (const auto suffix = entry.path().extension(); suffix == ".binary" || suffix == ".bsdf")
+        found.push_back(entry.path().string());
+    if (found.empty()) throw Error(source + ": found no .binary and no .bsdf file");
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  std::erase_if(files, [&](const std::string& file) {
+    const std::string name = std::filesystem::path(file).stem().string();
+    return std::find(options.excluded.begin(), options.excluded.end(), name) != options.excluded.end();
+  });
+  if (files.empty()) throw Error("dictionary train: no material is left to learn from");
+  return files;
+}
+
+TrainingMaterials materialsOf(const std::vector<std::string>& files) {
+  TrainingMaterials materials;
+  for (const std::string& file : files) materials.names.push_back(std::filesystem::path(file).stem().string());
+  materials.load = [files](std::size_t m) {
+    auto table = openMaterial(files[m]).tabulated();
+    if (!(table->grid() == HalfDifferenceGrid{}))
+      throw Error(files[m] + ": found another grid than that of MERL tables, 90 x 90 x 180");
+    return table;
+  };
+  return materials;
+}
+
+/// What makes two trainings the same, for a checkpoint.
+std::string describe(const Options& options, const TrainingMaterials& materials) {
+  const TrainingOptions& t = options.training;
+  Json json{{"dictionaries", t.dictionaries}, {"sparsities", t.sparsities},     {"iterations", t.iterations},
+            {"tolerance", t.tolerance},       {"subspaceLoss", t.subspaceLoss}, {"seed", t.seed},
+            {"materials", materials.names}};
+  return json.dump();
+}
+
+TrainingResult trainWithCheckpoints(const Options& options, const TrainingMaterials& materials, const Tool& tool) {
+  const std::string training = describe(options, materials);
+  std::optional<TrainingState> resumed;
+  if (!options.checkpoint.empty() && std::filesystem::exists(options.checkpoint))
+    resumed = io::readCheckpoint(training, options.checkpoint);
+  auto written = std::chrono::steady_clock::now();
+  const StopOnInterrupt interrupt;
+  TaskControl control = tool.control("learning from " + std::to_string(materials.names.size()) + " materials");
+  control.stop = interrupt.token();
+  return train(materials, options.training, control, resumed ? &*resumed : nullptr, [&](const TrainingState& state) {
+    if (options.checkpoint.empty()) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - written < std::chrono::seconds(20)) return;
+    io::writeCheckpoint(state, training, options.checkpoint);
+    written = now;
+  });
+}
+
+int train(const Options& options, const Tool& tool) {
+  const TrainingMaterials materials = materialsOf(trainingFiles(options));
+  const TrainingResult result = trainWithCheckpoints(options, materials, tool);
+  io::writeDictionary(result.ensemble, options.out);
+  Json ensembles = Json::array();
+  std::string text;
+  for (std::size_t e = 0; e < result.state.errors.size(); ++e) {
+    const std::vector<double>& errors = result.state.errors[e];
+    Json entry{{"sparsity", options.training.sparsities[e]}, {"rounds", errors.size()}, {"errors", errors}};
+    text += "sparsity " + std::to_string(options.training.sparsities[e]) + ": relative squared error " +
+            number(errors.front()) + " to " + number(errors.back()) + " in " + std::to_string(errors.size()) +
+            " rounds";
+    if (e < result.errorsAfter.size()) {
+      entry["errorBeforeSweep"] = result.errorsBefore[e];
+      entry["errorAfterSweep"] = result.errorsAfter[e];
+      text += "; of whole tables " + number(result.errorsBefore[e]) + ", after the last sweep " +
+              number(result.errorsAfter[e]);
+    }
+    ensembles.push_back(entry);
+    text += "\n";
+  }
+  const Sizes& ranks = result.state.subspace.ranks;
+  const double orthonormality = orthonormalityError(result.ensemble);
+  print(tool,
+        {{"complete", result.complete},
+         {"materials", materials.names.size()},
+         {"dictionaries", result.ensemble.dictionaries.size()},
+         {"bytes", result.ensemble.bytes()},
+         {"subspace", {{"phiD", ranks[0]}, {"thetaD", ranks[1]}, {"thetaH", ranks[2]}}},
+         {"subspaceLoss", result.state.subspace.loss},
+         {"ensembles", ensembles},
+         {"orthonormality", orthonormality},
+         {"seconds", result.seconds},
+         {"out", options.out}},
+        std::string(result.complete ? "" : "stopped: the best so far\n") +
+            std::to_string(result.ensemble.dictionaries.size()) + " dictionaries of " +
+            std::to_string(materials.names.size()) + " materials, " + std::to_string(result.ensemble.bytes()) +
+            " bytes, orthonormal to " + number(orthonormality) + ", " + number(result.seconds) + " s\nsubspace " +
+            std::to_string(ranks[0]) + " x " + std::to_string(ranks[1]) + " x " + std::to_string(ranks[2]) +
+            ", leaves out " + number(result.state.subspace.loss) + " of the energy\n" + text);
+  return 0;
+}
+
+int info(const std::string& path, const Tool& tool) {
+  const auto named = io::readDictionary(path);
+  const Ensemble& ensemble = named->ensemble;
+  std::vector<int> sparsities;
+  std::string text;
+  for (const Dictionary& dictionary : ensemble.dictionaries) sparsities.push_back(dictionary.sparsity);
+  for (const int sparsity : sparsities) text += " " + std::to_string(sparsity);
+  const double orthonormality = orthonormalityError(ensemble);
+  print(tool,
+        {{"dictionaries", ensemble.dictionaries.size()},
+         {"grid", {ensemble.grid.thetaHCount, ensemble.grid.thetaDCount, ensemble.grid.phiDCount}},
+         {"sparsities", sparsities},
+         {"bytes", ensemble.bytes()},
+         {"orthonormality", orthonormality},
+         {"learnedFrom", ensemble.learnedFrom}},
+        std::to_string(ensemble.dictionaries.size()) + " dictionaries, " + std::to_string(ensemble.bytes()) +
+            " bytes, orthonormal to " + number(orthonormality) + "\nsparsities" + text + "\nlearned from " +
+            std::to_string(ensemble.learnedFrom.size()) + " materials\n");
+  return 0;
+}
+
+void addTrain(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  TrainingOptions& training = options->training;
+  CLI::App* command = app.add_subcommand("train", "Learns an ensemble of dictionaries from materials");
+  command->add_option("SOURCE", options->sources, "Folders of .binary and .bsdf files, or files")->required();
+  command->add_option("--out", options->out, "The dictionary (.dictionary)")->required();
+  command->add_option("--exclude", options->excluded, "Names of materials to leave out")->delimiter(',');
+  command->add_option("--dictionaries", training.dictionaries, "Of each sparsity (8)")->check(CLI::Range(1, 64));
+  command->add_option("--sparsities", training.sparsities, "One ensemble each (32,64,128,256)")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 65535));
+  command->add_option("--iterations", training.iterations, "Rounds of each ensemble at most (40)")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--tolerance", training.tolerance, "Ends an ensemble when a round gains less (0.0005)")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--subspace-loss", training.subspaceLoss, "Energy left to the last sweep (1e-5)")
+      ->check(CLI::Range(0.0, 0.5));
+  command->add_option("--seed", training.seed, "Of the first parts (1)");
+  command->add_option("--checkpoint", options->checkpoint, "Written while it learns; gone on from where it exists");
+  command->callback([options, &tool] { tool.run = [options, &tool] { return train(*options, tool); }; });
+}
+
+}  // namespace
+
+void addDictionary(CLI::App& app, Tool& tool) {
+  CLI::App* command = app.add_subcommand("dictionary", "Learns dictionaries, tells what one holds");
+  command->require_subcommand(1);
+  addTrain(*command, tool);
+  const auto path = std::make_shared<std::string>();
+  CLI::App* infoCommand = command->add_subcommand("info", "What a dictionary holds");
+  infoCommand->add_option("DICTIONARY", *path, "A .dictionary file")->required();
+  infoCommand->callback([path, &tool] { tool.run = [path, &tool] { return info(*path, tool); }; });
+}
+
+}  // namespace gonio::tool

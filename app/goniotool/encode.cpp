@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/dictionary/encode.h"
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "app/goniotool/tool.h"
+#include "core/dictionary/decode.h"
+#include "core/io/code_file.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/study/picture_encoding.h"
+
+namespace gonio::tool {
+
+namespace {
+
+using namespace dictionary;
+
+struct Options {
+  std::string material, dictionary, out, transform;
+  EncodeOptions encoding;
+  double relativeError = 0, renderedSnr = 0;
+  std::size_t bytes = 0;
+  bool single = false;
+};
+
+std::string nameOf(DataTransform transform) { return std::string(dataTransformNames[std::size_t(transform)]); }
+
+EncodeOptions encodeOptions(const Options& options) {
+  EncodeOptions encoding = options.encoding;
+  if (options.relativeError > 0) encoding.relativeError = options.relativeError;
+  if (options.bytes > 0) encoding.bytes = options.bytes;
+  std::erase_if(encoding.transforms,
+                [&](DataTransform t) { return !options.transform.empty() && options.transform != nameOf(t); });
+  return encoding;
+}
+
+std::shared_ptr<const io::NamedEnsemble> dictionaryOf(const Options& options) {
+  return options.dictionary.empty() ? io::bundledDictionary() : io::readDictionary(options.dictionary);
+}
+
+int encode(const Options& options, const Tool& tool) {
+  const auto dictionary = dictionaryOf(options);
+  auto table = openMaterial(options.material, tool.control("reading")).tabulated(tool.control("tabulating"));
+  if (!(table->grid() == dictionary->ensemble.grid)) table = bakeTable(*table, dictionary->ensemble.grid);
+  const Encoder encoder(dictionary->ensemble);
+  Encoded encoded;
+  std::optional<double> renderedSnr;
+  if (options.renderedSnr > 0) {
+    auto found = study::encodeForPictures(encoder, dictionary->ensemble, *table, options.renderedSnr,
+                                          encodeOptions(options), tool.control("encoding"));
+    encoded = std::move(found.encoded);
+    renderedSnr = found.renderedSnr;
+  } else {
+    encoded = encoder.encode(*table, encodeOptions(options), tool.control("encoding"));
+  }
+  const auto precision = options.single ? CodePrecision::single : CodePrecision::half;
+  const std::vector<std::byte> bytes = io::encodeCode(encoded.code, dictionary->id, precision);
+  if (!options.out.empty()) io::writeCode(encoded.code, dictionary->id, options.out, precision);
+  // Of what the file holds: with the values as they are rounded.
+  const auto decoded = decode(dictionary->ensemble, io::readCode(io::MemorySource(bytes)).code);
+  const std::vector<double> errors = metrics::brdfErrors(*table, *decoded);
+  const double snr = metrics::brdfSignalToNoiseRatio(*table, *decoded);
+  Json candidates = Json::array(), dictionaries = Json::array();
+  std::string text;
+  for (const EncodedCandidate& candidate : encoded.candidates) {
+    candidates.push_back({{"transform", nameOf(candidate.code.transform)},
+                          {"gammaError", candidate.gammaError},
+                          {"squaredError", candidate.squaredError}});
+    text += nameOf(candidate.code.transform) + ": gamma error " + number(candidate.gammaError) + "\n";
+  }
+  for (const ChannelCode& channel : encoded.code.channels) dictionaries.push_back(channel.dictionary);
+  Json json{{"coefficients", encoded.code.coefficients()},
+            {"bytes", bytes.size()},
+            {"dictionary", dictionaries},
+            {"transform", nameOf(encoded.code.transform)},
+            {"candidates", candidates},
+            {"errors", errorsJson(errors)},
+            {"brdfSnr", decibelsJson(snr)},
+            {"seconds", encoded.seconds}};
+  if (renderedSnr) json["renderedSnr"] = decibelsJson(*renderedSnr);
+  if (!options.out.empty()) json["out"] = options.out;
+  print(tool, json,
+        std::to_string(encoded.code.coefficients()) + " coefficients a channel, " + std::to_string(bytes.size()) +
+            " bytes, transform " + nameOf(encoded.code.transform) + ", dictionaries " + dictionaries.dump() +
+            ", BRDF SNR " + number(snr) + " dB" +
+            (renderedSnr ? ", rendered SNR " + number(*renderedSnr) + " dB" : "") + ", " + number(encoded.seconds) +
+            " s\n" + text + errorsText(errors));
+  return 0;
+}
+
+int decode(const Options& options, const Tool& tool) {
+  checkOutput(options.out);
+  const auto dictionary = dictionaryOf(options);
+  const io::CodeFile file = io::readCode(options.material);
+  io::checkDictionary(file, *dictionary);
+  writeMaterial(*dictionary::decode(dictionary->ensemble, file.code), options.out);
+  print(tool,
+        {{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}, {"out", options.out}},
+        "wrote " + options.out + ", of " + std::to_string(file.code.coefficients()) + " coefficients a channel\n");
+  return 0;
+}
+
+}  // namespace
+
+void addEncode(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("encode", "A material as a sparse code over a dictionary");
+  command->add_option("MATERIAL", options->material, materialHelp)->required();
+  command->add_option("--dictionary", options->dictionary, "A .dictionary file (the bundled one)");
+  command->add_option("--coefficients", options->encoding.coefficients, "Of each channel, at most (262)")
+      ->check(CLI::Range(0, 65535));
+  command->add_option("--error", options->relativeError, "Fewer where the squared error is at most this share")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--bytes", options->bytes, "Fewer where the code would have more bytes")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--rendered-snr", options->renderedSnr,
+                   "As few as give pictures this SNR, dB; at most --coefficients")
+      ->check(CLI::Range(1.0, 200.0));
+  command->add_option("--transform", options->transform, "log-plus or cosine-log (the better one)")
+      ->check(CLI::IsMember({nameOf(DataTransform::logPlus), nameOf(DataTransform::cosineLog)}));
+  command->add_option("--gamma", options->encoding.gamma, "Of the error that chooses the transform (2)")
+      ->check(CLI::Range(1.0, 3.0));
+  command->add_flag("--single", options->single, "Values in single precision, not in half");
+  command->add_option("--out", options->out, "The code (.code)");
+  command->callback([options, &tool] { tool.run = [options, &tool] { return encode(*options, tool); }; });
+}
+
+void addDecode(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("decode", "The material that a sparse code stands for");
+  command->add_option("CODE", options->material, "A .code file")->required();
+  command->add_option("--dictionary", options->dictionary, "The dictionary that it was made with (the bundled one)");
+  command->add_option("--out", options->out, "The material (.binary)")->required();
+  command->callback([options, &tool] { tool.run = [options, &tool] { return decode(*options, tool); }; });
+}
+
+}  // namespace gonio::tool
