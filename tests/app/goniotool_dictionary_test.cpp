@@ -87,6 +87,11 @@ class GoniotoolDictionaryTest : public QObject {
              qPrintable(target.out));
   }
 
+  void zEveryKeyIsDocumented() {
+    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
+    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
+  }
+
  private:
   TestFolder folder_{"goniotool-dictionary"};
   QString plastic_, rough_;
