@@ -8,6 +8,7 @@
 #include <QMenuBar>
 
 #include "app/gonio/main_window.h"
+#include "app/gonio/material_files.h"
 #include "core/io/image_io.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -95,8 +96,9 @@ void FileMenu::fillRecent(QMenu* menu) {
 void FileMenu::openFile() {
   const QString path = QFileDialog::getOpenFileName(
       &m_window, tr("Open"), m_window.settings().value("folders/open").toString(),
-      tr("Materials and documents (*.binary *.bsdf *.pdv *.gonio);;MERL tables (*.binary);;RGL materials (*.bsdf);;"
-         "PDV factors (*.pdv);;Gonio documents (*.gonio);;All files (*)"));
+      tr("Materials and documents (%1 *.gonio);;MERL tables (*.binary);;RGL materials (*.bsdf);;"
+         "PDV factors (*.pdv);;Sparse codes (*.code);;Gonio documents (*.gonio);;All files (*)")
+          .arg(materialFilePatterns().join(' ')));
   if (path.isEmpty()) return;
   m_window.settings().setValue("folders/open", QFileInfo(path).absolutePath());
   m_window.open(path);

@@ -12,6 +12,7 @@
 #include <QToolButton>
 
 #include "app/gonio/interpolation_panel.h"
+#include "app/gonio/material_files.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
 #include "widgets/interpolation/blend_pad.h"
@@ -191,8 +192,9 @@ void InterpolationPanel::connectParts() {
 }
 
 void InterpolationPanel::askForFile(int place) {
-  auto* dialog = new QFileDialog(this, tr("Material %1").arg(QChar(u'A' + place)), {},
-                                 tr("Materials and documents (*.binary *.bsdf *.pdv *.gonio);;All files (*)"));
+  auto* dialog =
+      new QFileDialog(this, tr("Material %1").arg(QChar(u'A' + place)), {},
+                      tr("Materials and documents (%1 *.gonio);;All files (*)").arg(materialFilePatterns().join(' ')));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) {

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "app/gonio/material_files.h"
 #include "core/io/material.h"
 
 namespace gonio::app {
@@ -28,11 +29,11 @@ void LibraryController::showBundled() {
 void LibraryController::showFolder(const QString& folder) {
   std::vector<widgets::LibraryItem> items;
   const QDir dir(folder);
-  for (const QFileInfo& file :
-       dir.entryInfoList({"*.binary", "*.bsdf", "*.pdv"}, QDir::Files | QDir::Readable, QDir::Name)) {
-    const QString kind = file.suffix() == "bsdf"  ? tr("RGL file")
-                         : file.suffix() == "pdv" ? tr("PDV factors")
-                                                  : tr("MERL file");
+  for (const QFileInfo& file : dir.entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name)) {
+    const QString kind = file.suffix() == "bsdf"   ? tr("RGL file")
+                         : file.suffix() == "pdv"  ? tr("PDV factors")
+                         : file.suffix() == "code" ? tr("sparse code")
+                                                   : tr("MERL file");
     items.push_back({file.absoluteFilePath(), file.completeBaseName(), tr("%1, %2").arg(kind, file.fileName())});
   }
   show(std::move(items), dir.dirName(), folder);

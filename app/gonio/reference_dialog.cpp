@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gonio/material_files.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/library_view.h"
 
@@ -40,8 +41,9 @@ ReferenceDialog::ReferenceDialog(widgets::LibraryModel& library, QWidget* parent
 }
 
 void ReferenceDialog::chooseFile() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Compare with a File"), {},
-                                                    tr("Measured materials (*.binary *.bsdf *.pdv);;All files (*)"));
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Compare with a File"), {},
+                                   tr("Measured materials (%1);;All files (*)").arg(materialFilePatterns().join(' ')));
   if (path.isEmpty()) return;
   accept();
   Q_EMIT chosen(path);
