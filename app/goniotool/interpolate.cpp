@@ -7,9 +7,12 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/dictionary/decode.h"
 #include "core/editing/interpolation/interpolation.h"
+#include "core/io/code_file.h"
 #include "core/io/pdv_file.h"
 #include "core/models/registry.h"
+#include "core/support/naming_file.h"
 
 namespace gonio::tool {
 
@@ -18,14 +21,15 @@ namespace {
 using namespace editing;
 
 constexpr int mostMaterials = 16, mostSteps = 1000;
-constexpr const char* factorsSuffix = ".pdv";
+constexpr const char *factorsSuffix = ".pdv", *codeSuffix = ".code";
 
 struct Options {
   std::vector<std::string> materials;
-  std::string space{interpolationSpaceNames[0]}, model = "ggx", out;
+  std::string space{interpolationSpaceNames[0]}, model = "ggx", dictionary, out;
   std::vector<double> weights;
   double at = 0.5;
   int steps = 0, terms = 10;
+  std::size_t coefficients = 1024;
   bool atGiven = false;
 
   InterpolationSpace spaceChosen() const {
@@ -58,15 +62,32 @@ void checkOptions(const Options& options) {
   } catch (const Error& error) {
     throw UsageError(std::string("interpolate: ") + error.what());
   }
-  if (!endsWith(options.out, factorsSuffix)) return checkOutput(options.out);
-  if (options.spaceChosen() != InterpolationSpace::factors)
-    throw UsageError("interpolate: " + options.out + " would hold factors: that needs --space factors");
+  if (endsWith(options.out, factorsSuffix)) {
+    if (options.spaceChosen() != InterpolationSpace::factors)
+      throw UsageError("interpolate: " + options.out + " would hold factors: that needs --space factors");
+  } else if (endsWith(options.out, codeSuffix)) {
+    if (options.spaceChosen() != InterpolationSpace::dictionary)
+      throw UsageError("interpolate: " + options.out + " would hold a code: that needs --space dictionary");
+  } else {
+    checkOutput(options.out);
+  }
 }
 
-InterpolationEnd openEnd(const std::string& material, const Tool& tool) {
+/// The code of a file over another dictionary than the one that comes with Gonio.
+InterpolationEnd openCode(const std::string& path, const io::NamedEnsemble& dictionary) {
+  const io::CodeFile file = io::readCode(path);
+  namingFile(path, [&] { io::checkDictionary(file, dictionary); });
+  return {.table = dictionary::decode(dictionary.ensemble, file.code),
+          .code = std::make_shared<const dictionary::SparseCode>(file.code)};
+}
+
+/// @param other a dictionary that was given, or null.
+InterpolationEnd openEnd(const std::string& material, const io::NamedEnsemble* other, const Tool& tool) {
+  if (other && endsWith(material, codeSuffix)) return openCode(material, *other);
   const io::Material opened = openMaterial(material, tool.control("reading " + material));
   InterpolationEnd end{.table = opened.tabulated(tool.control("tabulating " + opened.name))};
   if (io::isPdv(material)) end.factors = std::make_shared<const factorization::PdvFactors>(io::readPdv(material));
+  if (!other) end.code = opened.code;
   return end;
 }
 
@@ -81,25 +102,39 @@ std::string fileOf(const Options& options, std::size_t step) {
 }
 
 /// Writes one blend; returns what there is to tell about it.
-Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, std::span<const double> weights,
-           const std::string& out, const Tool& tool) {
+Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, std::uint64_t dictionary,
+           std::span<const double> weights, const std::string& out, const Tool& tool) {
   const auto factors = interpolation.factors(weights);
+  const auto code = interpolation.code(weights);
   if (endsWith(out, factorsSuffix))
     io::writePdv(factors.value(), out);
+  else if (endsWith(out, codeSuffix))
+    io::writeCode(code.value(), dictionary, out);
   else
     writeMaterial(*interpolation.table(weights, tool.control("blending")), out);
   Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
   if (const auto parameters = interpolation.parameters(weights)) json["parameters"] = parametersJson(spec, *parameters);
   if (factors) json["terms"] = factors->terms();
+  if (code) {
+    json["coefficients"] = code->coefficients();
+    json["transform"] = dataTransformNames[std::size_t(code->transform)];
+  }
   json["out"] = out;
   return json;
 }
 
 int interpolate(const Options& options, const Tool& tool) {
   checkOptions(options);
+  const bool isGiven = !options.dictionary.empty();
+  std::shared_ptr<const io::NamedEnsemble> dictionary;
+  if (isGiven || options.spaceChosen() == InterpolationSpace::dictionary)
+    dictionary = isGiven ? io::readDictionary(options.dictionary) : io::bundledDictionary();
   std::vector<InterpolationEnd> ends;
-  for (const std::string& material : options.materials) ends.push_back(openEnd(material, tool));
+  for (const std::string& material : options.materials)
+    ends.push_back(openEnd(material, isGiven ? dictionary.get() : nullptr, tool));
   InterpolationOptions preparation;
+  if (dictionary) preparation.ensemble = {dictionary, &dictionary->ensemble};
+  preparation.encode.coefficients = preparation.codeCoefficients = options.coefficients;
   preparation.model = &models::findModel(options.model);
   preparation.pdv.terms = options.terms;
   const auto start = std::chrono::steady_clock::now();
@@ -109,9 +144,10 @@ int interpolate(const Options& options, const Tool& tool) {
   std::string text;
   const auto all = weightsOf(options);
   for (std::size_t step = 0; step < all.size(); ++step) {
-    steps.push_back(blend(*interpolation, preparation.model->spec(), all[step], fileOf(options, step), tool));
+    steps.push_back(blend(*interpolation, preparation.model->spec(), dictionary ? dictionary->id : 0, all[step],
+                          fileOf(options, step), tool));
     text += fileOf(options, step) + ": " + options.space + ", weights";
-    for (const double weight : all[step]) text += " " + number(weight);
+    for (const double weight : all[step]) text.append(" ").append(number(weight));
     text += "\n";
     if (const auto parameters = interpolation->parameters(all[step]))
       text += parametersText(preparation.model->spec(), *parameters);
@@ -144,7 +180,12 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(modelIds()));
   command->add_option("--terms", options->terms, "Of the space factors (10)")
       ->check(CLI::Range(1, factorization::mostPdvTerms));
-  command->add_option("--out", options->out, "The material (.binary), or of the space factors its curves (.pdv)")
+  command->add_option("--dictionary", options->dictionary, "Of the space dictionary: a .dictionary file (the bundled)");
+  command->add_option("--coefficients", options->coefficients, "A channel, of the space dictionary, at most (1024)")
+      ->check(CLI::Range(1, 65535));
+  command
+      ->add_option("--out", options->out,
+                   "The material (.binary); of the space factors its curves (.pdv), of dictionary its code (.code)")
       ->required();
   command->callback([options, at, &tool] {
     options->atGiven = at->count() > 0;

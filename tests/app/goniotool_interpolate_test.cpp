@@ -91,6 +91,47 @@ class GoniotoolInterpolateTest : public QObject {
             io::readPdv(path("half.pdv").toStdString()).deviationNodes);
   }
 
+  /// Over a dictionary that learned from the ends: codes that are files, and tables.
+  void dictionaryGivesCodesAndTables() {
+    const QString smooth = folder_.writeTable("large-smooth.binary", "ggx", ggx(0.3, 0.15), HalfDifferenceGrid());
+    const QString rough = folder_.writeTable("large-rough.binary", "ggx", ggx(0.1, 0.6), HalfDifferenceGrid());
+    const QString own = path("own.dictionary");
+    VERIFY_SUCCESS(runTool({"dictionary", "train", smooth, rough, "--dictionaries", "1", "--sparsities", "60",
+                            "--iterations", "1", "--out", own}));
+    const QStringList space{"--space", "dictionary", "--dictionary", own, "--coefficients", "300", "--out"};
+    const ToolResult result =
+        runJson(QStringList{"interpolate", smooth, rough} + space + QStringList{path("half.code")});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["coefficients"].get<int>(), 300);
+    VERIFY_SUCCESS(runJson(QStringList{"interpolate", smooth, rough} + space + QStringList{path("half.binary")}));
+    VERIFY_SUCCESS(runTool({"decode", path("half.code"), "--dictionary", own, "--out", path("decoded.binary")}));
+    QVERIFY(logError(path("half.binary"), path("decoded.binary")) < 0.01);  // the file's half precision
+    // Of a code its own coefficients are taken, in its own transform.
+    const ToolResult whole = runJson(QStringList{"interpolate", path("half.code"), rough, "--at", "0"} + space +
+                                     QStringList{path("again.code")});
+    VERIFY_SUCCESS(whole);
+    QCOMPARE(bytesOf(path("again.code")), bytesOf(path("half.code")));
+    const ToolResult mixed = runJson(QStringList{"interpolate", path("half.code"), rough, "--at", "0.25"} + space +
+                                     QStringList{path("quarter.code")});
+    VERIFY_SUCCESS(mixed);
+    QVERIFY(mixed.json["transform"] == result.json["transform"]);
+    // Over the bundled dictionary it is nothing.
+    const ToolResult foreign =
+        runTool({"interpolate", path("half.code"), rough, "--space", "dictionary", "--out", path("x.code")});
+    QCOMPARE(foreign.code, 1);
+    QVERIFY(foreign.error.contains("half.code") && foreign.error.contains("another dictionary"));
+    QCOMPARE(runTool({"interpolate", smooth, rough, "--out", path("x.code")}).code, 2);
+  }
+
+  void theBundledDictionaryIsTheDefault() {
+    const ToolResult result = runJson({"interpolate", smooth_, rough_, "--space", "dictionary", "--coefficients", "100",
+                                       "--out", path("bundled.code")});
+    VERIFY_SUCCESS(result);
+    const ToolResult info = runJson({"info", path("bundled.code")});
+    VERIFY_SUCCESS(info);
+    QCOMPARE(info.json["format"].get<std::string>(), "sparse code");
+  }
+
   void seriesOfSteps() {
     const ToolResult result =
         runJson({"interpolate", smooth_, rough_, "--steps", "11", "--out", path("series.binary")});

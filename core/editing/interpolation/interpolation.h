@@ -99,7 +99,8 @@ class Interpolation {
   std::optional<dictionary::SparseCode> code(std::span<const double> weights) const;
 
   /// In `linear` and `dictionary`; in the latter all that the codes hold, before the count of coefficients is cut. Some
-  /// 50 ms and 18 MB a material. The reflectances are those of brdf() up to that cut and single precision.
+  /// 50 ms and 18 MB a material. The reflectances are those of brdf() up to that cut, the bounds of the codes (each
+  /// material's here, the blend's there) and single precision.
   virtual std::optional<TransformedMixture> mixture() const { return {}; }
 
  protected:
