@@ -69,10 +69,14 @@ void ComparisonController::setComparison(const widgets::PreviewComparison& compa
   Q_EMIT comparisonChanged();
 }
 
-void ComparisonController::chooseUsualSides() {
+bool ComparisonController::isEdited() const {
   const auto edits = m_document.edits();
-  const bool edited = !std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); });
-  m_sides = {edited || m_standIn ? ComparedSubject::edited : ComparedSubject::fit, ComparedSubject::measured};
+  return !std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); });
+}
+
+void ComparisonController::chooseUsualSides() {
+  m_sides = {isEdited() || m_standIn || code() ? ComparedSubject::edited : ComparedSubject::fit,
+             ComparedSubject::measured};
 }
 
 void ComparisonController::setSides(ComparedSubject first, ComparedSubject second) {
@@ -88,12 +92,27 @@ void ComparisonController::setStandIn(std::optional<widgets::PreviewSubject> sub
   refresh();
 }
 
+void ComparisonController::setCode(std::shared_ptr<const MaterialCode> code) {
+  if (code == m_code) return;
+  m_code = std::move(code);
+  if (!m_sidesChosen) chooseUsualSides();
+  refresh();
+}
+
+const MaterialCode* ComparisonController::code() const {
+  return m_code && m_code->material == m_document.material() ? m_code.get() : nullptr;
+}
+
 widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) const {
   if (side == ComparedSubject::edited && m_standIn) return *m_standIn;
   const LoadedMaterialPtr& material = side == ComparedSubject::reference ? m_reference : m_document.material();
   if (!material) return {.table = nullptr, .lobe = {}};
   widgets::PreviewSubject subject{.table = material->table, .lobe = material->lobe};
   if (side == ComparedSubject::edited) {
+    if (code()) {
+      subject.table = code()->table;
+      subject.lobe = code()->lobe;
+    }
     subject.edit = m_document.edit();
     subject.factors = m_document.factors();
   }
@@ -113,6 +132,7 @@ QString ComparisonController::name(ComparedSubject side) const {
     return m_reference ? QString::fromStdString(m_reference->material.name) : QString();
   if (!material) return {};
   if (side == ComparedSubject::measured) return tr("Measured");
+  if (side == ComparedSubject::edited && code()) return isEdited() ? tr("Encoded, edited") : tr("Encoded");
   if (!m_document.edit()) return side == ComparedSubject::edited ? tr("Edited") : QString();
   return side == ComparedSubject::edited ? tr("Edited")
                                          : tr("Fit: %1").arg(widgets::fromView(m_document.edit()->model->spec().name));

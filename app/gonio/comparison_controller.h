@@ -8,6 +8,7 @@
 
 #include "app/gonio/background_task.h"
 #include "app/gonio/document.h"
+#include "app/gonio/material_code.h"
 #include "widgets/preview/preview_comparison.h"
 #include "widgets/preview/preview_subject.h"
 
@@ -38,13 +39,18 @@ class ComparisonController : public QObject {
   void setSides(widgets::ComparedSubject first, widgets::ComparedSubject second);
   std::array<widgets::ComparedSubject, 2> sides() const { return m_sides; }
 
+  /// The edited material stands on this code of the document's material from now on; null: on the measurement.
+  void setCode(std::shared_ptr<const MaterialCode> code);
+  /// Null when it is of another material.
+  const MaterialCode* code() const;
+
   widgets::PreviewSubject subject(widgets::ComparedSubject side) const;
   /// Shows something else in the place of the edited material, until it is taken back: a blend under the hand.
   void setStandIn(std::optional<widgets::PreviewSubject> subject, const QString& name);
   const std::optional<widgets::PreviewSubject>& standIn() const { return m_standIn; }
   QString standInName() const { return m_standInName; }
 
-  /// "Measured", "Fit: GGX", "Edited", the name of the reference; empty while it is not there.
+  /// "Measured", "Fit: GGX", "Edited", "Encoded", the name of the reference; empty while it is not there.
   QString name(widgets::ComparedSubject side) const;
 
  Q_SIGNALS:
@@ -57,6 +63,7 @@ class ComparisonController : public QObject {
 
  private:
   void refresh();
+  bool isEdited() const;
   void chooseUsualSides();
 
   Document& m_document;
@@ -70,6 +77,7 @@ class ComparisonController : public QObject {
   LoadedMaterialPtr m_reference;
   std::optional<widgets::PreviewSubject> m_standIn;
   QString m_standInName;
+  std::shared_ptr<const MaterialCode> m_code;
 };
 
 }  // namespace gonio::app

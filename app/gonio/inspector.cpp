@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "app/gonio/plausibility_monitor.h"
+#include "app/gonio/representation_panel.h"
 #include "app/gonio/source_facts.h"
 #include "widgets/panels/collapsible_section.h"
 #include "widgets/panels/edit_stack.h"
@@ -18,9 +19,10 @@
 namespace gonio::app {
 
 namespace {
-const QString sectionKeys[] = {QStringLiteral("inspector/source"), QStringLiteral("inspector/model"),
-                               QStringLiteral("inspector/plausibility"), QStringLiteral("inspector/edits"),
-                               QStringLiteral("inspector/parameters")};
+const QString sectionKeys[] = {QStringLiteral("inspector/source"), QStringLiteral("inspector/representation"),
+                               QStringLiteral("inspector/model"),  QStringLiteral("inspector/plausibility"),
+                               QStringLiteral("inspector/edits"),  QStringLiteral("inspector/parameters")};
+constexpr int representationSection = 1;  ///< folded at first: it computes while it is seen
 constexpr int preferredEms = 28;
 }  // namespace
 
@@ -30,6 +32,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
       m_controller(controller),
       m_tasks(tasks),
       m_source(new widgets::FactList),
+      m_representation(new RepresentationPanel(document, tasks)),
       m_model(new widgets::ModelPanel),
       m_plausibility(new widgets::PlausibilityBadges),
       m_monitor(new PlausibilityMonitor(document, tasks, *m_plausibility, this)),
@@ -48,6 +51,8 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
     layout->addWidget(m_sections.back());
   };
   addSection(tr("Source"), m_source);
+  addSection(tr("Representation"), m_representation);
+  m_sections[representationSection]->setExpanded(false);
   addSection(tr("Model"), m_model);
   addSection(tr("Plausibility"), m_plausibility);
   addSection(tr("Edits"), m_edits);
@@ -66,7 +71,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
 
 QSize Inspector::sizeHint() const { return {fontMetrics().height() * preferredEms, fontMetrics().height() * 40}; }
 
-bool Inspector::isSettled() const { return m_monitor->isCurrent(); }
+bool Inspector::isSettled() const { return m_monitor->isCurrent() && m_representation->isSettled(); }
 
 void Inspector::connectDocument() {
   connect(&m_document, &Document::materialChanged, this, &Inspector::showSource);
@@ -150,12 +155,15 @@ void Inspector::showEdits() {
   m_edits->setEntries(entries, tr("None yet: the sliders below and the factor curves make them."));
 }
 
+void Inspector::unfoldRepresentation() { m_sections[representationSection]->setExpanded(true); }
+
 void Inspector::saveState(QSettings& settings) const {
   for (int i = 0; i < m_sections.size(); ++i) settings.setValue(sectionKeys[i], m_sections[i]->isExpanded());
 }
 
 void Inspector::restoreState(const QSettings& settings) {
-  for (int i = 0; i < m_sections.size(); ++i) m_sections[i]->setExpanded(settings.value(sectionKeys[i], true).toBool());
+  for (int i = 0; i < m_sections.size(); ++i)
+    m_sections[i]->setExpanded(settings.value(sectionKeys[i], i != representationSection).toBool());
 }
 
 }  // namespace gonio::app

@@ -20,8 +20,10 @@ class PlausibilityBadges;
 namespace gonio::app {
 
 class PlausibilityMonitor;
+class RepresentationPanel;
 
-/// The right side of the window: Source, Model, Plausibility, Edits, Parameters of a document, in sections that fold.
+/// The right side of the window: Source, Representation, Model, Plausibility, Edits, Parameters of a document, in
+/// sections that fold.
 class Inspector : public QScrollArea {
   Q_OBJECT
 
@@ -31,6 +33,9 @@ class Inspector : public QScrollArea {
   widgets::ParameterPanel* parameters() const { return m_parameters; }
   widgets::PlausibilityBadges* plausibility() const { return m_plausibility; }
   widgets::EditStack* edits() const { return m_edits; }
+  RepresentationPanel* representation() const { return m_representation; }
+  /// Unfolds its section.
+  void unfoldRepresentation();
   /// Whether the badges tell of the present state.
   bool isSettled() const;
   void saveState(QSettings& settings) const;
@@ -51,6 +56,7 @@ class Inspector : public QScrollArea {
   DocumentController& m_controller;
   BackgroundTasks& m_tasks;
   widgets::FactList* m_source;
+  RepresentationPanel* m_representation;
   widgets::ModelPanel* m_model;
   widgets::PlausibilityBadges* m_plausibility;
   PlausibilityMonitor* m_monitor;

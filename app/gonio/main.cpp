@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QApplication>
+#include <QCheckBox>
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QSettings>
@@ -11,6 +12,7 @@
 #include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/interpolation_panel.h"
 #include "app/gonio/main_window.h"
+#include "app/gonio/representation_panel.h"
 #include "app/gonio/screenshot.h"
 #include "app/gonio/theme.h"
 #include "widgets/curves/curve_editor.h"
@@ -31,6 +33,7 @@ struct Options {
   double widen;
   QString takeF1;
   QStringList blended;
+  std::size_t encoded;
 };
 
 Options readOptions(const QApplication& application) {
@@ -58,9 +61,10 @@ Options readOptions(const QApplication& application) {
   QCommandLineOption factors("factors");  // shows the factor curves
   factors.setFlags(QCommandLineOption::HiddenFromHelp);
   parser.addOption(factors);
-  hidden("widen", "FACTOR");  // stretches F2
-  hidden("take-f1", "FILE");  // takes F1 of another material over
+  hidden("widen", "FACTOR");         // stretches F2
+  hidden("take-f1", "FILE");         // takes F1 of another material over
   hidden("interpolate", "A,B,...");  // shows the Interpolation dock with these materials
+  hidden("encoded", "COUNT");        // shows the code of so many coefficients
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
   return {parser.positionalArguments(),
@@ -74,7 +78,8 @@ Options readOptions(const QApplication& application) {
           parser.isSet(factors),
           parser.value("widen").toDouble(),
           parser.value("take-f1"),
-          parser.value("interpolate").split(',', Qt::SkipEmptyParts)};
+          parser.value("interpolate").split(',', Qt::SkipEmptyParts),
+          parser.value("encoded").toULongLong()};
 }
 
 QString asGiven(const QString& file) {
@@ -101,6 +106,11 @@ void prepare(MainWindow& window, const Options& options) {
   if (modes.contains(options.compare))
     window.comparison().setComparison({.mode = gonio::widgets::CompareMode(modes.indexOf(options.compare))});
   if (options.factors) window.showDock(QStringLiteral("factors"));
+  if (options.encoded > 0) {
+    window.inspector().unfoldRepresentation();
+    window.inspector().representation()->setCoefficients(options.encoded);
+    window.inspector().representation()->showEncoded().setChecked(true);
+  }
   if (options.widen > 0 || !options.takeF1.isEmpty()) editFactors(window, options);
   if (!options.blended.isEmpty()) window.showDock(QStringLiteral("interpolation"));
   // Also when the material that is opened comes later than these.

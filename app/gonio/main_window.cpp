@@ -22,6 +22,7 @@
 #include "app/gonio/help_menu.h"
 #include "app/gonio/interpolation_panel.h"
 #include "app/gonio/material_menu.h"
+#include "app/gonio/representation_panel.h"
 #include "app/gonio/thumbnail.h"
 #include "app/gonio/view_menu.h"
 #include "app/gonio/view_state.h"
@@ -117,6 +118,8 @@ void MainWindow::connectDocument() {
   });
   connect(m_interpolation, &InterpolationPanel::subjectChanged, this,
           [this] { m_comparison->setStandIn(m_interpolation->subject(), m_interpolation->description()); });
+  connect(m_inspector->representation(), &RepresentationPanel::shownChanged, this,
+          [this] { m_comparison->setCode(m_inspector->representation()->shown()); });
   connect(m_comparison, &ComparisonController::subjectsChanged, this, &MainWindow::showRepresentation);
   connect(m_comparison, &ComparisonController::comparisonChanged, this, &MainWindow::showRepresentation);
 }
@@ -183,7 +186,9 @@ void MainWindow::showRepresentation() {
     return m_representation->setText(tr("%1 | %2").arg(m_comparison->name(sides[0]), m_comparison->name(sides[1])));
   }
   if (blending) return m_representation->setText(tr("Blend: %1").arg(m_comparison->standInName()));
-  QString text = tr("%1 table").arg(QString::fromStdString(material->material.source.format));
+  const MaterialCode* code = m_comparison->code();
+  QString text = code ? tr("Code of %1 coefficients").arg(code->encoded.code.coefficients())
+                      : tr("%1 table").arg(QString::fromStdString(material->material.source.format));
   if (const auto& edit = m_document.edit(); edit && !edit->isIdentity())
     text = tr("%1 + %2 edit").arg(text, widgets::fromView(edit->model->spec().name));
   if (const auto& factors = m_document.factors(); factors && !factors->isIdentity())

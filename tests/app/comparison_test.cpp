@@ -54,6 +54,34 @@ class ComparisonTest : public QObject {
     if (!context.isValid()) QSKIP("needs an OpenGL 4.1 context");
   }
 
+  /// A code stands where the measurement stood, with the edits on it; one of another material counts for nothing.
+  void theEditedMaterialStandsOnItsCode() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.document.adoptFit(lambertFit(0.5));
+    auto code = std::make_shared<MaterialCode>();
+    code->material = editor.document.material();
+    code->table = lambertMaterial("decoded", 0.45)->table;
+    editor.comparison.toggle();
+    QCOMPARE(editor.comparison.sides()[0], ComparedSubject::fit);
+    editor.comparison.setCode(code);  // while it is compared: what the user asked to see
+    QVERIFY(editor.comparison.code() == code.get());
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table == code->table);
+    QVERIFY(editor.comparison.subject(ComparedSubject::measured).table == editor.document.material()->table);
+    QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded"));
+    QCOMPARE(editor.comparison.sides()[0], ComparedSubject::edited);
+    QCOMPARE(editor.comparison.sides()[1], ComparedSubject::measured);
+    editor.document.setParameter(0, Rgb(0.2));
+    QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded, edited"));
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).edit->edited.values[0] == Rgb(0.2));
+    editor.comparison.setCode(nullptr);
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table == editor.document.material()->table);
+    editor.comparison.setCode(code);
+    editor.document.setMaterial(lambertMaterial("other", 0.3));
+    QVERIFY(!editor.comparison.code());
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table == editor.document.material()->table);
+  }
+
   /// Without an edit the fit is judged, with one the edit; C goes back to the mode of the last time.
   void usualSidesAndToggle() {
     Editor editor;
