@@ -70,6 +70,11 @@ class KSvdTest : public QObject {
     const Eigen::BDCSVD<MatrixXd> svd(signals, Eigen::ComputeThinU);
     QVERIFY(std::abs(std::abs(result.atoms.col(0).dot(svd.matrixU().col(0))) - 1) < 1e-9);
     const double first = std::pow(svd.singularValues()[0], 2);
+    // The error is that of the atom as it has become, also before it is done.
+    const KSvdResult begun = learnKSvd(signals, {.atoms = 1, .sparsity = 1, .iterations = 1});
+    const double kept = (signals.transpose() * begun.atoms.col(0)).squaredNorm();
+    QVERIFY(std::abs(begun.errors[0] - (1 - kept / signals.squaredNorm())) < 1e-12);
+    QVERIFY(begun.errors[0] > result.errors.back());
     QVERIFY(std::abs(result.errors.back() - (1 - first / signals.squaredNorm())) < 1e-9);
   }
 
@@ -119,6 +124,9 @@ class KSvdTest : public QObject {
     const KSvdResult result = learnKSvd(signals, {.atoms = 4, .sparsity = 1, .iterations = 20, .tolerance = 0});
     QVERIFY(result.errors.front() > 0);
     QVERIFY(result.errors.back() < 1e-20);
+    // One round is enough to have them all: each goes to another signal.
+    const KSvdResult once = learnKSvd(signals, {.atoms = 4, .sparsity = 1, .iterations = 1});
+    QVERIFY(squaredError(signals, once.atoms, 1) < 1e-20);
   }
 
   void hardCase50SameBitsForAnyThreads() {
