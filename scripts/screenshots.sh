@@ -31,3 +31,4 @@ picture factors-widened dark library:sgd/gold-metallic-paint --factors --widen 1
 picture factors-swapped dark library:sgd/gold-metallic-paint --factors --take-f1 library:sgd/green-metallic-paint
 picture interpolation light library:sgd/gold-metallic-paint \
   --interpolate library:sgd/gold-metallic-paint,library:sgd/blue-metallic-paint2
+picture editor-representation dark library:sgd/brass --encoded 64 --compare split
