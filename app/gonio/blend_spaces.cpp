@@ -32,7 +32,7 @@ std::vector<QImage> drawStrip(const widgets::PreparedBlend& blend, const TaskCon
 BlendSpaces::BlendSpaces(BackgroundTasks& tasks, QObject* parent)
     : QObject(parent),
       m_tasks(tasks),
-      m_spaces{Space::linear, Space::parameters, Space::differential, Space::factors} {}
+      m_spaces{Space::linear, Space::parameters, Space::differential, Space::factors, Space::dictionary} {}
 
 void BlendSpaces::setEnds(std::vector<editing::InterpolationEnd> ends) {
   m_tasks.drop(blendKey);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/editing/edit_document_json.h"
+#include "core/io/dictionary_file.h"
 #include "core/io/sha256.h"
 
 namespace gonio::editing {
@@ -69,6 +70,8 @@ io::Material readBlend(const BlendSource& blend, const std::filesystem::path& pa
 InterpolationOptions blendOptions(const models::Model* model) {
   InterpolationOptions options;
   options.model = model;
+  const auto dictionary = io::bundledDictionary();
+  options.ensemble = {dictionary, &dictionary->ensemble};
   options.pdv.terms = 3;  // what a frame costs grows with them, twice as fast as with the terms of one material
   return options;
 }

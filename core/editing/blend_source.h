@@ -19,7 +19,8 @@ struct BlendSource {
   std::vector<double> weights;
 };
 
-/// What an editor's blends are prepared with.
+/// What an editor's blends are prepared with: the bundled dictionary (read at the first call, 0.1 s), few terms of
+/// factors.
 InterpolationOptions blendOptions(const models::Model* model = nullptr);
 
 /// @throws Error when an edit's values do not fit its model.
