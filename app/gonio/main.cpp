@@ -15,6 +15,7 @@
 #include "app/gonio/representation_panel.h"
 #include "app/gonio/screenshot.h"
 #include "app/gonio/theme.h"
+#include "app/gonio/thumbnail.h"
 #include "widgets/curves/curve_editor.h"
 
 namespace {
@@ -34,6 +35,7 @@ struct Options {
   QString takeF1;
   QStringList blended;
   std::size_t encoded;
+  QString thumbnails;
 };
 
 Options readOptions(const QApplication& application) {
@@ -65,6 +67,7 @@ Options readOptions(const QApplication& application) {
   hidden("take-f1", "FILE");         // takes F1 of another material over
   hidden("interpolate", "A,B,...");  // shows the Interpolation dock with these materials
   hidden("encoded", "COUNT");        // shows the code of so many coefficients
+  hidden("thumbnails", "FOLDER");    // draws the pictures of the library, for scripts/thumbnails.sh
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
   return {parser.positionalArguments(),
@@ -79,7 +82,8 @@ Options readOptions(const QApplication& application) {
           parser.value("widen").toDouble(),
           parser.value("take-f1"),
           parser.value("interpolate").split(',', Qt::SkipEmptyParts),
-          parser.value("encoded").toULongLong()};
+          parser.value("encoded").toULongLong(),
+          parser.value("thumbnails")};
 }
 
 QString asGiven(const QString& file) {
@@ -148,6 +152,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationVersion(QStringLiteral(GONIO_VERSION));
   QApplication application(argc, argv);
   const Options options = readOptions(application);
+  if (!options.thumbnails.isEmpty()) return drawBundledThumbnails(options.thumbnails) ? 0 : 1;
   applyTheme(application, themeByName(options.theme.isEmpty() ? QSettings().value("theme").toString() : options.theme));
 
   auto* window = new MainWindow;

@@ -19,6 +19,12 @@ namespace {
 constexpr int rendererVersion = 1;
 constexpr int side = 192, samplesPerPixel = 16;
 constexpr double exposure = 0;
+/// Those that ship are smaller and smoother, and so half of the bytes.
+constexpr int shippedSide = 128, shippedSamples = 64;
+
+QString fileName(const QString& pattern, const io::Material& material) {
+  return pattern.arg(QString::fromStdString(material.source.sha256));
+}
 
 widgets::LibraryLook fromImage(const QImage& image) {
   return {image, image.text("hue").toDouble(), image.text("roughness").toDouble()};
@@ -62,18 +68,27 @@ QString thumbnailCacheFolder() {
 
 widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control) {
   const io::Material material = io::readMaterial(id.toStdString(), control);
-  const QString cached = QStringLiteral("%1/%2-%3-%4.png")
-                             .arg(cacheFolder, QString::fromStdString(material.source.sha256))
-                             .arg(rendererVersion)
-                             .arg(side);
-  const QImage known(cached);
-  if (!known.isNull()) return fromImage(known);
+  const QString cached =
+      cacheFolder + fileName(QStringLiteral("/%1-%2-%3.png"), material).arg(rendererVersion).arg(side);
+  for (const QString& path : {fileName(QStringLiteral(":/thumbnails/%1.png"), material), cached})
+    if (const QImage known(path); !known.isNull()) return fromImage(known);
   const QImage image = spherePicture(*material.brdf, side, samplesPerPixel, control);
   // A cache that cannot be written costs time and nothing else.
   QDir().mkpath(cacheFolder);
   QSaveFile file(cached);
   if (file.open(QIODevice::WriteOnly) && image.save(&file, "PNG")) file.commit();
   return fromImage(image);
+}
+
+bool drawBundledThumbnails(const QString& folder) {
+  QDir().mkpath(folder);
+  bool written = true;
+  for (const io::LibraryEntry& entry : io::bundledLibrary()) {
+    const io::Material material = io::readMaterial("library:" + entry.id);
+    written &= spherePicture(*material.brdf, shippedSide, shippedSamples)
+                   .save(folder + fileName(QStringLiteral("/%1.png"), material), "PNG");
+  }
+  return written;
 }
 
 }  // namespace gonio::app

@@ -10,14 +10,19 @@
 
 namespace gonio::app {
 
-/// The picture of a material for the library: a sphere in the studio, on a transparent ground, 192 x 192. Read from the
-/// disk cache under `cacheFolder`, where it lies under the material's content hash and the version of the renderer;
-/// else rendered from the material's own form (no table is made) and put there. Some 100 ms when it is rendered.
+/// The picture of a material for the library: a sphere in the studio, on a transparent ground, 192 x 192; of a bundled
+/// material the one that ships, 128 x 128. Read from the disk cache under `cacheFolder`, where it lies under the
+/// material's content hash and the version of the renderer; else rendered from the material's own form (no table is
+/// made) and put there. Some 100 ms when it is rendered.
 /// @throws Error, Cancelled.
 widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control);
 
 /// The same of any reflectance, at any size: the studio, a transparent ground. @throws Cancelled.
 QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control = {});
+
+/// Draws the pictures of the bundled materials that ship (resources/thumbnails; scripts/thumbnails.sh). About half a
+/// second each. @return whether all could be written.
+bool drawBundledThumbnails(const QString& folder);
 
 /// Under the user's cache folder.
 QString thumbnailCacheFolder();
