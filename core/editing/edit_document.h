@@ -15,7 +15,7 @@ namespace gonio::editing {
 struct BlendSource;
 
 /// What a .gonio file holds: which source, which edits; never measured data. JSON, versioned:
-///   {"format": "gonio document", "version": 3, "source": {"path": "a.binary", "sha256": "..."},
+///   {"format": "gonio document", "version": 4, "source": {"path": "a.binary", "sha256": "..."},
 ///    "edits": [{"type": "differential", "model": "ggx", "fitted": {..}, "edited": {..}, "strength": 1,
 ///               "enabled": true}], "view": {..}}
 /// Edits of factors are written by toJson(FactorEdit), a source that is blended of several by toJson(BlendSource).

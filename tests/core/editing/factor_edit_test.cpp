@@ -143,7 +143,7 @@ class FactorEditTest : public QObject {
     QCOMPARE(again.edits.size(), std::size_t(2));
     for (std::size_t i = 0; i < 2; ++i)
       QVERIFY(std::get<FactorEdit>(again.edits[i]) == std::get<FactorEdit>(document.edits[i]));
-    QCOMPARE(toJson(document)["version"].get<int>(), 3);
+    QCOMPARE(toJson(document)["version"].get<int>(), EditDocument::currentVersion);
   }
 
   void errorsNameKeyFoundAndExpected() {
