@@ -11,6 +11,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/io/dictionary_file.h"
+#include "core/io/training_checkpoint.h"
 
 namespace gonio::tool {
 

@@ -46,8 +46,8 @@ int encode(const Options& options, const Tool& tool) {
   Encoded encoded;
   std::optional<double> renderedSnr;
   if (options.renderedSnr > 0) {
-    auto found = study::encodeForPictures(encoder, dictionary->ensemble, *table, options.renderedSnr,
-                                          encodeOptions(options), tool.control("encoding"));
+    auto found = study::encodeForPictures(encoder, *table, options.renderedSnr, encodeOptions(options),
+                                          tool.control("encoding"));
     encoded = std::move(found.encoded);
     renderedSnr = found.renderedSnr;
   } else {

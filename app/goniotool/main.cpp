@@ -46,7 +46,8 @@ int main(int argc, char** argv) {
   app.add_option("--threads", tool.threads, "Number of threads (all cores)")->check(CLI::Range(1, 4096));
   app.footer(
       "A MATERIAL is a MERL .binary, an RGL .bsdf, a .pdv file of factors or a .code (found by content), a .gonio\n"
-      "document, or a bundled material such as library:sgd/chrome or library:rgl/paper_blue. Exit code: 0 success, 1 failure, 2 wrong usage.");
+      "document, or a bundled material such as library:sgd/chrome or library:rgl/paper_blue. Exit code: 0 success, 1 "
+      "failure, 2 wrong usage.");
   for (const auto add : {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit,
                          tool::addEdit, tool::addFactor, tool::addDictionary, tool::addEncode, tool::addDecode,
                          tool::addInterpolate, tool::addRender, tool::addCompare})

@@ -51,15 +51,19 @@ std::size_t countForError(const std::vector<Coefficient<float>>& coefficients, d
   return n;
 }
 
-/// The largest transformed value of the valid cells.
-float highestOf(const TabulatedBrdf& table, int channel, DataTransform transform, const GridGeometry& geometry) {
+/// The largest transformed value of the valid cells of a signal.
+float highestOf(const Eigen::ArrayXf& signal, const TabulatedBrdf& table, const GridGeometry& geometry) {
+  const Sizes sizes = modeSizes(table.grid());
   double highest = 0;
-  for (std::size_t cell = 0; cell < table.grid().size(); ++cell) {
-    if (table.valid()[cell] == 0) continue;
-    const double weight = transform == DataTransform::cosineLog ? double(geometry.weights[Eigen::Index(cell)]) : 1.0;
-    highest = std::max(highest, double(table.values()[cell][channel]) * weight);
-  }
-  return float(std::log1p(highest));
+  Eigen::Index cell = 0;
+  for (int h = 0; h < sizes[2]; ++h)
+    for (int d = 0; d < sizes[1]; ++d) {
+      float most = 0;
+      for (int phi = 0; phi < sizes[0]; ++phi, ++cell)
+        if (table.valid()[std::size_t(cell)] != 0) most = std::max(most, signal[cell]);
+      highest = std::max(highest, double(most) / (geometry.importance[1][d] * geometry.importance[2][h]));
+    }
+  return float(highest);
 }
 
 void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const TabulatedBrdf& decoded, double gamma) {
@@ -154,8 +158,9 @@ Encoded Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options
     candidate.code.transform = options.transforms[t];
     parallelForBlocks(3, 1,
                       [&](std::size_t c, std::size_t) {
+                        const float highest = highestOf(signals[c], table, *geometry);
                         candidate.code.channels[c] = encodeSignal(signals[c], table.valid(), options);
-                        candidate.code.channels[c].highest = highestOf(table, int(c), options.transforms[t], *geometry);
+                        candidate.code.channels[c].highest = highest;
                       },
                       {.stop = control.stop});
     if (options.bytes) candidate.code = truncatedToBytes(candidate.code, *options.bytes);

@@ -50,6 +50,7 @@ class Encoder {
   /// values nobody sees, take those that the code gives them, so that it spends its coefficients on the valid ones.
   /// @throws Error when the grid is another; Cancelled.
   Encoded encode(const TabulatedBrdf& table, const EncodeOptions& options = {}, const TaskControl& control = {}) const;
+  const Ensemble& ensemble() const { return ensemble_; }
 
  private:
   ChannelCode encodeSignal(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid,

@@ -2,11 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/io/dictionary_file.h"
 
-#include <cmath>
-#include <cstring>
-
 #include "core/io/atomic_file.h"
 #include "core/io/described_numbers.h"
+#include "core/io/matrix_numbers.h"
 #include "core/io/sha256.h"
 #include "core/support/json_object.h"
 #include "core/support/naming_file.h"
@@ -33,15 +31,11 @@ HalfDifferenceGrid gridOf(const JsonObject& object) {
           .reciprocal = object.flag("reciprocal")};
 }
 
-Eigen::MatrixXd matrixAt(std::span<const std::byte>& numbers, int size) {
-  Eigen::MatrixXf matrix(size, size);
-  const std::size_t bytes = std::size_t(matrix.size()) * sizeof(float);
-  if (numbers.size() < bytes) throw Error("dictionary: the file ends within its matrices");
-  std::memcpy(matrix.data(), numbers.data(), bytes);
-  numbers = numbers.subspan(bytes);
-  if (!matrix.allFinite() || !(dictionary::orthonormalityError(matrix.cast<double>()) < mostRounding))
+Eigen::MatrixXd orthonormalMatrix(std::span<const std::byte>& numbers, int size) {
+  const Eigen::MatrixXd matrix = takeMatrix<float>(numbers, size, what).cast<double>();
+  if (!(dictionary::orthonormalityError(matrix) < mostRounding))
     throw Error("dictionary: found a matrix that is not orthonormal");
-  return dictionary::polished(dictionary::polished(matrix.cast<double>()));
+  return dictionary::polished(dictionary::polished(matrix));
 }
 
 }  // namespace
@@ -52,11 +46,7 @@ void writeDictionary(const Ensemble& ensemble, const std::filesystem::path& path
   json sparsities = json::array();
   for (const Dictionary& dictionary : ensemble.dictionaries) {
     sparsities.push_back(dictionary.sparsity);
-    for (const Eigen::MatrixXd& mode : dictionary.modes) {
-      const Eigen::MatrixXf single = mode.cast<float>();
-      const auto bytes = std::as_bytes(std::span(single.data(), std::size_t(single.size())));
-      content.numbers.insert(content.numbers.end(), bytes.begin(), bytes.end());
-    }
+    for (const Eigen::MatrixXd& mode : dictionary.modes) appendMatrix<float>(mode.cast<float>(), content.numbers);
   }
   content.description = {{"grid",
                           {{"thetaH", grid.thetaHCount},
@@ -83,7 +73,7 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const ByteSource& source) {
     Dictionary& dictionary = named->ensemble.dictionaries.emplace_back();
     dictionary.sparsity = sparsity.is_number_integer() ? sparsity.get<int>() : 0;
     for (std::size_t mode = 0; mode < 3; ++mode)
-      dictionary.modes[mode] = matrixAt(numbers, dictionary::modeSizes(named->ensemble.grid)[mode]);
+      dictionary.modes[mode] = orthonormalMatrix(numbers, dictionary::modeSizes(named->ensemble.grid)[mode]);
   }
   if (!numbers.empty())
     throw Error("dictionary: the file holds " + std::to_string(numbers.size()) + " bytes behind its matrices");

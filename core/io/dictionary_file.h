@@ -29,10 +29,4 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const ByteSource& source);
 /// The ensemble that comes with Gonio, read once (about 0.1 s).
 std::shared_ptr<const NamedEnsemble> bundledDictionary();
 
-/// A checkpoint of a training, atomic: the state in double precision, with a text that tells the training apart.
-void writeCheckpoint(const dictionary::TrainingState& state, const std::string& training,
-                     const std::filesystem::path& path);
-/// @throws Error naming the file; also where it is of another training.
-dictionary::TrainingState readCheckpoint(const std::string& training, const std::filesystem::path& path);
-
 }  // namespace gonio::io

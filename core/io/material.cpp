@@ -5,20 +5,18 @@
 #include <future>
 
 #include "core/io/atomic_file.h"
+#include "core/io/bundled_library.h"
 #include "core/io/code_file.h"
 #include "core/io/format_mismatch.h"
 #include "core/io/merl_file.h"
 #include "core/io/pdv_file.h"
 #include "core/io/rgl_brdf.h"
-#include "core/io/sgd_library.h"
 #include "core/io/sha256.h"
 #include "core/support/naming_file.h"
 
 namespace gonio::io {
 
 namespace {
-
-constexpr std::string_view libraryScheme = "library:";
 
 /// One format: fills all of a material but its name, path and hash.
 /// `read` throws FormatMismatch where the bytes are not of the format.

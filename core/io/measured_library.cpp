@@ -41,14 +41,13 @@ const std::vector<MeasuredMaterial>& measuredMaterials() {
   return materials;
 }
 
-Material readMeasuredMaterial(const MeasuredMaterial& measured) {
+Material measuredMaterial(const MeasuredMaterial& measured) {
   const MemorySource source(measured.code);
   Material material;
   material.name = measured.name;
   material.source.format = "sparse code";
   setCode(readCode(source), material);
   material.source.sha256 = sha256Hex(source);
-  material.source.path = "library:rgl/" + measured.name;
   material.source.description = measured.description();
   return material;
 }

@@ -31,6 +31,6 @@ std::string_view measuredFigures();
 const std::vector<MeasuredMaterial>& measuredMaterials();
 
 /// Decoded. Under 50 ms.
-Material readMeasuredMaterial(const MeasuredMaterial& measured);
+Material measuredMaterial(const MeasuredMaterial& measured);
 
 }  // namespace gonio::io

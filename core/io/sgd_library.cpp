@@ -7,7 +7,6 @@
 #include <charconv>
 #include <map>
 
-#include "core/io/measured_library.h"
 #include "core/io/sha256.h"
 #include "core/models/parameters_json.h"
 #include "core/support/error.h"
@@ -15,9 +14,6 @@
 namespace gonio::io {
 
 namespace {
-
-constexpr std::string_view pathPrefix = "library:";
-constexpr std::string_view idPrefix = "sgd/", measuredPrefix = "rgl/";
 
 /// Columns of the table that are called otherwise than the parameter.
 std::string columnOf(std::string_view parameterId, int channel) {
@@ -66,9 +62,9 @@ class Row {
   std::size_t number_;
 };
 
-std::string descriptionOf(const std::string& name) { return "SGD fit of MERL " + name + ", Bagher et al. 2012"; }
-
 }  // namespace
+
+std::string SgdFit::description() const { return "SGD fit of MERL " + name + ", Bagher et al. 2012"; }
 
 std::vector<SgdFit> parseSgdFigures(std::string_view csv) {
   const models::ModelSpec& spec = models::findModel("sgd").spec();
@@ -94,36 +90,14 @@ const std::vector<SgdFit>& sgdFits() {
   return fits;
 }
 
-const std::vector<LibraryEntry>& bundledLibrary() {
-  static const std::vector<LibraryEntry> entries = [] {
-    std::vector<LibraryEntry> result;
-    for (const MeasuredMaterial& measured : measuredMaterials())
-      result.push_back({std::string(measuredPrefix) + measured.name, measured.name, measured.description()});
-    for (const SgdFit& fit : sgdFits())
-      result.push_back({std::string(idPrefix) + fit.name, fit.name, descriptionOf(fit.name)});
-    return result;
-  }();
-  return entries;
-}
-
-Material readLibraryMaterial(const std::string& path) {
-  for (const MeasuredMaterial& measured : measuredMaterials())
-    if (path == std::string(pathPrefix) + std::string(measuredPrefix) + measured.name)
-      return readMeasuredMaterial(measured);
-  const std::string prefix = std::string(pathPrefix) + std::string(idPrefix);
-  const std::string name = path.starts_with(prefix) ? path.substr(prefix.size()) : "";
-  const auto fit = std::ranges::find(sgdFits(), name, &SgdFit::name);
-  if (fit == sgdFits().end())
-    throw Error(path + ": found no such bundled material, expected one of " + std::to_string(bundledLibrary().size()) +
-                " such as " + prefix + sgdFits().front().name);
+Material sgdMaterial(const SgdFit& fit) {
   const models::Model& model = models::findModel("sgd");
   Material material;
-  material.name = name;
-  material.brdf = model.instantiate(fit->parameters);
-  material.source.path = path;
+  material.name = fit.name;
+  material.brdf = model.instantiate(fit.parameters);
   material.source.format = "SGD fit";
-  material.source.sha256 = sha256Hex(std::string_view(models::parametersToJson(model.spec(), fit->parameters).dump()));
-  material.source.description = descriptionOf(name);
+  material.source.sha256 = sha256Hex(std::string_view(models::parametersToJson(model.spec(), fit.parameters).dump()));
+  material.source.description = fit.description();
   return material;
 }
 

@@ -19,6 +19,8 @@ std::string_view sgdFigures();
 struct SgdFit {
   std::string name;                    ///< "chrome"
   models::ParameterValues parameters;  ///< of the model "sgd"
+
+  std::string description() const;  ///< "SGD fit of MERL chrome, Bagher et al. 2012"
 };
 
 /// Parses a table with a header that names the columns.
@@ -28,8 +30,7 @@ std::vector<SgdFit> parseSgdFigures(std::string_view csv);
 /// The bundled fits, parsed once.
 const std::vector<SgdFit>& sgdFits();
 
-/// The material of a path "library:sgd/NAME", whose hash is that of its parameters as JSON, or "library:rgl/NAME".
-/// @throws Error when there is none of this name.
-Material readLibraryMaterial(const std::string& path);
+/// A fit as a material. Its hash is that of its parameters as JSON.
+Material sgdMaterial(const SgdFit& fit);
 
 }  // namespace gonio::io

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <cstring>
+#include "core/io/training_checkpoint.h"
 
 #include "core/io/atomic_file.h"
 #include "core/io/described_numbers.h"
-#include "core/io/dictionary_file.h"
+#include "core/io/matrix_numbers.h"
 #include "core/support/json_object.h"
 #include "core/support/naming_file.h"
 
@@ -20,22 +20,12 @@ constexpr std::string_view magic = "GONIOCKP", what = "checkpoint";
 constexpr std::uint32_t version = 1;
 
 void append(const ModeMatrices<double>& matrices, std::vector<std::byte>& numbers) {
-  for (const Eigen::MatrixXd& mode : matrices) {
-    const auto bytes = std::as_bytes(std::span(mode.data(), std::size_t(mode.size())));
-    numbers.insert(numbers.end(), bytes.begin(), bytes.end());
-  }
+  for (const Eigen::MatrixXd& mode : matrices) appendMatrix(mode, numbers);
 }
 
 ModeMatrices<double> take(std::span<const std::byte>& numbers, const dictionary::Sizes& sizes) {
   ModeMatrices<double> matrices;
-  for (std::size_t mode = 0; mode < 3; ++mode) {
-    const std::size_t bytes = std::size_t(sizes[mode]) * std::size_t(sizes[mode]) * sizeof(double);
-    if (numbers.size() < bytes) throw Error("checkpoint: the file ends within its matrices");
-    matrices[mode].resize(sizes[mode], sizes[mode]);
-    std::memcpy(matrices[mode].data(), numbers.data(), bytes);
-    numbers = numbers.subspan(bytes);
-    if (!matrices[mode].allFinite()) throw Error("checkpoint: found a number that is not finite");
-  }
+  for (std::size_t mode = 0; mode < 3; ++mode) matrices[mode] = takeMatrix<double>(numbers, sizes[mode], what);
   return matrices;
 }
 

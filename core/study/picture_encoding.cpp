@@ -17,8 +17,7 @@ constexpr double fewest = 8;
 
 }  // namespace
 
-PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const dictionary::Ensemble& ensemble,
-                                  const TabulatedBrdf& table, double renderedSnr,
+PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
                                   const dictionary::EncodeOptions& options, const TaskControl& control,
                                   const SphereRenderOptions& picture) {
   const TaskControl stop{.stop = control.stop, .progress = {}};
@@ -27,7 +26,7 @@ PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const dict
     dictionary::EncodeOptions some = options;
     some.coefficients = coefficients;
     PictureEncoding result{.encoded = encoder.encode(table, some, stop)};
-    const auto decoded = dictionary::decode(ensemble, result.encoded.code);
+    const auto decoded = dictionary::decode(encoder.ensemble(), result.encoded.code);
     result.renderedSnr = comparison.signalToNoiseRatio(comparison.render(*decoded, stop));
     return result;
   };

@@ -16,8 +16,7 @@ struct PictureEncoding {
 /// encodings and pictures, 10 s on two cores. Where `options.coefficients` do not reach it, that many.
 /// @param renderedSnr dB of the decoded table against the table in comparisonScene().
 /// @throws Error as Encoder::encode; Cancelled.
-PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const dictionary::Ensemble& ensemble,
-                                  const TabulatedBrdf& table, double renderedSnr,
+PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
                                   const dictionary::EncodeOptions& options, const TaskControl& control = {},
                                   const SphereRenderOptions& picture = {
                                       .width = 128, .height = 128, .samples = 32, .lobe = {}});

@@ -11,13 +11,8 @@ using namespace gonio;
 using namespace gonio::editing;
 using namespace gonio::editing::test;
 
-class InterpolationFactorsTest : public QObject {
+class InterpolationFactorsTest : public QObject, private ThreeMaterials {
   Q_OBJECT
- private:
-  const std::vector<Table> tables_{measured(0.3, 0.2, 1), measured(0.1, 0.45, 2), measured(0.2, 0.3, 3)};
-  const std::vector<InterpolationEnd> ends_ = endsOf(tables_);
-  const std::vector<double> weights_{0.5, 0.2, 0.3};
-
  private Q_SLOTS:
   void factorsAreBlendedCurves() {
     InterpolationOptions ofTheSet = options();

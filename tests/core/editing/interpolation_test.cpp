@@ -28,13 +28,8 @@ Table onNodesOf(const Brdf& brdf, const TabulatedBrdf& nodes) {
 
 }  // namespace
 
-class InterpolationTest : public QObject {
+class InterpolationTest : public QObject, private ThreeMaterials {
   Q_OBJECT
- private:
-  const std::vector<Table> tables_{measured(0.3, 0.2, 1), measured(0.1, 0.45, 2), measured(0.2, 0.3, 3)};
-  const std::vector<InterpolationEnd> ends_ = endsOf(tables_);
-  const std::vector<double> weights_{0.5, 0.2, 0.3};
-
  private Q_SLOTS:
   void hardCase30WholeWeightsGiveTheMaterialsThemselves() {
     for (const InterpolationSpace space : allSpaces) {

@@ -46,6 +46,14 @@ inline std::vector<InterpolationEnd> endsOf(const std::vector<Table>& tables) {
   return ends;
 }
 
+/// Three of them, and weights: what the tests of every space start from.
+class ThreeMaterials {
+ protected:
+  const std::vector<Table> tables_{measured(0.3, 0.2, 1), measured(0.1, 0.45, 2), measured(0.2, 0.3, 3)};
+  const std::vector<InterpolationEnd> ends_ = endsOf(tables_);
+  const std::vector<double> weights_{0.5, 0.2, 0.3};
+};
+
 /// Largest |a - b| / (1 + b) over cells valid in both, which must be all that are valid in either when `sameCells`.
 inline double largestDifference(const TabulatedBrdf& a, const TabulatedBrdf& b, bool sameCells = true) {
   double largest = a.grid() == b.grid() ? 0 : 1e300;

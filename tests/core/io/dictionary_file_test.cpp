@@ -7,6 +7,7 @@
 #include "core/dictionary/decode.h"
 #include "core/dictionary/encode.h"
 #include "core/io/code_file.h"
+#include "core/io/training_checkpoint.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/core/io/test_files.h"
 
@@ -79,7 +80,7 @@ class DictionaryFileTest : public QObject {
     QVERIFY(contains(errorWith(path, 16, '?', read), "no JSON"));
     const std::size_t size = std::filesystem::file_size(path);
     QVERIFY(contains(errorWith(path, size - 4, 0.5f, read), "not orthonormal"));
-    QVERIFY(contains(errorWith(path, size - 4, std::numeric_limits<float>::quiet_NaN(), read), "not orthonormal"));
+    QVERIFY(contains(errorWith(path, size - 4, std::numeric_limits<float>::quiet_NaN(), read), "not finite"));
     gonio::test::Bytes bytes = gonio::test::readFile(path);
     bytes.push_back({});
     QVERIFY(contains(errorOf([&] { read(gonio::test::writeFile("dictionary/longer", bytes)); }), "1 bytes behind"));

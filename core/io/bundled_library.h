@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/io/material.h"
+
+/// The bundled library (bundledLibrary() lists it): how its materials are named and read.
+namespace gonio::io {
+
+inline constexpr std::string_view libraryScheme = "library:";
+
+/// The material of a path "library:rgl/NAME" (MeasuredMaterial) or "library:sgd/NAME" (SgdFit).
+/// @throws Error when there is none of this name.
+Material readLibraryMaterial(const std::string& path);
+
+}  // namespace gonio::io
