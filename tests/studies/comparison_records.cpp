@@ -65,11 +65,17 @@ double mean(const Records& records, double ComparisonRecord::*member) {
   return records.empty() ? std::nan("") : sum / double(records.size());
 }
 
-double medianRendered(Records records) {
-  if (records.empty()) return std::nan("");
-  std::ranges::sort(records, {}, &ComparisonRecord::rendered);
-  const std::size_t half = records.size() / 2;
-  return records.size() % 2 ? records[half].rendered : (records[half - 1].rendered + records[half].rendered) / 2;
+double median(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+double medianRendered(const Records& records) {
+  std::vector<double> values;
+  for (const ComparisonRecord& r : records) values.push_back(r.rendered);
+  return median(std::move(values));
 }
 
 int wins(const Records& ofModel, const Records& ofBudget) {
@@ -109,6 +115,27 @@ std::string summaryLine(const std::string& model, int terms, const Records& ofMo
   return line + "|\n";
 }
 
+std::string aheadLine(const std::string& model, const Records& mine, const Records& theirs) {
+  std::vector<double> differences;
+  double ours = 0, rivals = 0;
+  for (const ComparisonRecord& their : theirs) {
+    const auto my = std::ranges::find(mine, their.material, &ComparisonRecord::material);
+    if (my == mine.end()) continue;
+    differences.push_back(my->rendered - their.rendered);
+    ours += my->rendered;
+    rivals += their.rendered;
+  }
+  if (differences.empty()) return {};
+  const double count = double(differences.size());
+  char line[200];
+  std::snprintf(line, sizeof line, "| %d | %s | %.0f | %.2f | %.2f | %.2f | %.2f | %td | %td | %td |\n",
+                theirs.front().terms, model.c_str(), count, ours / count, rivals / count, (ours - rivals) / count,
+                median(differences), std::ranges::count_if(differences, [](double d) { return d > 0; }),
+                std::ranges::count(differences, 0.0),
+                std::ranges::count_if(differences, [](double d) { return d < 0; }));
+  return line;
+}
+
 }  // namespace
 
 ComparisonRecords::ComparisonRecords(std::filesystem::path path) : path_(std::move(path)) {
@@ -124,12 +151,15 @@ ComparisonRecords::ComparisonRecords(std::filesystem::path path) : path_(std::mo
   }
 }
 
-bool ComparisonRecords::contains(const std::string& material, const std::string& model, int terms) const {
-  return std::ranges::any_of(
+const ComparisonRecord* ComparisonRecords::find(const std::string& material, const std::string& model,
+                                                int terms) const {
+  const auto found = std::ranges::find_if(
       records_, [&](const auto& r) { return r.material == material && r.model == model && r.terms == terms; });
+  return found == records_.end() ? nullptr : &*found;
 }
 
 void ComparisonRecords::add(const ComparisonRecord& record) {
+  if (contains(record.material, record.model, record.terms)) return;
   if (!path_.empty()) {
     const bool isNew = !std::filesystem::exists(path_);
     std::ofstream file(path_, std::ios::app);
@@ -140,9 +170,10 @@ void ComparisonRecords::add(const ComparisonRecord& record) {
   records_.push_back(record);
 }
 
-std::string summaryTable(const Records& records) {
+std::string summaryTable(const Records& records, const std::string& budget) {
   std::string table =
-      "| model | L | KB | SNR, MERL | SNR, RGL | SNR, all | median | worst | PSNR, all | BRDF SNR, all | best | s |\n"
+      "| model | " + budget +
+      " | KB | SNR, MERL | SNR, RGL | SNR, all | median | worst | PSNR, all | BRDF SNR, all | best | s |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   std::set<int> budgets;
   for (const ComparisonRecord& r : records) budgets.insert(r.terms);
@@ -152,6 +183,22 @@ std::string summaryTable(const Records& records) {
       const Records ofModel = select(ofBudget, [&](const auto& r) { return r.model == model; });
       if (!ofModel.empty()) table += summaryLine(model, terms, ofModel, ofBudget);
     }
+  }
+  return table;
+}
+
+std::string aheadTable(const Records& records, const std::string& ours, const std::string& budget) {
+  std::string table = "| " + budget +
+                      " | model | materials | ours | theirs | ahead by, mean | median | ahead | equal | behind |\n"
+                      "|---|---|---|---|---|---|---|---|---|---|\n";
+  std::set<int> budgets;
+  for (const ComparisonRecord& r : records) budgets.insert(r.terms);
+  for (const int terms : budgets) {
+    const Records ofBudget = select(records, [terms](const auto& r) { return r.terms == terms; });
+    const Records mine = select(ofBudget, [&](const auto& r) { return r.model == ours; });
+    for (const std::string& model : distinct(ofBudget, &ComparisonRecord::model))
+      if (model != ours)
+        table += aheadLine(model, mine, select(ofBudget, [&](const auto& r) { return r.model == model; }));
   }
   return table;
 }

@@ -7,13 +7,15 @@
 #include <string>
 #include <vector>
 
-/// What the comparison of factorisations measured, kept in a file so that no fit is done twice.
+/// What comparisons of models measured, kept in a file so that no fit is done twice.
 namespace gonio::study {
 
 /// One model of one material at one budget of bytes.
 struct ComparisonRecord {
   std::string material, collection, model;
-  int terms = 0;           ///< of the PDV model whose bytes are the budget; 0 for what is no model
+  /// Of the model whose bytes are the budget: terms of PDV factors, or coefficients a channel of a code; 0 for what is
+  /// no model.
+  int terms = 0;
   std::size_t bytes = 0;   ///< that the model has
   double rendered = 0;     ///< SNR of pictures, dB
   double peak = 0;         ///< PSNR of pictures, dB
@@ -27,8 +29,12 @@ class ComparisonRecords {
   /// @throws Error naming the file and the line.
   explicit ComparisonRecords(std::filesystem::path path);
 
-  bool contains(const std::string& material, const std::string& model, int terms) const;
-  /// @throws Error naming the file.
+  /// Null where there is none.
+  const ComparisonRecord* find(const std::string& material, const std::string& model, int terms) const;
+  bool contains(const std::string& material, const std::string& model, int terms) const {
+    return find(material, model, terms) != nullptr;
+  }
+  /// Where there is one of the same material, model and budget, it stays. @throws Error naming the file.
   void add(const ComparisonRecord& record);
   const std::vector<ComparisonRecord>& all() const { return records_; }
 
@@ -39,7 +45,12 @@ class ComparisonRecords {
 
 /// A Markdown table: a line a model and budget, means over the materials, and how many of them a model keeps best in
 /// pictures among all models of that budget. Materials without a ratio (black ones) are left out.
-std::string summaryTable(const std::vector<ComparisonRecord>& records);
+/// @param budget heads the column of budgets.
+std::string summaryTable(const std::vector<ComparisonRecord>& records, const std::string& budget = "L");
+/// A Markdown table: for every budget a line a model but `ours`: over the materials that both have, the means of ours
+/// and of theirs, the mean and the median of what ours is ahead by, and on how many it is ahead, equal and behind.
+std::string aheadTable(const std::vector<ComparisonRecord>& records, const std::string& ours,
+                       const std::string& budget = "L");
 /// A Markdown table: a line a material, a column a model, SNR of pictures at one budget.
 std::string materialTable(const std::vector<ComparisonRecord>& records, int terms);
 

@@ -21,14 +21,11 @@
 
 #include "core/factorization/pdv_factors.h"
 #include "core/factorization/rivals/rivals.h"
-#include "core/io/material.h"
 #include "core/io/npf_file.h"
 #include "core/io/pdv_file.h"
-#include "core/metrics/brdf_metrics.h"
-#include "core/metrics/image_metrics.h"
-#include "core/rendering/rendered_comparison.h"
 #include "core/support/error.h"
 #include "tests/studies/comparison_bounds.h"
+#include "tests/studies/comparison_judge.h"
 #include "tests/studies/comparison_records.h"
 
 using namespace gonio;
@@ -130,37 +127,8 @@ std::vector<Contestant> contestants(const Options& options) {
   return all;
 }
 
-/// Scores models of one material against its table.
-class Judge {
- public:
-  Judge(const std::filesystem::path& file, const Options& options)
-      : material_(file.stem()),
-        collection_(file.extension() == ".bsdf" ? "RGL" : "MERL"),
-        table_(io::readMaterial(file).tabulated()),
-        comparison_(*table_, {.width = options.size, .height = options.size, .samples = options.samples}) {}
-
-  const Table& table() const { return table_; }
-
-  ComparisonRecord score(const std::string& model, const RivalModel& built, double seconds) const {
-    const Image picture = comparison_.render(*built.brdf);
-    return {.material = material_,
-            .collection = collection_,
-            .model = model,
-            .bytes = built.bytes,
-            .rendered = comparison_.signalToNoiseRatio(picture),
-            .peak = metrics::peakSignalToNoiseRatio(comparison_.reference(), picture),
-            .reflectance = metrics::brdfSignalToNoiseRatio(*table_, *built.brdf),
-            .seconds = seconds};
-  }
-
- private:
-  std::string material_, collection_;
-  Table table_;
-  RenderedComparison comparison_;
-};
-
 /// Adds the records of one contestant for one material.
-void judge(const Judge& court, const Contestant& contestant, const std::vector<std::size_t>& budgets,
+void judge(const study::ComparisonJudge& court, const Contestant& contestant, const std::vector<std::size_t>& budgets,
            ComparisonRecords& records) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<RivalModel> models = contestant.build(court.table(), budgets);
@@ -198,7 +166,8 @@ int run(const Options& options) {
            }});
     std::erase_if(all, [&](const Contestant& c) { return records.contains(file.stem(), c.id, c.lastTerms()); });
     if (all.empty()) continue;
-    const Judge court(file, options);
+    const study::ComparisonJudge court(file, file.extension() == ".bsdf" ? "RGL" : "MERL",
+                                       {.width = options.size, .height = options.size, .samples = options.samples});
     for (const Contestant& contestant : all) judge(court, contestant, budgets, records);
   }
   std::printf("\n%s", summaryTable(records.all()).c_str());

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "tests/studies/held_out_models.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/dictionary/code_packing.h"
+#include "core/dictionary/decode.h"
+
+namespace gonio::study {
+
+using namespace dictionary;
+
+namespace {
+
+RivalModel modelOf(const Ensemble& ensemble, const SparseCode& code) {
+  const std::vector<std::byte> packed = packChannels(code, CodePrecision::half);
+  SparseCode read{.grid = code.grid, .transform = code.transform, .channels = {}};
+  unpackChannels(packed, CodePrecision::half, read);
+  return {decode(ensemble, read), packed.size()};
+}
+
+}  // namespace
+
+EnsembleModels ensembleModels(const Encoder& encoder, const TabulatedBrdf& table, std::size_t coefficients) {
+  const Encoded encoded = encoder.encode(table, {.coefficients = coefficients});
+  const auto least = [&](double EncodedCandidate::*error) {
+    return std::ranges::min_element(encoded.candidates, {}, error);
+  };
+  const auto byGamma = least(&EncodedCandidate::gammaError), bySquares = least(&EncodedCandidate::squaredError);
+  EnsembleModels models{.gamma = modelOf(encoder.ensemble(), byGamma->code), .squared = {}};
+  models.squared = bySquares == byGamma ? models.gamma : modelOf(encoder.ensemble(), bySquares->code);
+  return models;
+}
+
+std::vector<RivalModel> componentModels(const PrincipalComponents& components, const TabulatedBrdf& table,
+                                        Budgets budgets) {
+  constexpr std::size_t scales = 3 * sizeof(float), bytesOfOne = 3 * sizeof(Eigen::half);
+  const ComponentCode all = encode(components, table, components.count());
+  std::vector<RivalModel> models;
+  for (const std::size_t budget : budgets) {
+    const std::size_t fit = (std::max(budget, scales) - scales) / bytesOfOne;
+    ComponentCode code = all.truncated(int(std::min(fit, std::size_t(components.count()))));
+    for (Eigen::VectorXf& channel : code.channels) {
+      const float scale = channel.size() > 0 ? channel.cwiseAbs().maxCoeff() : 0;
+      if (scale > 0) channel = (channel / scale).cast<Eigen::half>().cast<float>() * scale;
+    }
+    models.push_back({decode(components, code), scales + bytesOfOne * std::size_t(code.components())});
+  }
+  return models;
+}
+
+}  // namespace gonio::study

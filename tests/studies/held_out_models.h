@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/dictionary/encode.h"
+#include "core/dictionary/patch_code.h"
+#include "core/dictionary/principal_components.h"
+#include "core/factorization/rivals/rivals.h"
+
+/// Models of a material that was held out of a training set: codes over the ensemble, and what the same set teaches
+/// other ways.
+namespace gonio::study {
+
+using Budgets = std::span<const std::size_t>;
+using factorization::RivalModel;
+
+/// A code as its file holds it, by either way to choose between the transforms.
+struct EnsembleModels {
+  RivalModel gamma;    ///< by the gamma-mapped error, as the encoder does
+  RivalModel squared;  ///< by the squared error; the same object where both choose the same
+};
+
+/// @param coefficients a channel.
+EnsembleModels ensembleModels(const dictionary::Encoder& encoder, const TabulatedBrdf& table, std::size_t coefficients);
+
+/// Principal components of the training set (Nielsen et al. 2015): as many coefficients in half precision, and a scale
+/// a channel, as a budget holds, or all components.
+std::vector<RivalModel> componentModels(const dictionary::PrincipalComponents& components, const TabulatedBrdf& table,
+                                        Budgets budgets);
+
+/// Patches of the signals of `log-plus` over atoms that K-SVD learned (Aharon et al. 2006), written as the codes of an
+/// ensemble are: of each coefficient the distance of its index, seven bits a byte, and its value in half precision; an
+/// index is atom + atoms * patch.
+class PatchModels {
+ public:
+  explicit PatchModels(const dictionary::TrainingMaterials& materials);
+  std::vector<RivalModel> models(const TabulatedBrdf& table, Budgets budgets) const;
+
+ private:
+  dictionary::SparseCode encoded(const std::array<Eigen::MatrixXd, 3>& patches, const TabulatedBrdf& table,
+                                 std::size_t coefficients) const;
+  std::shared_ptr<const TabulatedBrdf> decoded(const dictionary::SparseCode& code) const;
+
+  dictionary::PatchTrainingOptions options_;
+  AtomSet atoms_;
+};
+
+}  // namespace gonio::study
