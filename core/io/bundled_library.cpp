@@ -12,6 +12,14 @@ namespace {
 
 constexpr std::string_view measuredPrefix = "rgl/", fitPrefix = "sgd/";
 
+/// The entry of a path; null where there is none.
+template <class Entry>
+const Entry* findNamed(const std::vector<Entry>& entries, std::string_view prefix, const std::string& path) {
+  for (const Entry& entry : entries)
+    if (path == std::string(libraryScheme).append(prefix).append(entry.name)) return &entry;
+  return nullptr;
+}
+
 }  // namespace
 
 const std::vector<LibraryEntry>& bundledLibrary() {
@@ -26,19 +34,21 @@ const std::vector<LibraryEntry>& bundledLibrary() {
   return entries;
 }
 
+std::string librarySha256(const std::string& path) {
+  if (const MeasuredMaterial* measured = findNamed(measuredMaterials(), measuredPrefix, path))
+    return measured->sha256();
+  if (const SgdFit* fit = findNamed(sgdFits(), fitPrefix, path)) return fit->sha256();
+  return {};
+}
+
 Material readLibraryMaterial(const std::string& path) {
-  const std::string_view id = std::string_view(path).substr(libraryScheme.size());
-  const auto isNamed = [id](std::string_view prefix, const std::string& name) {
-    return id.starts_with(prefix) && id.substr(prefix.size()) == name;
-  };
   const auto named = [&path](Material material) {
     material.source.path = path;
     return material;
   };
-  for (const MeasuredMaterial& measured : measuredMaterials())
-    if (isNamed(measuredPrefix, measured.name)) return named(measuredMaterial(measured));
-  for (const SgdFit& fit : sgdFits())
-    if (isNamed(fitPrefix, fit.name)) return named(sgdMaterial(fit));
+  if (const MeasuredMaterial* measured = findNamed(measuredMaterials(), measuredPrefix, path))
+    return named(measuredMaterial(*measured));
+  if (const SgdFit* fit = findNamed(sgdFits(), fitPrefix, path)) return named(sgdMaterial(*fit));
   throw Error(path + ": found no such bundled material, expected one of " + std::to_string(bundledLibrary().size()) +
               " such as " + std::string(libraryScheme) + bundledLibrary().back().id);
 }

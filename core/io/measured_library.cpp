@@ -22,6 +22,8 @@ std::string MeasuredMaterial::description() const {
   return text;
 }
 
+std::string MeasuredMaterial::sha256() const { return sha256Hex(MemorySource(code)); }
+
 const std::vector<MeasuredMaterial>& measuredMaterials() {
   static const std::vector<MeasuredMaterial> materials = [] {
     std::vector<MeasuredMaterial> result;
@@ -47,7 +49,7 @@ Material measuredMaterial(const MeasuredMaterial& measured) {
   material.name = measured.name;
   material.source.format = "sparse code";
   setCode(readCode(source), material);
-  material.source.sha256 = sha256Hex(source);
+  material.source.sha256 = measured.sha256();
   material.source.description = measured.description();
   return material;
 }

@@ -22,6 +22,8 @@ struct MeasuredMaterial {
 
   /// "RGL, measured; code of 700 coefficients, rendered SNR 45.1 dB".
   std::string description() const;
+  /// Of the file.
+  std::string sha256() const;
 };
 
 /// The list as it lies beside the codes: CSV with the columns name, coefficients, rendered_snr.

@@ -66,6 +66,10 @@ class Row {
 
 std::string SgdFit::description() const { return "SGD fit of MERL " + name + ", Bagher et al. 2012"; }
 
+std::string SgdFit::sha256() const {
+  return sha256Hex(std::string_view(models::parametersToJson(models::findModel("sgd").spec(), parameters).dump()));
+}
+
 std::vector<SgdFit> parseSgdFigures(std::string_view csv) {
   const models::ModelSpec& spec = models::findModel("sgd").spec();
   const std::vector<std::string_view> lines = split(csv, '\n');
@@ -95,8 +99,8 @@ Material sgdMaterial(const SgdFit& fit) {
   Material material;
   material.name = fit.name;
   material.brdf = model.instantiate(fit.parameters);
-  material.source.format = "SGD fit";
-  material.source.sha256 = sha256Hex(std::string_view(models::parametersToJson(model.spec(), fit.parameters).dump()));
+  material.source.format = sgdFormat;
+  material.source.sha256 = fit.sha256();
   material.source.description = fit.description();
   return material;
 }

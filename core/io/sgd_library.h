@@ -16,11 +16,15 @@ namespace gonio::io {
 /// The table as it was published, CSV with a header line, built into the program.
 std::string_view sgdFigures();
 
+/// MaterialSource::format of a fit.
+inline constexpr std::string_view sgdFormat = "SGD fit";
+
 struct SgdFit {
   std::string name;                    ///< "chrome"
   models::ParameterValues parameters;  ///< of the model "sgd"
 
   std::string description() const;  ///< "SGD fit of MERL chrome, Bagher et al. 2012"
+  std::string sha256() const;       ///< of the parameters as JSON
 };
 
 /// Parses a table with a header that names the columns.
@@ -30,7 +34,7 @@ std::vector<SgdFit> parseSgdFigures(std::string_view csv);
 /// The bundled fits, parsed once.
 const std::vector<SgdFit>& sgdFits();
 
-/// A fit as a material. Its hash is that of its parameters as JSON.
+/// A fit as a material.
 Material sgdMaterial(const SgdFit& fit);
 
 }  // namespace gonio::io

@@ -2,9 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/interpolation/blend_strip.h"
 
+#include <QPaintEvent>
 #include <QPixmap>
 #include <QSignalSpy>
 #include <QTest>
+#include <utility>
+
+#include "widgets/interpolation/sphere_picture.h"
 
 using namespace gonio::widgets;
 
@@ -16,16 +20,31 @@ QImage filled(const QColor& colour) {
   return image;
 }
 
+/// Remembers what it was asked to paint.
+class WatchedStrip final : public BlendStrip {
+ public:
+  QRegion painted() { return std::exchange(m_painted, {}); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    m_painted += event->region();
+    BlendStrip::paintEvent(event);
+  }
+
+ private:
+  QRegion m_painted;
+};
+
 }  // namespace
 
 class BlendStripTest : public QObject {
   Q_OBJECT
  private:
-  std::unique_ptr<BlendStrip> m_strip;
+  std::unique_ptr<WatchedStrip> m_strip;
 
  private Q_SLOTS:
   void init() {
-    m_strip = std::make_unique<BlendStrip>();
+    m_strip = std::make_unique<WatchedStrip>();
     m_strip->setSteps({"0", "1/2", "1"});
     m_strip->setRows(
         {{"Linear", "The reflectances", std::vector<QImage>(3)}, {"Factors", "The curves", std::vector<QImage>(3)}});
@@ -70,6 +89,58 @@ class BlendStripTest : public QObject {
     QTest::keyClick(m_strip.get(), Qt::Key_Return);
     QCOMPARE(chosen.last(), (QVariantList{1, 1}));
     QCOMPARE(chosen.count(), 1);
+  }
+
+  /// Under the hand only the line of the mark is painted, and nothing when nothing changes; a row is painted alone.
+  void paintsWhatChanged() {
+    m_strip->setMark(0.25);
+    QVERIFY(QTest::qWaitForWindowExposed(m_strip.get()));
+    const auto change = [this](const auto& how) {
+      QCoreApplication::processEvents();
+      m_strip->painted();
+      how();
+      QCoreApplication::processEvents();
+      return m_strip->painted().boundingRect();
+    };
+    const int firstRow = int(m_strip->cell(0, 0).top()), secondRow = int(m_strip->cell(1, 0).top());
+    const QRect mark = change([this] { m_strip->setMark(0.5); });
+    QVERIFY(!mark.isEmpty() && mark.bottom() < firstRow);
+    QVERIFY(change([this] { m_strip->setMark(0.5); }).isEmpty());
+    QVERIFY(change([this] { m_strip->setCurrentRow(0); }).isEmpty());
+    const QRect row = change([this] { m_strip->setRow(1, {"Factors", "", {filled(Qt::red), {}, {}}}); });
+    QVERIFY(!row.isEmpty() && row.top() >= secondRow - 3 && row.bottom() <= int(m_strip->cell(1, 0).bottom()) + 3);
+    const QRect both = change([this] { m_strip->setCurrentRow(1); });
+    QVERIFY(both.top() <= firstRow && both.bottom() >= secondRow);
+    // A longer name moves the columns of all rows.
+    QCOMPARE(change([this] {
+               m_strip->setRow(1, {"A much longer name", "", std::vector<QImage>(3)});
+             }),
+             m_strip->rect());
+  }
+
+  /// A part that is painted anew is what a painting of the whole gives.
+  void partsMeetTheWhole() {
+    m_strip->setRow(0, {"Linear", "", {filled(Qt::red), filled(Qt::green), filled(Qt::blue)}});
+    const QImage before = m_strip->grab().toImage();
+    m_strip->setMark(0.5);
+    QImage parts = before;
+    m_strip->render(&parts, m_strip->cell(1, 0).topLeft().toPoint(),
+                    QRect(m_strip->cell(1, 0).topLeft().toPoint(), QSize(60, 40)));
+    QCOMPARE(parts, before);
+    const QRect header(0, 0, m_strip->width(), int(m_strip->cell(0, 0).top()));
+    m_strip->render(&parts, {}, header);
+    QVERIFY(parts != before);
+    QCOMPARE(parts, m_strip->grab().toImage());
+  }
+
+  /// A picture is scaled once for every size.
+  void picturesAreScaledOnce() {
+    const QImage picture = filled(Qt::red);
+    const QPixmap first = sphereAtSize(picture, {20, 20});
+    QCOMPARE(first.size(), QSize(20, 20));
+    QCOMPARE(sphereAtSize(picture, {20, 20}).cacheKey(), first.cacheKey());
+    QCOMPARE(sphereAtSize(picture, {30, 30}).size(), QSize(30, 30));
+    QCOMPARE(sphereAtSize(filled(Qt::green), {20, 20}).toImage().pixelColor(9, 9), QColor(Qt::green));
   }
 
   /// Without rows there is nothing to choose, and no crash.

@@ -6,6 +6,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/widgets/pointer.h"
+
 using namespace gonio;
 using widgets::ChannelCurves;
 using widgets::CurveEditor;
@@ -176,7 +178,7 @@ class CurveEditorTest : public QObject {
   void tellsWhereThePointerIs() {
     QSignalSpy pointed(m_editor.get(), &CurveEditor::pointedAt);
     const QPoint over(at(2).x(), 60);
-    QTest::mouseMove(m_editor.get(), over);
+    tests::pointAt(*m_editor, over);
     QVERIFY(!pointed.isEmpty());
     QVERIFY(std::abs(pointed.last()[0].toDouble() - m_editor->points()[2]) < 0.02);
     pointed.clear();

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/curves/curve_editor.h"
 
-#include <QAccessible>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -178,8 +177,6 @@ void CurveEditor::announce() {
     Q_EMIT pointedAt(place);
   }
   setAccessibleDescription(m_announced);
-  QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
-  QAccessible::updateAccessibility(&changed);
   Q_EMIT announced(m_announced);
 }
 

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <cmath>
 
 #include "widgets/curves/curve_editor.h"
 
@@ -12,7 +13,11 @@ namespace gonio::widgets {
 
 namespace {
 
-QString percent(double share) { return ResidualStrip::tr("%1 %").arg(100 * share, 0, 'g', 2); }
+QString percent(double share) {
+  const double value = 100 * share;
+  const int decimals = value >= 10 || value == std::round(value) ? 0 : value >= 1 ? 1 : 2;
+  return ResidualStrip::tr("%1 %").arg(value, 0, 'f', decimals);
+}
 
 }  // namespace
 

@@ -18,10 +18,11 @@ class ResidualStrip : public QWidget {
   /// @param editor lies above this widget, at the same width; must live on.
   explicit ResidualStrip(const CurveEditor& editor, QWidget* parent = nullptr);
 
-  /// @param shares [0, 1], one a node of the editor; none: nothing is known.
+  /// @param shares [0, infinity), one a node of the editor: above 1 where the curves are farther from the material than
+  /// black is. None: nothing is known.
   void setShares(const std::vector<double>& shares, const QString& title);
   const std::vector<double>& shares() const { return m_shares; }
-  /// The upper end of the scale: a round share above the largest.
+  /// The upper end of the scale: a round share above the largest, at most 1; what is larger is drawn as 1.
   double scale() const;
 
   QSize sizeHint() const override;

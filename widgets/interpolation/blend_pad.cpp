@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/interpolation/blend_pad.h"
 
-#include <QAccessible>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -112,9 +111,9 @@ void BlendPad::announce() {
     words << tr("%1 %2").arg(
         m_corners[std::size_t(i)].name.isEmpty() ? QString(letter(i)) : m_corners[std::size_t(i)].name,
         weightText(all[std::size_t(i)]));
-  setAccessibleDescription(words.join(QStringLiteral(", ")));
-  QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
-  QAccessible::updateAccessibility(&changed);
+  const QString text = words.join(QStringLiteral(", "));
+  if (text == accessibleDescription()) return;
+  setAccessibleDescription(text);
 }
 
 void BlendPad::mousePressEvent(QMouseEvent* event) {
@@ -147,7 +146,7 @@ void BlendPad::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 bool BlendPad::event(QEvent* event) {
-  // Escape is the drag's, the digits the corners', not the menus'.
+  // Backspace goes to the middle and Escape takes a drag back: the menus have other actions on these keys.
   if (event->type() == QEvent::ShortcutOverride) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Backspace || (key == Qt::Key_Escape && m_dragging)) {

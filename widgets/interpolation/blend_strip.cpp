@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/interpolation/blend_strip.h"
 
-#include <QAccessible>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/interpolation/sphere_picture.h"
 
@@ -40,19 +40,28 @@ void BlendStrip::setRows(std::vector<Row> rows) {
 }
 
 void BlendStrip::setRow(int row, Row content) {
-  m_rows[std::size_t(row)] = std::move(content);
+  Row& one = m_rows[std::size_t(row)];
+  const bool sameName = content.name == one.name;
+  one = std::move(content);
+  if (sameName) return updateRow(row);
+  // The widest name says where the columns stand.
+  updateGeometry();
   update();
 }
 
 void BlendStrip::setCurrentRow(int row) {
-  m_currentRow = row;
-  update();
+  if (row == m_currentRow) return;
+  updateRow(std::exchange(m_currentRow, row));
+  updateRow(row);
 }
 
 void BlendStrip::setMark(double share) {
+  if (share == m_mark) return;
   m_mark = share;
-  update();
+  update(QRectF(0, 0, width(), headerHeight()).toAlignedRect());
 }
+
+void BlendStrip::updateRow(int row) { update(rowArea(row).toAlignedRect()); }
 
 void BlendStrip::setEmptyText(const QString& text) {
   m_emptyText = text;
@@ -117,8 +126,6 @@ void BlendStrip::moveCursor(int rows, int steps) {
   m_cursor = {std::clamp(m_cursor.row + rows, 0, int(m_rows.size()) - 1),
               std::clamp(m_cursor.step + steps, 0, int(m_steps.size()) - 1)};
   setAccessibleDescription(tr("%1 at %2").arg(m_rows[std::size_t(m_cursor.row)].name, m_steps[m_cursor.step]));
-  QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
-  QAccessible::updateAccessibility(&changed);
   update();
 }
 
@@ -200,7 +207,7 @@ void BlendStrip::drawSteps(QPainter& painter) const {
   painter.drawPolygon(QPolygonF{{x, tip}, {x - size, tip - size}, {x + size, tip - size}});
 }
 
-void BlendStrip::paintEvent(QPaintEvent*) {
+void BlendStrip::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
   if (m_rows.empty()) {
@@ -209,8 +216,10 @@ void BlendStrip::paintEvent(QPaintEvent*) {
     painter.drawText(rect().adjusted(inset, 0, -inset, 0), Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
     return;
   }
-  drawSteps(painter);
-  for (int row = 0; row < int(m_rows.size()); ++row) drawRow(painter, row);
+  const QRectF asked = event->rect();
+  if (asked.top() < headerHeight()) drawSteps(painter);
+  for (int row = 0; row < int(m_rows.size()); ++row)
+    if (asked.intersects(rowArea(row))) drawRow(painter, row);
   if (!hasFocus()) return;
   painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
   painter.setBrush(Qt::NoBrush);

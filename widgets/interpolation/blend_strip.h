@@ -59,6 +59,7 @@ class BlendStrip : public QWidget {
   double labelWidth() const;
   double headerHeight() const;
   QRectF rowArea(int row) const;
+  void updateRow(int row);
   Cell cellAt(const QPointF& position) const;
   void drawRow(QPainter& painter, int row) const;
   void drawSteps(QPainter& painter) const;

@@ -4,14 +4,24 @@
 
 #include <QPainter>
 #include <QPalette>
+#include <QPixmapCache>
 
 namespace gonio::widgets {
 
+QPixmap sphereAtSize(const QImage& picture, const QSize& pixels) {
+  const QString key =
+      QStringLiteral("sphere-%1-%2x%3").arg(picture.cacheKey()).arg(pixels.width()).arg(pixels.height());
+  QPixmap scaled;
+  if (QPixmapCache::find(key, &scaled)) return scaled;
+  scaled = QPixmap::fromImage(picture.scaled(pixels, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  QPixmapCache::insert(key, scaled);
+  return scaled;
+}
+
 void paintSphere(QPainter& painter, const QImage& picture, const QRectF& square, const QPalette& palette) {
   if (!picture.isNull()) {
-    // Averaged over areas, which drawing a large picture small is not.
-    const QSize pixels = (square.size() * painter.device()->devicePixelRatioF()).toSize();
-    painter.drawImage(square, picture.scaled(pixels, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    const QPixmap scaled = sphereAtSize(picture, (square.size() * painter.device()->devicePixelRatioF()).toSize());
+    painter.drawPixmap(square, scaled, QRectF(scaled.rect()));
     return;
   }
   QColor quiet = palette.color(QPalette::Text);

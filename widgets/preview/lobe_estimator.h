@@ -10,8 +10,8 @@
 
 namespace gonio::widgets {
 
-/// Estimates the sampling lobe of a subject in another thread (about 1 ms, up to 10 for costly models). While one
-/// estimate runs, of all further requests the newest alone is kept.
+/// Estimates the sampling lobe of a subject in another thread: 1 to 10 ms; some 100 for a blend of codes over different
+/// dictionaries. While one estimate runs, of all further requests the newest alone is kept.
 class LobeEstimator : public QObject {
   Q_OBJECT
 

@@ -98,9 +98,9 @@ class Interpolation {
   /// The blended code, in `dictionary`. Across dictionaries some 100 ms.
   std::optional<dictionary::SparseCode> code(std::span<const double> weights) const;
 
-  /// In `linear` and `dictionary`; in the latter all that the codes hold, before the count of coefficients is cut. Some
-  /// 50 ms and 18 MB a material. The reflectances are those of brdf() up to that cut, the bounds of the codes (each
-  /// material's here, the blend's there) and single precision.
+  /// In `linear`, in `differential` (to be moved by moves() before they are mixed) and in `dictionary` (all that the
+  /// codes hold, uncut). Some 50 ms and 18 MB a material. The reflectances are those of brdf() up to the cut to the
+  /// count of coefficients, the bounds of the codes (each material's here, the blend's there) and single precision.
   virtual std::optional<TransformedMixture> mixture() const { return {}; }
 
  protected:

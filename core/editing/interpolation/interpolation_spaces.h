@@ -16,6 +16,8 @@ std::shared_ptr<const Interpolation> prepareFactors(std::span<const Interpolatio
 std::shared_ptr<const Interpolation> prepareDictionary(std::span<const InterpolationEnd> ends,
                                                        const InterpolationOptions& options, const TaskControl& control);
 
+/// The tables as they are, untransformed.
+TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables);
 /// The ends' own tables.
 std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationEnd> ends);
 /// The ends' tables on the grid of the first.

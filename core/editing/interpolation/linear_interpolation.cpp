@@ -20,19 +20,21 @@ class LinearInterpolation final : public Interpolation {
   Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
     return weightedSum(sameGrid_, weights, control);
   }
-  std::optional<TransformedMixture> mixture() const override {
-    TransformedMixture mixture{DataTransform::none, {}};
-    for (const Table& table : sameGrid_)
-      mixture.tables.push_back({table->grid(),
-                                {table->values().begin(), table->values().end()},
-                                {table->valid().begin(), table->valid().end()}});
-    return mixture;
-  }
+  std::optional<TransformedMixture> mixture() const override { return mixtureOf(sameGrid_); }
 
   std::vector<Table> sameGrid_;
 };
 
 }  // namespace
+
+TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables) {
+  TransformedMixture mixture{DataTransform::none, {}};
+  for (const Interpolation::Table& table : tables)
+    mixture.tables.push_back({table->grid(),
+                              {table->values().begin(), table->values().end()},
+                              {table->valid().begin(), table->valid().end()}});
+  return mixture;
+}
 
 std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationEnd> ends) {
   std::vector<Interpolation::Table> tables;

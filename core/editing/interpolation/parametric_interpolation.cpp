@@ -61,6 +61,8 @@ class DifferentialInterpolation final : public ParameterInterpolation {
     return weightedSum(moved, weights, {.stop = control.stop});
   }
 
+  std::optional<TransformedMixture> mixture() const override { return mixtureOf(sameGrid_); }
+
   std::vector<Table> sameGrid_;
 };
 

@@ -88,6 +88,23 @@ class InterpolationTest : public QObject, private ThreeMaterials {
     QVERIFY(between->moves(weights_).empty());
   }
 
+  /// What a preview mixes of the differential space: the materials, each moved, then mixed, are the blend.
+  void theMovedMixtureIsTheDifferentialBlend() {
+    const std::vector<Table> tables{tables_[0], tables_[1], measured(0.2, 0.3, 3, {10, 14, 16})};
+    const auto between = prepareInterpolation(InterpolationSpace::differential, endsOf(tables));
+    TransformedMixture mixture = between->mixture().value();
+    QVERIFY(mixture.transform == DataTransform::none);
+    const std::vector<DifferentialEdit> moves = between->moves(weights_);
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      TransformedTable& one = mixture.tables[i];
+      QVERIFY(one.grid == smallGrid);
+      const auto moved = bakeEdits(std::make_shared<const TabulatedBrdf>(one.grid, one.values, one.valid),
+                                   std::span(moves).subspan(i, 1));
+      one.values.assign(moved->values().begin(), moved->values().end());
+    }
+    QVERIFY(largestDifference(*mixed(mixture, weights_), *between->table(weights_), false) < 1e-6);
+  }
+
   /// Clean tables of a model: the truth in between is the model at the parameters in between.
   void parametersMeetTheModelInBetween() {
     const std::vector<Table> clean{bakeTable(*testing::ggx(Rgb(0.3), Rgb(0.8), 0.15, 0.3), smallGrid),

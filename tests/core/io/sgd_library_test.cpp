@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/io/bundled_library.h"
 #include "core/io/measured_library.h"
 #include "tests/core/io/test_files.h"
 
@@ -42,6 +43,9 @@ class SgdLibraryTest : public QObject {
       hashes.insert(io::readMaterial("library:sgd/" + fit.name).source.sha256);
     }
     QCOMPARE(hashes.size(), std::size_t(100));
+    for (const io::LibraryEntry& entry : library)
+      QCOMPARE(io::librarySha256("library:" + entry.id), io::readMaterial("library:" + entry.id).source.sha256);
+    QVERIFY(io::librarySha256("library:sgd/none").empty() && io::librarySha256("/tmp/chrome").empty());
   }
 
   /// Row blue-metallic-paint, read here by hand: every column reaches its parameter, at several pairs of directions.

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/curves/residual_strip.h"
+
+#include <QTest>
+
+#include "widgets/curves/curve_editor.h"
+
+using namespace gonio::widgets;
+
+class ResidualStripTest : public QObject {
+  Q_OBJECT
+ private:
+  CurveEditor m_editor;
+
+  QString told(std::vector<double> shares) {
+    ResidualStrip strip(m_editor);
+    strip.setShares(shares, "1 term");
+    return strip.accessibleDescription();
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    const std::vector<double> curve(3, 1.0);
+    m_editor.setCurves({0, 0.5, 1}, {curve, curve, curve}, {});
+  }
+
+  /// Two digits or so of any share, none with an exponent.
+  void sharesAreWrittenForPeople() {
+    for (const auto& [share, text] : {std::pair(1.0, "100 %"),
+                                      {2.34, "234 %"},
+                                      {0.5, "50 %"},
+                                      {0.123, "12 %"},
+                                      {0.036, "3.6 %"},
+                                      {0.01, "1 %"},
+                                      {0.00071, "0.07 %"},
+                                      {0.0, "0 %"}})
+      QVERIFY2(told({0, share, 0}).contains(QString("at most %1,").arg(text)), qPrintable(told({0, share, 0})));
+  }
+
+  /// The scale is a round share above the largest; what is above 1 is drawn up to the frame's top.
+  void theScaleHoldsTheLargest() {
+    ResidualStrip strip(m_editor);
+    for (const auto& [largest, scale] : {std::pair(0.004, 0.01), {0.05, 0.05}, {0.051, 0.1}, {0.7, 1.0}, {3.0, 1.0}}) {
+      strip.setShares({0, largest, 0}, "1 term");
+      QCOMPARE(strip.scale(), scale);
+    }
+    strip.resize(300, 60);
+    strip.grab();
+  }
+};
+
+QTEST_MAIN(ResidualStripTest)
+#include "residual_strip_test.moc"
