@@ -9,9 +9,9 @@ target_compile_options(gonio_options INTERFACE
   -Wno-missing-field-initializers
   # The same expression must give the same bits wherever it is inlined: an unchanged edit is the identity.
   -ffp-contract=off)
-# GCC 12 warns of its own headers: of vector code where Eigen is inlined (GCC bug 105593), of strings (105651).
+# GCC 12 warns of its own headers: of vector code where Eigen is inlined (GCC bug 105593), of strings (105329, 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(gonio_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict)
+  target_compile_options(gonio_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
 if(GONIO_WARNINGS_AS_ERRORS)
   target_compile_options(gonio_options INTERFACE -Werror)

@@ -10,6 +10,7 @@
 #include "core/dictionary/decode.h"
 #include "core/dictionary/gram.h"
 #include "core/dictionary/mode_products.h"
+#include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 
 namespace gonio::dictionary {
@@ -32,8 +33,8 @@ CompactSignal compact(const Eigen::ArrayXf& signal, const Sizes& sizes) {
   for (int mode = 0; mode < 3; ++mode) {
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(sizes[std::size_t(mode)], sizes[std::size_t(mode)]);
     addGram(signal.data(), sizes, mode, gram);
-    const GramBasis basis = gramBasis(gram);
-    const int rank = basis.rankFor(choiceLoss / 3);
+    const EigenBasis basis = eigenBasis(gram);
+    const int rank = rankFor(basis.values, choiceLoss / 3);
     result.bases[std::size_t(mode)] = basis.vectors.leftCols(rank).cast<float>();
     result.ranks[std::size_t(mode)] = rank;
   }

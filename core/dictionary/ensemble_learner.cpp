@@ -9,6 +9,7 @@
 
 #include "core/dictionary/gram.h"
 #include "core/dictionary/procrustes.h"
+#include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 
 namespace gonio::dictionary {
@@ -84,7 +85,7 @@ ModeMatrices<double> EnsembleLearner<Scalar>::leadingVectors(std::span<const int
     const Eigen::MatrixXd gram = sumOver(
         members, sizes_[std::size_t(mode)],
         [&](int i, Eigen::MatrixXd& sum) { addGram(signals_.col(i).data(), sizes_, mode, sum); }, control);
-    result[std::size_t(mode)] = gramBasis(gram).vectors;
+    result[std::size_t(mode)] = eigenBasis(gram).vectors;
   }
   return result;
 }

@@ -25,15 +25,8 @@ void addGram(const Scalar* block, const Sizes& sizes, int mode, Eigen::MatrixXd&
   }
 }
 
-/// Orthonormal eigenvectors of a Gram matrix, those of the largest eigenvalues first; the largest entry in size of each
-/// is positive.
-struct GramBasis {
-  Eigen::MatrixXd vectors;
-  Eigen::VectorXd values;  ///< >= 0
-
-  /// The least count of leading vectors, at least 1, that leaves at most this share of the energy out.
-  int rankFor(double mostLoss) const;
-};
-GramBasis gramBasis(const Eigen::MatrixXd& gram);
+/// The least count of leading eigenvectors, at least 1, that leaves at most this share of the energy out.
+/// @param eigenvalues of a Gram matrix, descending.
+int rankFor(const Eigen::VectorXd& eigenvalues, double mostLoss);
 
 }  // namespace gonio::dictionary

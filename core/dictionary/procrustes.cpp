@@ -2,15 +2,16 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/dictionary/procrustes.h"
 
-#include <Eigen/SVD>
 #include <cassert>
+
+#include "core/math/decompositions.h"
 
 namespace gonio::dictionary {
 
 Eigen::MatrixXd orthogonalProcrustes(const Eigen::MatrixXd& z) {
   assert(z.rows() == z.cols());
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(z, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
+  const ThinSvd svd = thinSvd(z);
+  return svd.u * svd.v.transpose();
 }
 
 }  // namespace gonio::dictionary

@@ -6,6 +6,7 @@
 
 #include "core/dictionary/dictionary.h"
 #include "core/dictionary/gram.h"
+#include "core/math/decompositions.h"
 
 namespace gonio::dictionary {
 
@@ -51,9 +52,9 @@ SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const Sign
       control);
   SharedSubspace subspace;
   for (std::size_t mode = 0; mode < 3; ++mode) {
-    const GramBasis basis = gramBasis(total[mode]);
+    const EigenBasis basis = eigenBasis(total[mode]);
     subspace.bases[mode] = basis.vectors;
-    subspace.ranks[mode] = basis.rankFor(mostLoss / 3);
+    subspace.ranks[mode] = rankFor(basis.values, mostLoss / 3);
   }
   return subspace;
 }

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/factorization/canonical_polyadic.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <random>
 
 #include "core/factorization/higher_order_svd.h"
+#include "core/math/decompositions.h"
 
 namespace gonio::factorization {
 
@@ -57,12 +57,11 @@ Matrix unfoldingTimesKhatriRao(const Tensor& tensor, const std::vector<Matrix>& 
 
 /// right * inverse(gram) for a positive semi-definite matrix; directions that it does not see are left out.
 Matrix solveFromRight(const Matrix& right, const Matrix& gram) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
-  const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
-  const double smallest = 1e-14 * double(gram.rows()) * largest;
-  Vector inverse = eigen.eigenvalues();
+  const EigenBasis basis = eigenBasis(gram);
+  const double smallest = 1e-14 * double(gram.rows()) * basis.values[0];
+  Vector inverse = basis.values;
   for (double& value : inverse) value = value > smallest ? 1 / value : 0;
-  return right * eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+  return right * basis.vectors * inverse.asDiagonal() * basis.vectors.transpose();
 }
 
 void normaliseColumns(Matrix& factor, Vector& weights) {

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/factorization/higher_order_svd.h"
 
-#include <Eigen/Eigenvalues>
 #include <cassert>
+
+#include "core/math/decompositions.h"
 
 namespace gonio::factorization {
 
@@ -12,15 +13,7 @@ Eigen::MatrixXd leadingSingularVectors(const Tensor& tensor, int mode, int count
   const Eigen::MatrixXd fibres = unfold(tensor, mode);
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(fibres.rows(), fibres.rows());
   gram.selfadjointView<Eigen::Lower>().rankUpdate(fibres);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-  // Eigenvalues ascend.
-  Eigen::MatrixXd vectors = eigen.eigenvectors().rightCols(count).rowwise().reverse();
-  for (Eigen::Index r = 0; r < vectors.cols(); ++r) {
-    Eigen::Index largest = 0;
-    vectors.col(r).cwiseAbs().maxCoeff(&largest);
-    if (vectors(largest, r) < 0) vectors.col(r) = -vectors.col(r);
-  }
-  return vectors;
+  return eigenBasis(gram).vectors.leftCols(count);
 }
 
 HigherOrderSvd decomposeHigherOrderSvd(const Tensor& tensor, const std::vector<int>& ranks) {

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/math/gram_svd.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 
 namespace gonio {
@@ -44,18 +44,11 @@ Eigen::MatrixXd gramMatrix(const TallMatrix& matrix, const TaskControl& control)
 
 GramSvd decomposeGramSvd(TallMatrix matrix, int mostComponents, const TaskControl& control) {
   constexpr double gramShare = 0.5;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gramMatrix(matrix, control.between(0, gramShare)));
-  // Eigenvalues ascend.
-  const Eigen::VectorXd sigma = eigen.eigenvalues().reverse().cwiseMax(0).cwiseSqrt();
+  const EigenBasis basis = eigenBasis(gramMatrix(matrix, control.between(0, gramShare)));
+  const Eigen::VectorXd sigma = basis.values.cwiseSqrt();
   Eigen::Index count = 0;
   while (count < std::min<Eigen::Index>(mostComponents, sigma.size()) && sigma[count] > weakest * sigma[0]) ++count;
-  GramSvd result{
-      .u = {}, .singularValues = sigma.head(count), .v = eigen.eigenvectors().rowwise().reverse().leftCols(count)};
-  for (Eigen::Index c = 0; c < count; ++c) {
-    Eigen::Index largest = 0;
-    result.v.col(c).cwiseAbs().maxCoeff(&largest);
-    if (result.v(largest, c) < 0) result.v.col(c) = -result.v.col(c);
-  }
+  GramSvd result{.u = {}, .singularValues = sigma.head(count), .v = basis.vectors.leftCols(count)};
 
   const Eigen::MatrixXd projector = result.v * result.singularValues.cwiseInverse().asDiagonal();
   auto all = matrix.view();

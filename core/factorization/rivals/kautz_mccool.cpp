@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/factorization/rivals/kautz_mccool.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 #include "core/brdf/pairwise_brdf.h"
 #include "core/factorization/rivals/node_spacing.h"
+#include "core/math/decompositions.h"
 #include "core/math/monotone_cubic.h"
 
 namespace gonio::factorization {
@@ -93,13 +93,12 @@ int kautzMcCoolTerms(const HalfDifferenceAxes& axes, std::size_t byteBudget) {
 KautzMcCoolFactors factorizeKautzMcCool(const HalfDifferenceSamples& samples, int terms, const TaskControl& control) {
   control.throwIfStopped();
   const Eigen::VectorXd rows = rowScales(samples.axes), columns = columnScales(samples.axes);
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(rows.asDiagonal() * filled(samples) * columns.asDiagonal(),
-                                           Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& strengths = svd.singularValues();
+  const ThinSvd svd = thinSvd(rows.asDiagonal() * filled(samples) * columns.asDiagonal());
+  const Eigen::VectorXd& strengths = svd.singularValues;
   const Index count = std::clamp(Index(terms), Index(1), strengths.size());
   KautzMcCoolFactors result{.axes = samples.axes};
-  result.half = rows.cwiseInverse().asDiagonal() * svd.matrixU().leftCols(count) * strengths.head(count).asDiagonal();
-  result.difference = columns.cwiseInverse().asDiagonal() * svd.matrixV().leftCols(count);
+  result.half = rows.cwiseInverse().asDiagonal() * svd.u.leftCols(count) * strengths.head(count).asDiagonal();
+  result.difference = columns.cwiseInverse().asDiagonal() * svd.v.leftCols(count);
   const double total = strengths.norm();
   for (Index k = 0; k <= count; ++k)
     result.residuals.push_back(total > 0 ? strengths.tail(strengths.size() - k).norm() / total : 0);

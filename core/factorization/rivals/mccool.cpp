@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/factorization/rivals/mccool.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "core/brdf/pairwise_brdf.h"
 #include "core/factorization/deviation_grid.h"
+#include "core/math/decompositions.h"
 #include "core/math/monotone_cubic.h"
 
 namespace gonio::factorization {
@@ -117,9 +117,11 @@ McCoolFactors factorizeMcCool(const HalfDifferenceSamples& samples, const TaskCo
   holdSmooth(matrix, 0, split, smoothness * unit);
   holdSmooth(matrix, split, count, smoothness * unit);
   matrix.diagonal().array() += size * unit;
-  const Eigen::LDLT<Eigen::MatrixXd> solver(matrix);
+  Eigen::MatrixXd right(count, 3);
+  for (std::size_t channel = 0; channel < 3; ++channel) right.col(Index(channel)) = equations.right[channel];
+  const Eigen::MatrixXd solution = solveSymmetric(matrix, right);
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const Eigen::VectorXd x = solver.solve(equations.right[channel]);
+    const auto x = solution.col(Index(channel));
     f.channels[channel].logP.assign(x.data(), x.data() + split);
     f.channels[channel].logQ.assign(x.data() + split, x.data() + count);
   }

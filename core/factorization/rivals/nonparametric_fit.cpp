@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "core/factorization/rivals/nonparametric.h"
 #include "core/factorization/rivals/nonparametric_place.h"
+#include "core/math/decompositions.h"
 #include "core/math/parallel.h"
 
 namespace gonio::factorization {
@@ -162,7 +162,7 @@ class ChannelFit {
       Eigen::MatrixXd damped = matrix;
       damped.diagonal() *= 1 + damping;
       damped.diagonal().array() += 1e-9 * unit;
-      const Eigen::VectorXd step = damped.ldlt().solve(right);
+      const Eigen::VectorXd step = solveSymmetric(damped, right);
       Curve trial;
       for (std::size_t i = 0; i < nodes; ++i) trial[i] = std::max(0.0, g_[i] + step[Index(i)]);
       if (!(leftOver(trial) < before)) continue;

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/math/decompositions.h"
+
+#include <QTest>
+#include <cmath>
+#include <random>
+
+using namespace gonio;
+using Eigen::MatrixXd;
+
+namespace {
+
+MatrixXd randomMatrix(int rows, int columns) {
+  std::mt19937 generator(7);
+  std::normal_distribution<double> normal;
+  return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
+}
+
+double departureFromOrthonormal(const MatrixXd& columns) {
+  return (columns.transpose() * columns - MatrixXd::Identity(columns.cols(), columns.cols())).norm();
+}
+
+}  // namespace
+
+class DecompositionsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void eigenvectorsOfAKnownMatrix() {
+    MatrixXd m(2, 2);
+    m << 2, 1, 1, 2;
+    const EigenBasis basis = eigenBasis(m);
+    QVERIFY(std::abs(basis.values[0] - 3) < 1e-15 && std::abs(basis.values[1] - 1) < 1e-15);
+    QVERIFY((basis.vectors.col(0) - Eigen::Vector2d(1, 1) / std::sqrt(2.0)).norm() < 1e-15);
+  }
+
+  void eigenvectorsRebuildADeficientMatrix() {
+    const MatrixXd half = randomMatrix(9, 4), gram = half * half.transpose();
+    const EigenBasis basis = eigenBasis(gram);
+    QVERIFY(basis.values.minCoeff() >= 0);
+    QVERIFY(departureFromOrthonormal(basis.vectors) < 1e-13);
+    QVERIFY((basis.vectors * basis.values.asDiagonal() * basis.vectors.transpose() - gram).norm() <
+            1e-13 * gram.norm());
+    for (int c = 0; c < 9; ++c) {
+      QVERIFY(c == 0 || basis.values[c] <= basis.values[c - 1]);
+      QVERIFY(basis.vectors.col(c).maxCoeff() >= -basis.vectors.col(c).minCoeff());
+    }
+  }
+
+  void singularVectorsRebuildTallAndWide() {
+    for (const MatrixXd& m : {randomMatrix(40, 7), MatrixXd(randomMatrix(40, 7).transpose()), randomMatrix(30, 30)}) {
+      const ThinSvd svd = thinSvd(m);
+      QCOMPARE(svd.u.cols(), std::min(m.rows(), m.cols()));
+      QVERIFY(departureFromOrthonormal(svd.u) < 1e-13 && departureFromOrthonormal(svd.v) < 1e-13);
+      QVERIFY((svd.u * svd.singularValues.asDiagonal() * svd.v.transpose() - m).norm() < 1e-13 * m.norm());
+      for (int k = 1; k < svd.singularValues.size(); ++k) QVERIFY(svd.singularValues[k] <= svd.singularValues[k - 1]);
+    }
+  }
+
+  void symmetricSystemsOfSeveralRightSides() {
+    const MatrixXd half = randomMatrix(12, 12), a = half * half.transpose(), x = randomMatrix(12, 3);
+    QVERIFY((solveSymmetric(a, a * x) - x).norm() < 1e-9 * x.norm());
+  }
+};
+
+QTEST_APPLESS_MAIN(DecompositionsTest)
+#include "decompositions_test.moc"
