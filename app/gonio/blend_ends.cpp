@@ -23,8 +23,9 @@ BlendEnd finished(const LoadedMaterial& material, const QString& name, editing::
   end.name = name;
   const std::string& description = material.material.source.description;
   end.description = QString::fromStdString(description.empty() ? material.material.name : description);
-  end.table = editing::bakeEdits(material.table, source.edits, control.between(0, editShare));
-  end.picture = spherePicture(*end.table, pictureSide, pictureSamples, control.between(editShare, 1));
+  end.material = editing::blendedEnd(material.material, material.table,
+                                     editing::bakeEdits(material.table, source.edits, control.between(0, editShare)));
+  end.picture = spherePicture(*end.material.table, pictureSide, pictureSamples, control.between(editShare, 1));
   source.view = {};
   end.source = std::move(source);
   return end;
@@ -75,7 +76,7 @@ bool BlendEnds::isComplete() const {
 
 std::vector<editing::InterpolationEnd> BlendEnds::ends() const {
   std::vector<editing::InterpolationEnd> ends;
-  for (const Place& place : m_places) ends.push_back({place.end->table});
+  for (const Place& place : m_places) ends.push_back(place.end->material);
   return ends;
 }
 

@@ -15,8 +15,8 @@ namespace gonio::app {
 struct BlendEnd {
   QString name, description;
   QImage picture;
-  std::shared_ptr<const TabulatedBrdf> table;  ///< with its edits
-  editing::EditDocument source;                ///< what it takes to make it again; resolved paths
+  editing::InterpolationEnd material;  ///< with its edits
+  editing::EditDocument source;        ///< what it takes to make it again; resolved paths
 };
 
 /// The materials of the Interpolation panel, two to four places, and the reading of them in the background. Nothing of

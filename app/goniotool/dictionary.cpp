@@ -66,10 +66,10 @@ std::vector<std::string> trainingFiles(const Options& options) {
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());
   }
-  std::erase_if(files, [&](const std::string& file) {
-    const std::string name = std::filesystem::path(file).stem().string();
-    return std::find(options.excluded.begin(), options.excluded.end(), name) != options.excluded.end();
-  });
+  // A name that excludes nothing would teach what is to be held out.
+  for (const std::string& name : options.excluded)
+    if (std::erase_if(files, [&](const std::string& file) { return std::filesystem::path(file).stem() == name; }) == 0)
+      throw Error("dictionary train: found no material " + name + " to leave out");
   if (files.empty()) throw Error("dictionary train: no material is left to learn from");
   return files;
 }
@@ -122,9 +122,10 @@ int train(const Options& options, const Tool& tool) {
   for (std::size_t e = 0; e < result.state.errors.size(); ++e) {
     const std::vector<double>& errors = result.state.errors[e];
     Json entry{{"sparsity", options.training.sparsities[e]}, {"rounds", errors.size()}, {"errors", errors}};
-    text += "sparsity " + std::to_string(options.training.sparsities[e]) + ": relative squared error " +
-            number(errors.front()) + " to " + number(errors.back()) + " in " + std::to_string(errors.size()) +
-            " rounds";
+    text += "sparsity " + std::to_string(options.training.sparsities[e]);
+    text += errors.empty() ? ": stopped before its first round"
+                           : ": relative squared error " + number(errors.front()) + " to " + number(errors.back()) +
+                                 " in " + std::to_string(errors.size()) + " rounds";
     if (e < result.errorsAfter.size()) {
       entry["errorBeforeSweep"] = result.errorsBefore[e];
       entry["errorAfterSweep"] = result.errorsAfter[e];

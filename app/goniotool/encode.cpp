@@ -4,6 +4,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/brdf/weighted_sum.h"
 #include "core/dictionary/decode.h"
 #include "core/io/code_file.h"
 #include "core/metrics/brdf_metrics.h"
@@ -28,7 +29,7 @@ std::string nameOf(DataTransform transform) { return std::string(dataTransformNa
 EncodeOptions encodeOptions(const Options& options) {
   EncodeOptions encoding = options.encoding;
   if (options.relativeError > 0) encoding.relativeError = options.relativeError;
-  if (options.bytes > 0) encoding.bytes = options.bytes;
+  if (options.bytes > 0) encoding.bytes = options.bytes - std::min(options.bytes, io::codeHeaderBytes);
   std::erase_if(encoding.transforms,
                 [&](DataTransform t) { return !options.transform.empty() && options.transform != nameOf(t); });
   return encoding;
@@ -39,9 +40,12 @@ std::shared_ptr<const io::NamedEnsemble> dictionaryOf(const Options& options) {
 }
 
 int encode(const Options& options, const Tool& tool) {
+  if (options.bytes > 0 && options.single)
+    throw UsageError("encode: --bytes counts values in half precision; leave out --single");
   const auto dictionary = dictionaryOf(options);
-  auto table = openMaterial(options.material, tool.control("reading")).tabulated(tool.control("tabulating"));
-  if (!(table->grid() == dictionary->ensemble.grid)) table = bakeTable(*table, dictionary->ensemble.grid);
+  const auto material = openMaterial(options.material, tool.control("reading"));
+  const auto table =
+      onGrid(material.tabulated(tool.control("tabulating")), dictionary->ensemble.grid, tool.control("sampling"));
   const Encoder encoder(dictionary->ensemble);
   Encoded encoded;
   std::optional<double> renderedSnr;
@@ -111,7 +115,7 @@ void addEncode(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(0, 65535));
   command->add_option("--error", options->relativeError, "Fewer where the squared error is at most this share")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--bytes", options->bytes, "Fewer where the code would have more bytes")
+  command->add_option("--bytes", options->bytes, "Fewer where the file would have more bytes")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--rendered-snr", options->renderedSnr,

@@ -11,6 +11,7 @@
 #include "core/editing/interpolation/interpolation.h"
 #include "core/io/code_file.h"
 #include "core/io/pdv_file.h"
+#include "core/math/weights.h"
 #include "core/models/registry.h"
 #include "core/support/naming_file.h"
 

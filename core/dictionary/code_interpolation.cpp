@@ -11,6 +11,7 @@
 #include "core/dictionary/decode.h"
 #include "core/dictionary/procrustes.h"
 #include "core/math/parallel.h"
+#include "core/math/weights.h"
 #include "core/support/error.h"
 
 namespace gonio::dictionary {
@@ -18,17 +19,8 @@ namespace gonio::dictionary {
 namespace {
 
 void check(const Ensemble& ensemble, std::span<const SparseCode> codes, std::span<const double> weights) {
-  if (codes.empty() || codes.size() != weights.size())
-    throw Error("interpolation: found " + std::to_string(weights.size()) + " weights for " +
-                std::to_string(codes.size()) + " materials");
-  double sum = 0;
-  for (const double weight : weights) {
-    if (!(weight >= 0 && weight <= 1))
-      throw Error("interpolation: found the weight " + std::to_string(weight) + ", expected 0 to 1");
-    sum += weight;
-  }
-  if (std::abs(sum - 1) > 1e-9)
-    throw Error("interpolation: the weights add up to " + std::to_string(sum) + ", expected 1");
+  if (codes.empty()) throw Error("there is no code to interpolate between");
+  checkWeights(weights, codes.size());
   for (const SparseCode& code : codes) {
     checkCode(ensemble, code);
     if (code.transform != codes.front().transform)
@@ -97,16 +89,19 @@ ChannelCode interpolateChannel(const Ensemble& ensemble, std::span<const SparseC
 
 std::array<Eigen::MatrixXd, 3> rotationsBetween(const Dictionary& u, const Dictionary& v) {
   std::array<Eigen::MatrixXd, 3> rotations;
-  for (std::size_t mode = 0; mode < 3; ++mode)
-    rotations[mode] = orthogonalProcrustes(u.modes[mode].transpose() * v.modes[mode]);
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    const Eigen::MatrixXd product = u.modes[mode].transpose() * v.modes[mode];
+    // A product of square orthonormal matrices is its own polar factor: no singular values are needed.
+    const bool square = u.modes[mode].rows() == u.modes[mode].cols() && v.modes[mode].rows() == v.modes[mode].cols();
+    rotations[mode] = square ? product : orthogonalProcrustes(product);
+  }
   return rotations;
 }
 
 SparseCode interpolateCodes(const Ensemble& ensemble, std::span<const SparseCode> codes,
                             std::span<const double> weights, std::size_t coefficients) {
   check(ensemble, codes, weights);
-  for (std::size_t i = 0; i < codes.size(); ++i)
-    if (weights[i] == 1) return codes[i];
+  if (const auto whole = wholeWeight(weights)) return codes[*whole];
   SparseCode result = codes.front();
   parallelForBlocks(3, 1, [&](std::size_t channel, std::size_t) {
     result.channels[channel] = interpolateChannel(ensemble, codes, weights, channel, coefficients);

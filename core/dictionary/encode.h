@@ -14,7 +14,8 @@ namespace gonio::dictionary {
 
 struct EncodeOptions {
   std::size_t coefficients = 262;  ///< a channel, at most (dissertation 4.3.2.4: 262, the size of Bagher et al. 2016)
-  /// Fewer coefficients where the squared error of the signal is then at most this share of its energy.
+  /// Fewer coefficients where the squared error of the signal, scaled by GridGeometry::importance, is then at most this
+  /// share of its energy.
   std::optional<double> relativeError;
   /// Fewer coefficients where the packed code would have more bytes than this.
   std::optional<std::size_t> bytes;
@@ -30,7 +31,8 @@ struct EncodedCandidate {
   /// Mean over the valid cells to 85 degrees, weighted by the projected solid angles of both directions, of
   /// (rho^(1/gamma) - rho'^(1/gamma))^2, rho in 1/sr (dissertation 4.3.2.4, where all cells count the same).
   double gammaError = 0;
-  double squaredError = 0;  ///< mean of (rho - rho')^2 over the same cells: what the selection does not go by
+  double squaredError =
+      0;  ///< mean of (rho - rho')^2 over the same cells with the same weights: what the selection does not go by
 };
 
 struct Encoded {

@@ -9,6 +9,8 @@
 
 /// The classical way of sparse coding, for comparison: signals are cut into patches, each a sum of few atoms of one
 /// overcomplete dictionary that K-SVD learned.
+/// Signals are transformed and scaled by GridGeometry::importance like the ensemble's (signals.h): what decodePatches()
+/// and signalOf() give is divided by it before the inverse transform.
 namespace gonio::dictionary {
 
 /// The patches of a signal of `sizes` (phi_d, theta_d, theta_h), one a column, each with phi_d fastest.

@@ -8,6 +8,7 @@
 #include "core/editing/edit_document_json.h"
 #include "core/io/dictionary_file.h"
 #include "core/io/sha256.h"
+#include "core/math/weights.h"
 
 namespace gonio::editing {
 
@@ -58,7 +59,8 @@ io::Material readBlend(const BlendSource& blend, const std::filesystem::path& pa
     const TaskControl part = control.between(double(i) * each, double(i + 1) * each);
     const io::Material source = readSource(blend.materials[i], path, part);
     found.materials[i].sourceSha256 = source.source.sha256;
-    ends.push_back({bakeEdits(source.tabulated({control.stop, {}}), blend.materials[i].edits, {control.stop, {}})});
+    const auto table = source.tabulated({control.stop, {}});
+    ends.push_back(blendedEnd(source, table, bakeEdits(table, blend.materials[i].edits, {control.stop, {}})));
   }
   const auto interpolation =
       prepareInterpolation(blend.space, ends, blendOptions(blend.model), control.between(readShare, 0.9));
@@ -66,6 +68,11 @@ io::Material readBlend(const BlendSource& blend, const std::filesystem::path& pa
 }
 
 }  // namespace
+
+InterpolationEnd blendedEnd(const io::Material& material, const std::shared_ptr<const TabulatedBrdf>& unedited,
+                            const std::shared_ptr<const TabulatedBrdf>& edited) {
+  return {.table = edited, .factors = nullptr, .code = edited == unedited ? material.code : nullptr};
+}
 
 InterpolationOptions blendOptions(const models::Model* model) {
   InterpolationOptions options;
@@ -89,8 +96,10 @@ nlohmann::json toJson(const BlendSource& blend) {
 }
 
 std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& json, const std::string& where,
-                                                       int version) {
+                                                       int version, int depth) {
   const JsonObject object(json, where);
+  if (depth > mostBlendsInBlends)
+    throw Error(where + ": found more than " + std::to_string(mostBlendsInBlends) + " blends in one another");
   auto blend = std::make_shared<BlendSource>();
   blend->space = spaceFromJson(object);
   if (hasModel(blend->space)) blend->model = modelFromJson(object);
@@ -98,7 +107,7 @@ std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& jso
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const JsonObject material(materials[i], object.place("materials") + "[" + std::to_string(i) + "]");
     blend->weights.push_back(material.number("weight", 0, 1));
-    blend->materials.push_back(contentFromJson(material, version));
+    blend->materials.push_back(contentFromJson(material, version, depth));
   }
   if (materials.empty()) object.fail("materials", "one material at least");
   try {

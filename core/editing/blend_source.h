@@ -23,11 +23,19 @@ struct BlendSource {
 /// factors.
 InterpolationOptions blendOptions(const models::Model* model = nullptr);
 
+/// A material as one that is blended: with its code while no edit has changed it.
+/// @param unedited its table. @param edited the table with its edits, the same object where there are none.
+InterpolationEnd blendedEnd(const io::Material& material, const std::shared_ptr<const TabulatedBrdf>& unedited,
+                            const std::shared_ptr<const TabulatedBrdf>& edited);
+
 /// @throws Error when an edit's values do not fit its model.
 nlohmann::json toJson(const BlendSource& blend);
-/// @param version of the document. @throws Error as documentFromJson(); weights that are none too.
+/// How deep blends of blends may be.
+inline constexpr int mostBlendsInBlends = 16;
+/// @param version of the document. @param depth 1 for a document's own blend.
+/// @throws Error as documentFromJson(); weights that are none and blends in too many blends too.
 std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& json, const std::string& where,
-                                                       int version);
+                                                       int version, int depth);
 
 /// Tells a blend from one of other materials, other edits or other weights; those of the sources count, not their
 /// paths. Lower-case hex.

@@ -110,11 +110,12 @@ nlohmann::json contentToJson(const EditDocument& document) {
   return {{"source", std::move(source)}, {"edits", std::move(edits)}};
 }
 
-EditDocument contentFromJson(const JsonObject& object, int version) {
+EditDocument contentFromJson(const JsonObject& object, int version, int depth) {
   EditDocument document;
   const JsonObject source = object.object("source");
   if (source.contains("blend")) {
-    document.blend = blendSourceFromJson(source.member("blend", "an object"), source.place("blend"), version);
+    document.blend =
+        blendSourceFromJson(source.member("blend", "an object"), source.place("blend"), version, depth + 1);
   } else {
     document.sourcePath = source.text("path");
     if (document.sourcePath.empty()) source.fail("path", "the path of a material");

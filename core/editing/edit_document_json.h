@@ -9,7 +9,7 @@
 namespace gonio::editing {
 
 nlohmann::json contentToJson(const EditDocument& document);
-/// @throws Error as documentFromJson().
-EditDocument contentFromJson(const JsonObject& object, int version);
+/// @param depth how many blends it lies in. @throws Error as documentFromJson().
+EditDocument contentFromJson(const JsonObject& object, int version, int depth = 0);
 
 }  // namespace gonio::editing

@@ -8,6 +8,7 @@
 
 #include "core/factorization/pdv_operations.h"
 #include "core/factorization/width_blend.h"
+#include "core/math/weights.h"
 #include "core/support/error.h"
 
 namespace gonio::factorization {
@@ -15,17 +16,6 @@ namespace gonio::factorization {
 namespace {
 
 using Curve = std::vector<double>;
-
-void checkForms(std::span<const PdvFactors* const> ends) {
-  for (const PdvFactors* end : ends) {
-    if (end->transform != ends[0]->transform)
-      throw Error("the transforms of the factors are " +
-                  std::string(dataTransformNames[std::size_t(ends[0]->transform)]) + " and " +
-                  std::string(dataTransformNames[std::size_t(end->transform)]) + "; expected the same");
-    if (end->form != ends[0]->form)
-      throw Error("factors of two curves and of three cannot be blended; expected the same form");
-  }
-}
 
 Curve onNodes(const Curve& nodes, const Curve& curve, const Curve& newNodes) {
   return nodes == newNodes ? curve : resampled(nodes, curve, newNodes);
@@ -46,13 +36,19 @@ PdvTerm blendedFirstTerm(std::span<const PdvFactors* const> ends, std::span<cons
                          std::size_t channel) {
   PdvTerm sum;
   std::vector<Curve> shapes;
+  double shaped = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     PdvTerm term = termOn(*ends[0], *ends[i], ends[i]->channels[channel].front());
     // F1 takes up the height of F2, which is 1 unless it was edited.
-    add(sum.f1, term.f1, weights[i] * *std::max_element(term.f2.begin(), term.f2.end()));
-    add(sum.f3, term.f3, weights[i]);
+    const double height = *std::max_element(term.f2.begin(), term.f2.end());
+    add(sum.f1, term.f1, weights[i] * height);
+    // What has no strength has no shape either: black dims a material and does not change it.
+    const double share = height > 0 ? weights[i] : 0;
+    add(sum.f3, term.f3, share);
+    shaped += share;
     shapes.push_back(std::move(term.f2));
   }
+  if (shaped > 0) sum.f3 = scaled(sum.f3, 1 / shaped);
   sum.f2 = blendedByWidth(ends[0]->deviationNodes, shapes, weights);
   return sum;
 }
@@ -74,11 +70,21 @@ std::vector<FurtherTerm> furtherTerms(std::span<const PdvFactors* const> ends, s
 
 }  // namespace
 
+void checkBlendable(std::span<const PdvFactors* const> ends) {
+  for (const PdvFactors* end : ends) {
+    if (end->transform != ends[0]->transform)
+      throw Error("the transforms of the factors are " +
+                  std::string(dataTransformNames[std::size_t(ends[0]->transform)]) + " and " +
+                  std::string(dataTransformNames[std::size_t(end->transform)]) + "; expected the same");
+    if (end->form != ends[0]->form)
+      throw Error("factors of two curves and of three cannot be blended; expected the same form");
+  }
+}
+
 PdvFactors blended(std::span<const PdvFactors* const> ends, std::span<const double> weights) {
   assert(!ends.empty() && ends.size() == weights.size());
-  checkForms(ends);
-  const auto whole = std::find(weights.begin(), weights.end(), 1.0);
-  if (whole != weights.end()) return *ends[std::size_t(whole - weights.begin())];
+  checkBlendable(ends);
+  if (const auto whole = wholeWeight(weights)) return *ends[*whole];
   PdvFactors result = *ends[0];
   result.highest = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) result.highest += weights[i] * ends[i]->highest;

@@ -20,7 +20,7 @@ using dictionary::SparseCode;
 
 constexpr std::string_view magic = "GONIOCOD";
 constexpr std::uint16_t version = 1, mostNodes = 1024;
-constexpr std::size_t headerBytes = 8 + 2 + 1 + 1 + 4 * 2 + 8, mostBytes = std::size_t(1) << 21;
+constexpr std::size_t mostBytes = std::size_t(1) << 21;
 
 struct Header {
   std::uint16_t fileVersion;
@@ -61,7 +61,7 @@ std::vector<std::byte> encodeCode(const SparseCode& code, std::uint64_t dictiona
                 {std::uint16_t(grid.thetaHCount), std::uint16_t(grid.thetaDCount), std::uint16_t(grid.phiDCount),
                  std::uint16_t(grid.reciprocal)},
                 dictionaryId};
-  std::vector<std::byte> bytes(headerBytes);
+  std::vector<std::byte> bytes(codeHeaderBytes);
   std::byte* at = bytes.data();
   const auto put = [&](const void* from, std::size_t count) {
     std::memcpy(at, from, count);
@@ -81,8 +81,8 @@ void writeCode(const SparseCode& code, std::uint64_t dictionaryId, const std::fi
 
 CodeFile readCode(const ByteSource& source) {
   if (!isCode(source)) throw Error("sparse code: the file does not begin with " + std::string(magic));
-  if (source.size() < headerBytes || source.size() > mostBytes)
-    fail("the size of the file", source.size(), std::to_string(headerBytes) + " to " + std::to_string(mostBytes));
+  if (source.size() < codeHeaderBytes || source.size() > mostBytes)
+    fail("the size of the file", source.size(), std::to_string(codeHeaderBytes) + " to " + std::to_string(mostBytes));
   const std::vector<std::byte> bytes = source.readAll();
   const std::byte* at = bytes.data() + magic.size();
   Header header{};
@@ -99,7 +99,7 @@ CodeFile readCode(const ByteSource& source) {
                          .channels = {}},
                 .dictionaryId = header.dictionaryId,
                 .precision = CodePrecision(header.precision)};
-  unpackChannels(std::span(bytes).subspan(headerBytes), file.precision, file.code);
+  unpackChannels(std::span(bytes).subspan(codeHeaderBytes), file.precision, file.code);
   return file;
 }
 

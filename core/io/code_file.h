@@ -14,6 +14,9 @@
 /// 262 coefficients a channel in half precision.
 namespace gonio::io {
 
+/// What the file has before the packed channels.
+inline constexpr std::size_t codeHeaderBytes = 8 + 2 + 1 + 1 + 4 * 2 + 8;
+
 /// The bytes of the file.
 std::vector<std::byte> encodeCode(const dictionary::SparseCode& code, std::uint64_t dictionaryId,
                                   dictionary::CodePrecision precision = dictionary::CodePrecision::half);

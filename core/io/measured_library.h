@@ -20,7 +20,7 @@ struct MeasuredMaterial {
   double renderedSnr = 0;           ///< of the code against the measured table in comparisonScene(), dB
   std::span<const std::byte> code;  ///< the file
 
-  /// "RGL, measured; code of 700 coefficients, rendered SNR 45.1 dB".
+  /// "RGL, measured; code of 700 coefficients a channel, rendered SNR 45.1 dB".
   std::string description() const;
   /// Of the file.
   std::string sha256() const;

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "core/io/atomic_file.h"
+#include "core/io/described_numbers.h"
 #include "core/support/naming_file.h"
 
 namespace gonio::io {
@@ -164,11 +165,6 @@ bool isPdv(const std::filesystem::path& path) {
   return stream.read(start, magicBytes) && std::memcmp(start, magic, magicBytes) == 0;
 }
 
-bool isPdv(const ByteSource& source) {
-  std::byte start[magicBytes];
-  if (source.size() < magicBytes) return false;
-  source.readAt(0, start);
-  return std::memcmp(start, magic, magicBytes) == 0;
-}
+bool isPdv(const ByteSource& source) { return beginsWith(source, std::string_view(magic, magicBytes)); }
 
 }  // namespace gonio::io

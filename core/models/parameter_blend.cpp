@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/math/weights.h"
 #include "core/support/error.h"
 
 namespace gonio::models {
@@ -28,8 +29,7 @@ double blend(const ParameterSpec& parameter, std::span<const double> values, std
 
 ParameterValues blended(const ModelSpec& spec, std::span<const ParameterValues> ends, std::span<const double> weights) {
   assert(!ends.empty() && ends.size() == weights.size());
-  const auto whole = std::find(weights.begin(), weights.end(), 1.0);
-  if (whole != weights.end()) return ends[std::size_t(whole - weights.begin())];
+  if (const auto whole = wholeWeight(weights)) return ends[*whole];
   ParameterValues result = ends[0];
   std::vector<double> values(ends.size());
   for (std::size_t p = 0; p < spec.parameters.size(); ++p) {

@@ -104,7 +104,7 @@ class InterpolationPanelTest : public QObject {
     // The end is the material, not a blend of one.
     Q_EMIT editor.panel.slider().numberEdited(1);
     QVERIFY(!editor.panel.subject()->blend);
-    QCOMPARE(editor.panel.subject()->table, editor.panel.ends().at(1)->table);
+    QCOMPARE(editor.panel.subject()->table, editor.panel.ends().at(1)->material.table);
     // Swapped: the same place, the other end.
     editor.panel.ends().swap(0, 1);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
@@ -214,7 +214,7 @@ class InterpolationPanelTest : public QObject {
     editor.document.setParameter(0, Rgb(0.5));
     editor.panel.begin();
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().at(0), patienceMilliseconds);
-    QVERIFY(std::abs(normalValue(*editor.panel.ends().at(0)->table) - 0.5) < 1e-6);
+    QVERIFY(std::abs(normalValue(*editor.panel.ends().at(0)->material.table) - 0.5) < 1e-6);
     QCOMPARE(editor.panel.ends().at(0)->source.edits.size(), std::size_t(1));
   }
 

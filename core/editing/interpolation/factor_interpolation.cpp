@@ -16,8 +16,7 @@ class FactorInterpolation final : public Interpolation {
   /// @throws Error when the factors cannot be blended.
   FactorInterpolation(std::vector<Table> tables, std::vector<Factors> factors)
       : Interpolation(std::move(tables)), factors_(std::move(factors)) {
-    const std::vector<double> even(materials(), 1 / double(materials()));
-    blended(even);
+    factorization::checkBlendable(ends());
   }
 
  private:
@@ -25,10 +24,11 @@ class FactorInterpolation final : public Interpolation {
     return factorization::makePdvBrdf(blended(weights));
   }
   std::optional<PdvFactors> blendedFactors(std::span<const double> weights) const override { return blended(weights); }
-  PdvFactors blended(std::span<const double> weights) const {
+  PdvFactors blended(std::span<const double> weights) const { return factorization::blended(ends(), weights); }
+  std::vector<const PdvFactors*> ends() const {
     std::vector<const PdvFactors*> ends;
     for (const Factors& factors : factors_) ends.push_back(factors.get());
-    return factorization::blended(ends, weights);
+    return ends;
   }
 
   std::vector<Factors> factors_;

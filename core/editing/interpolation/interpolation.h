@@ -123,9 +123,6 @@ class Interpolation {
   std::vector<Table> tables_;
 };
 
-/// @throws Error telling the count, weight or sum that is wrong; weights that are not numbers too.
-void checkWeights(std::span<const double> weights, std::size_t materials);
-
 /// Prepares two or more materials (one is allowed). Fits take about 1 s a material, factorisations and codes too.
 /// @throws Error where materials cannot be blended in the space: factors of different transforms, no dictionary or
 /// codes of another one; Cancelled.

@@ -7,7 +7,7 @@
 /// What prepareInterpolation() chooses from, one a file.
 namespace gonio::editing {
 
-std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationEnd> ends);
+std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationEnd> ends, const TaskControl& control);
 /// `parameters`, or `differential` where the measured detail is kept.
 std::shared_ptr<const Interpolation> prepareParametric(std::span<const InterpolationEnd> ends, bool keepDetail,
                                                        const InterpolationOptions& options, const TaskControl& control);
@@ -20,7 +20,8 @@ std::shared_ptr<const Interpolation> prepareDictionary(std::span<const Interpola
 TransformedMixture mixtureOf(const std::vector<Interpolation::Table>& tables);
 /// The ends' own tables.
 std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationEnd> ends);
-/// The ends' tables on the grid of the first.
-std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Table>& tables);
+/// The ends' tables on the grid of the first. @throws Cancelled.
+std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Table>& tables,
+                                            const TaskControl& control);
 
 }  // namespace gonio::editing

@@ -9,8 +9,8 @@ namespace {
 
 class LinearInterpolation final : public Interpolation {
  public:
-  explicit LinearInterpolation(std::vector<Table> tables)
-      : Interpolation(std::move(tables)), sameGrid_(onOneGrid(this->tables())) {}
+  LinearInterpolation(std::vector<Table> tables, const TaskControl& control)
+      : Interpolation(std::move(tables)), sameGrid_(onOneGrid(this->tables(), control)) {}
 
  private:
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
@@ -42,14 +42,18 @@ std::vector<Interpolation::Table> tablesOf(std::span<const InterpolationEnd> end
   return tables;
 }
 
-std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Table>& tables) {
+std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Table>& tables,
+                                            const TaskControl& control) {
   std::vector<Interpolation::Table> result;
-  for (const Interpolation::Table& table : tables) result.push_back(onGrid(table, tables[0]->grid()));
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const double each = 1 / double(tables.size());
+    result.push_back(onGrid(tables[i], tables[0]->grid(), control.between(double(i) * each, double(i + 1) * each)));
+  }
   return result;
 }
 
-std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationEnd> ends) {
-  return std::make_shared<const LinearInterpolation>(tablesOf(ends));
+std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationEnd> ends, const TaskControl& control) {
+  return std::make_shared<const LinearInterpolation>(tablesOf(ends), control);
 }
 
 }  // namespace gonio::editing

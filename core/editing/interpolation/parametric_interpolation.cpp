@@ -33,8 +33,10 @@ class ParameterInterpolation : public Interpolation {
 /// The materials moved to the blended parameters, blended.
 class DifferentialInterpolation final : public ParameterInterpolation {
  public:
-  DifferentialInterpolation(std::vector<Table> tables, const models::Model& model, std::vector<ParameterValues> fitted)
-      : ParameterInterpolation(std::move(tables), model, std::move(fitted)), sameGrid_(onOneGrid(this->tables())) {}
+  DifferentialInterpolation(std::vector<Table> tables, const models::Model& model, std::vector<ParameterValues> fitted,
+                            const TaskControl& control)
+      : ParameterInterpolation(std::move(tables), model, std::move(fitted)),
+        sameGrid_(onOneGrid(this->tables(), control)) {}
 
  private:
   std::vector<DifferentialEdit> movesTo(std::span<const double> weights) const override {
@@ -78,7 +80,9 @@ std::shared_ptr<const Interpolation> prepareParametric(std::span<const Interpola
     fitted.push_back(fitting::fit(*ends[i].table, model, options.fit, control.between(begin, end)).parameters);
     control.throwIfStopped();
   }
-  if (keepDetail) return std::make_shared<const DifferentialInterpolation>(tablesOf(ends), model, std::move(fitted));
+  if (keepDetail)
+    return std::make_shared<const DifferentialInterpolation>(tablesOf(ends), model, std::move(fitted),
+                                                             TaskControl{control.stop, {}});
   return std::make_shared<const ParameterInterpolation>(tablesOf(ends), model, std::move(fitted));
 }
 

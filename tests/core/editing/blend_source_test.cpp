@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/dictionary/code_interpolation.h"
 #include "core/models/registry.h"
 
 using namespace gonio;
@@ -143,6 +144,50 @@ class BlendSourceTest : public QObject {
             std::string::npos);
     QVERIFY(with("/source/blend/materials/0/source", 7).find("materials[0].source") != std::string::npos);
     QVERIFY(with("/source/blend", 7).find("source.blend") != std::string::npos);
+  }
+
+  /// A file of ten thousand braces must not end the program.
+  void blendsInBlendsAreBounded() {
+    const auto nested = [&](int blends) {
+      nlohmann::json json = toJson(blendDocument());
+      const nlohmann::json source = json["source"];
+      for (int i = 1; i < blends; ++i) {
+        nlohmann::json outer = source;
+        outer["blend"]["materials"][0]["source"] = json["source"];
+        json["source"] = outer;
+      }
+      return errorOf(json);
+    };
+    QCOMPARE(nested(mostBlendsInBlends), std::string());
+    QVERIFY(nested(mostBlendsInBlends + 1).find("more than 16 blends") != std::string::npos);
+  }
+
+  /// Library materials are codes: until they are edited the space of dictionaries blends those, and encodes nothing.
+  void codesOfTheLibraryAreBlendedAsTheyAre() {
+    std::vector<InterpolationEnd> ends;
+    std::vector<dictionary::SparseCode> codes;
+    for (const char* id : {"library:rgl/vch_golden_yellow", "library:rgl/chm_light_blue"}) {
+      const io::Material material = io::readMaterial(id);
+      const auto table = material.tabulated();
+      QCOMPARE(blendedEnd(material, table, lambert(0.5)).code, nullptr);
+      ends.push_back(blendedEnd(material, table, table));
+      QVERIFY(ends.back().code);
+      codes.push_back(*ends.back().code);
+    }
+    QCOMPARE(codes[0].transform, codes[1].transform);
+    const std::vector<double> weights{0.25, 0.75};
+    const InterpolationOptions options = blendOptions();
+    const auto blend = prepareInterpolation(InterpolationSpace::dictionary, ends, options)->code(weights);
+    const dictionary::SparseCode expected =
+        dictionary::interpolateCodes(*options.ensemble, codes, weights, options.codeCoefficients);
+    for (std::size_t c = 0; c < 3; ++c) {
+      QCOMPARE(blend->channels[c].dictionary, expected.channels[c].dictionary);
+      QCOMPARE(blend->channels[c].coefficients.size(), expected.channels[c].coefficients.size());
+      for (std::size_t i = 0; i < expected.channels[c].coefficients.size(); ++i) {
+        QCOMPARE(blend->channels[c].coefficients[i].index, expected.channels[c].coefficients[i].index);
+        QCOMPARE(blend->channels[c].coefficients[i].value, expected.channels[c].coefficients[i].value);
+      }
+    }
   }
 
   /// A file that is gone is named.

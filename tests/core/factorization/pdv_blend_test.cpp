@@ -67,6 +67,21 @@ class PdvBlendTest : public QObject {
     QCOMPARE(c.highest, 0.75 * a.highest + 0.25 * b.highest);
   }
 
+  /// A channel that is black, of curves that are 0, dims the other material and leaves its shape.
+  void hardCase12BlackDimsOnce() {
+    PdvFactors a = factors(1, 0.4), black = factors(3, 1.2);
+    for (auto& channel : black.channels)
+      for (PdvTerm& term : channel)
+        for (std::vector<double>* curve : {&term.f1, &term.f2, &term.f3}) std::fill(curve->begin(), curve->end(), 0.0);
+    const PdvFactors c = blend(a, black, 0.25);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const PdvTerm &term = c.channels[channel][0], &ta = a.channels[channel][0];
+      for (std::size_t i = 0; i < term.f1.size(); ++i) QVERIFY(std::abs(term.f1[i] - 0.75 * ta.f1[i]) < 1e-15);
+      QVERIFY(largestDifference(term.f2, ta.f2) < 1e-12);
+      QVERIFY(largestDifference(term.f3, ta.f3) < 1e-15);
+    }
+  }
+
   /// The others stay, each as strong as its material's weight.
   void furtherTermsFade() {
     const PdvFactors a = factors(1, 0.4), b = factors(3, 1.2, 21, 1), d = factors(2, 0.4, 21, 3);
