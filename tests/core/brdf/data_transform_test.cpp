@@ -49,6 +49,20 @@ class DataTransformTest : public QObject {
     QCOMPARE(inverseGammaTransformed(-2, 3), 0.0);
   }
 
+  /// The slope is the derivative of the inverse, by central differences, but for its floor near the root of 0.
+  void theSlopeIsTheDerivative() {
+    for (const DataTransform transform : all)
+      for (const double weight : {1e-3, 0.2, 1.0})
+        for (double rho = 1e-3; rho < 1e4; rho *= 7) {
+          const double y = transformed(transform, rho, weight), step = 1e-5 * std::max(1e-2, std::abs(y));
+          const double difference =
+              (inverseTransformed(transform, y + step, weight) - inverseTransformed(transform, y - step, weight)) /
+              (2 * step);
+          QVERIFY(std::abs(reflectanceSlope(transform, rho, weight) - difference) < 1e-6 * difference);
+        }
+    QCOMPARE(reflectanceSlope(DataTransform::root, 0, 1), 0.01);
+  }
+
   void gammaIsARoot() {
     QCOMPARE(gammaTransformed(9, 2), 3.0);
     QVERIFY(std::abs(gammaTransformed(27, 3) - 3) < 1e-15);
