@@ -25,7 +25,7 @@ double departureFromOrthonormal(const MatrixXd& columns) {
 
 class DecompositionsTest : public QObject {
   Q_OBJECT
- private slots:
+ private Q_SLOTS:
   void eigenvectorsOfAKnownMatrix() {
     MatrixXd m(2, 2);
     m << 2, 1, 1, 2;

@@ -23,7 +23,7 @@ class WeightsTest : public QObject {
     return {};
   }
 
- private slots:
+ private Q_SLOTS:
   void weightsThatAddUpAreTaken() {
     QCOMPARE(errorOf({0.25, 0.75}, 2), std::string());
     QCOMPARE(errorOf({1.0 / 3, 1.0 / 3, 1.0 / 3}, 3), std::string());
