@@ -8,8 +8,9 @@
 // of the reflectances, bytes, seconds. Models: "ensemble" (of its two transforms that of the smaller gamma-mapped
 // error), "ensemble-squared" (that of the smaller squared error), and with at most as many bytes as "ensemble" has
 // "components" and "patches", which learn from the same materials (held_out_models.h); "nonparametric" and "fit" have
-// their own size, whatever the count. --only leaves other models out. Records are kept in the file, and what is in it
-// is not computed again. At the end tables of the means, and of what the ensemble is ahead of the others by.
+// their own size, whatever the count. --only leaves other models out, but never the codes, whose bytes the others may
+// have. Records are kept in the file, and what is in it is not computed again. At the end tables of the means, and of
+// what the ensemble is ahead of the others by.
 //
 // cross_validation_study --fold K FOLDER...: the names of fold K of 5, for `goniotool dictionary train --exclude`: the
 // files of each folder in the order of their names, folder after folder; number i belongs to fold i mod 5.
@@ -137,11 +138,8 @@ class Trial {
       : file_(file), fold_(fold), options_(options), records_(records) {}
 
   void run() {
-    if (wanted(ours) || wanted(bySquares)) addEnsemble();
-    for (const int count : counts) {
-      const ComparisonRecord* code = records_.find(file_.stem(), ours, count);
-      budgets_.push_back(code ? code->bytes : 0);
-    }
+    if (!records_.contains(file_.stem(), bySquares, *std::rbegin(counts))) addEnsemble();
+    for (const int count : counts) budgets_.push_back(records_.find(file_.stem(), ours, count)->bytes);
     using factorization::Rival;
     const Rival& nonparametric = *std::ranges::find(factorization::rivals(), "nonparametric", &Rival::id);
     add("components", [&] { return componentModels(fold_.components(), *court().table(), budgets_); });
@@ -196,7 +194,7 @@ class Trial {
     std::fflush(stdout);
   }
 
-  /// By the rendered SNR, of the models that came out best in a ranking of all (docs/dictionaries.md).
+  /// By the rendered SNR, of three common microfacet models: a ranking of all takes a minute a material.
   RivalModel bestFit() {
     const fitting::FitData data(*court().table(), {});
     RivalModel best;
