@@ -112,6 +112,7 @@ widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) cons
     if (code()) {
       subject.table = code()->table;
       subject.lobe = code()->lobe;
+      subject.code = code()->stored;
     }
     subject.edit = m_document.edit();
     subject.factors = m_document.factors();

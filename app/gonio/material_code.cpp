@@ -76,15 +76,17 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   control.throwIfStopped();
   const std::vector<std::byte> file = io::encodeCode(code.encoded.code, code.dictionary->id);
   code.bytes = file.size();
-  const dictionary::SparseCode stored = io::readCode(io::MemorySource(file)).code;
+  const std::shared_ptr<const dictionary::Ensemble> ensemble(code.dictionary, &code.dictionary->ensemble);
+  code.stored = std::make_shared<const widgets::EnsembleCode>(
+      widgets::EnsembleCode{ensemble, io::readCode(io::MemorySource(file)).code});
   const auto start = Clock::now();
-  code.table = dictionary::decode(code.dictionary->ensemble, stored);
+  code.table = dictionary::decode(*ensemble, code.stored->code);
   code.decodeSeconds = std::chrono::duration<double>(Clock::now() - start).count();
   control.throwIfStopped();
   code.lobe = estimateSamplingLobe(*code.table);
   code.logError = metrics::brdfError(metrics::BrdfMetric::log, *material->table, *code.table);
   code.snr = metrics::brdfSignalToNoiseRatio(*material->table, *code.table);
-  code.nanoseconds = evaluationNanoseconds(*dictionary::makeCodeBrdf(code.dictionary->ensemble, stored));
+  code.nanoseconds = evaluationNanoseconds(*dictionary::makeCodeBrdf(*ensemble, code.stored->code));
   return code;
 }
 

@@ -6,6 +6,7 @@
 #include "core/dictionary/encode.h"
 #include "core/io/dictionary_file.h"
 #include "widgets/panels/fact_list.h"
+#include "widgets/preview/code_texels.h"
 
 namespace gonio::app {
 
@@ -16,12 +17,13 @@ struct MaterialCode {
   std::shared_ptr<const io::NamedEnsemble> dictionary;
   std::size_t coefficients = 0;  ///< a channel, as they were asked for
   dictionary::Encoded encoded;
-  std::shared_ptr<const TabulatedBrdf> table;  ///< decoded
-  SamplingLobe lobe;                           ///< of the decoded table
-  std::size_t bytes = 0;                       ///< of the file
-  double logError = 0;                         ///< metrics::BrdfMetric::log against the measurement
-  double snr = 0;                              ///< dB, of the reflectances
-  double nanoseconds = 0;                      ///< of an evaluation straight from the code, on one core
+  std::shared_ptr<const widgets::EnsembleCode> stored;  ///< what the file holds, which is rounded
+  std::shared_ptr<const TabulatedBrdf> table;           ///< decoded from `stored`
+  SamplingLobe lobe;                                    ///< of the decoded table
+  std::size_t bytes = 0;                                ///< of the file
+  double logError = 0;                                  ///< metrics::BrdfMetric::log against the measurement
+  double snr = 0;                                       ///< dB, of the reflectances
+  double nanoseconds = 0;                               ///< of an evaluation straight from the code, on one core
   double decodeSeconds = 0;
 };
 

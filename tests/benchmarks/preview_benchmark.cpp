@@ -6,11 +6,15 @@
 
 #include <QGuiApplication>
 
+#include "core/dictionary/decode.h"
 #include "core/factorization/pdv_operations.h"
+#include "core/io/dictionary_file.h"
+#include "core/io/measured_library.h"
 #include "core/models/model.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/interpolation/prepared_blend.h"
 #include "widgets/preview/preview_renderer.h"
+#include "widgets/preview/textures.h"
 
 namespace {
 
@@ -146,6 +150,66 @@ void environmentParameterBlend(benchmark::State& state) {
 void environmentFactorBlend(benchmark::State& state) {
   runBlendDrag(state, true, editing::InterpolationSpace::factors);
 }
+
+/// A code into the texture that the preview samples: on the card, or on the CPU and uploaded. Both of the same code of
+/// the library, with so many coefficients a channel; until the card is done.
+struct CodeFixture : QOpenGLFunctions_4_1_Core {
+  std::shared_ptr<const io::NamedEnsemble> bundled = io::bundledDictionary();
+  dictionary::SparseCode code;
+  GLuint texture = 0;
+
+  explicit CodeFixture(std::size_t coefficients) {
+    PreviewFixture::instance();
+    initializeOpenGLFunctions();
+    for (const io::MeasuredMaterial& material : io::measuredMaterials())
+      if (material.name == "cc_iris_purple_gem") code = io::measuredMaterial(material).code->truncated(coefficients);
+    dictionary::GridGeometry::of(code.grid);
+  }
+  ~CodeFixture() { glDeleteTextures(1, &texture); }
+};
+
+void decodeOnTheCard(benchmark::State& state) {
+  CodeFixture fixture{std::size_t(state.range(0))};
+  widgets::PreviewResources resources;
+  widgets::CodeDecoder decoder;
+  resources.initialize();
+  const auto run = [&] {
+    decoder.decode(fixture, resources, widgets::codeTexels(fixture.bundled->ensemble, fixture.code), fixture.texture);
+    fixture.glFinish();
+  };
+  run();  // shaders and the cosines of the grid are there when the first code comes
+  for (auto _ : state) run();
+  decoder.release(fixture);
+  resources.release();
+}
+void decodeAndUpload(benchmark::State& state) {
+  CodeFixture fixture{std::size_t(state.range(0))};
+  for (auto _ : state) {
+    const auto table = dictionary::decode(fixture.bundled->ensemble, fixture.code);
+    widgets::uploadTable(fixture, fixture.texture, table->grid(), table->values(), table->valid());
+    fixture.glFinish();
+  }
+}
+void uploadDecoded(benchmark::State& state) {
+  CodeFixture fixture{std::size_t(state.range(0))};
+  const auto table = dictionary::decode(fixture.bundled->ensemble, fixture.code);
+  for (auto _ : state) {
+    widgets::uploadTable(fixture, fixture.texture, table->grid(), table->values(), table->valid());
+    fixture.glFinish();
+  }
+}
+void prepareTexels(benchmark::State& state) {
+  CodeFixture fixture{std::size_t(state.range(0))};
+  for (auto _ : state) benchmark::DoNotOptimize(widgets::codeTexels(fixture.bundled->ensemble, fixture.code));
+}
+
+void codeCounts(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(262)->Arg(1024)->Arg(4096)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+}
+BENCHMARK(decodeOnTheCard)->Apply(codeCounts);
+BENCHMARK(decodeAndUpload)->Apply(codeCounts);
+BENCHMARK(uploadDecoded)->Arg(262)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK(prepareTexels)->Apply(codeCounts);
 
 BENCHMARK(directionalLinearBlend)
     ->DenseRange(2, 4)

@@ -7,6 +7,7 @@
 #include "core/models/registry.h"
 #include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
+#include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
 #include "widgets/preview/preview_renderer.h"
 
@@ -35,56 +36,6 @@ std::vector<editing::InterpolationEnd> ends(int count) {
 }
 
 const std::vector<std::vector<double>> someWeights{{0.3, 0.7}, {0.2, 0.5, 0.3}, {0.1, 0.2, 0.3, 0.4}};
-
-/// Means of transformed tables, transformed back: what the shader is to show, on the CPU.
-class TransformedMean final : public Brdf {
- public:
-  TransformedMean(DataTransform transform, std::vector<std::shared_ptr<const TabulatedBrdf>> tables,
-                  std::vector<double> weights)
-      : transform_(transform), tables_(std::move(tables)), weights_(std::move(weights)) {}
-  using Brdf::evaluate;
-  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      Rgb sum(0);
-      for (std::size_t m = 0; m < tables_.size(); ++m)
-        sum += weights_[m] * tables_[m]->evaluate(pairs[i].wi, pairs[i].wo);
-      for (int c = 0; c < 3; ++c)
-        values[i][c] = inverseTransformed(transform_, sum[c], cosineWeight(pairs[i].wi.z, pairs[i].wo.z));
-    }
-  }
-
- private:
-  DataTransform transform_;
-  std::vector<std::shared_ptr<const TabulatedBrdf>> tables_;
-  std::vector<double> weights_;
-};
-
-/// A space whose mixture lies in a transformed domain, as that of sparse codes does.
-class TransformedSpace final : public editing::Interpolation {
- public:
-  TransformedSpace(std::vector<Table> tables, DataTransform transform)
-      : Interpolation(std::move(tables)), transform_(transform) {
-    mixture_.transform = transform;
-    for (const Table& table : this->tables()) {
-      std::vector<glm::vec3> values(table->values().begin(), table->values().end());
-      for (glm::vec3& value : values)
-        for (int c = 0; c < 3; ++c) value[c] = float(transformed(transform, value[c], 1));
-      const std::vector<std::uint8_t> valid(table->valid().begin(), table->valid().end());
-      mixture_.tables.push_back({table->grid(), values, valid});
-      transformed_.push_back(std::make_shared<const TabulatedBrdf>(table->grid(), values, valid));
-    }
-  }
-  std::optional<editing::TransformedMixture> mixture() const override { return mixture_; }
-
- private:
-  std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
-    return std::make_shared<TransformedMean>(transform_, transformed_,
-                                             std::vector<double>(weights.begin(), weights.end()));
-  }
-  DataTransform transform_;
-  editing::TransformedMixture mixture_;
-  std::vector<std::shared_ptr<const TabulatedBrdf>> transformed_;
-};
 
 }  // namespace
 
@@ -146,9 +97,10 @@ class BlendPreviewTest : public QObject {
 
   /// Mixed in a transformed domain and brought back, as sparse codes are.
   void transformedDomains() {
-    for (const DataTransform transform : {DataTransform::logPlus, DataTransform::root, DataTransform::none}) {
+    for (const DataTransform transform :
+         {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::none}) {
       widgets::PreparedBlend blend{.space = InterpolationSpace::dictionary, .ends = ends(2), .lobes = {{}, {}}};
-      blend.interpolation = std::make_shared<const TransformedSpace>(
+      blend.interpolation = std::make_shared<const tests::TransformedSpace>(
           std::vector<editing::Interpolation::Table>{blend.ends[0].table, blend.ends[1].table}, transform);
       blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
       const auto subject = widgets::blendSubject(blend, someWeights[0]);

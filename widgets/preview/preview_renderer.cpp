@@ -153,7 +153,7 @@ void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
   const std::shared_ptr<const TabulatedBrdf> table = subject_.isAlone() ? nullptr : subject_.table;
   if (table != uploadedTable_ || (table && !tableTexture_)) {
     glActiveTexture(GL_TEXTURE0 + tableUnit);
-    tableTexture_ = resources_->table(table);
+    tableTexture_ = resources_->table(table, subject_.code);
     uploadedTable_ = table;
   }
   if (tableTexture_) {

@@ -33,6 +33,7 @@ TableTexture::~TableTexture() {
 void PreviewResources::initialize() {
   if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
   glGenVertexArrays(1, &vertexArray_);
+  decodesCodes_ = !CodeDecoder::isSoftware(*this);
   initialized_ = true;
 }
 
@@ -44,6 +45,7 @@ void PreviewResources::release() {
     *texture = 0;
   }
   glDeleteVertexArrays(1, &vertexArray_);
+  decoder_.release(*this);
   programs_.clear();
   tables_.clear();
   mixtures_.clear();
@@ -64,14 +66,24 @@ void PreviewResources::drawFullscreen() {
   glBindVertexArray(0);
 }
 
-std::shared_ptr<const TableTexture> PreviewResources::table(const std::shared_ptr<const TabulatedBrdf>& table) {
+bool PreviewResources::decode(const EnsembleCode& code, GLuint& texture) {
+  if (!decodesCodes_) return false;
+  const CodeTexels texels = codeTexels(*code.ensemble, code.code);
+  if (!CodeDecoder::fits(*this, texels)) return false;
+  decoder_.decode(*this, *this, texels, texture);
+  return true;
+}
+
+std::shared_ptr<const TableTexture> PreviewResources::table(const std::shared_ptr<const TabulatedBrdf>& table,
+                                                            const std::shared_ptr<const EnsembleCode>& code) {
   if (!table) return nullptr;
   std::erase_if(tables_, [](const auto& entry) { return entry.second.expired(); });
   auto& known = tables_[table];
   if (auto texture = known.lock()) return texture;
   auto texture = std::make_shared<TableTexture>();
   texture->phiPeriod = table->grid().phiDPeriod();
-  uploadTable(*this, texture->name, table->grid(), table->values(), table->valid());
+  if (!code || !decode(*code, texture->name))
+    uploadTable(*this, texture->name, table->grid(), table->values(), table->valid());
   known = texture;
   return texture;
 }

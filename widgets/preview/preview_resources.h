@@ -10,6 +10,7 @@
 #include "core/brdf/tabulated_brdf.h"
 #include "core/editing/interpolation/interpolation.h"
 #include "core/rendering/environment.h"
+#include "widgets/preview/code_decoder.h"
 
 namespace gonio::widgets {
 
@@ -23,7 +24,8 @@ enum TextureUnit {
   colourMapUnit,
   factorUnit,
   firstBlendUnit,  ///< and those after it, one a material
-  endOfBlendUnits = firstBlendUnit + 4
+  endOfBlendUnits = firstBlendUnit + 4,
+  firstDecoderUnit = endOfBlendUnits,  ///< and three after it: the last of the 16 that every card has
 };
 
 /// A table on the graphics card; freed with its last user, in whose hands the context must be current.
@@ -59,10 +61,15 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   /// Draws the bound program over the viewport.
   void drawFullscreen();
 
-  /// Uploads at the first use (about 20 ms for 90 x 90 x 180).
-  std::shared_ptr<const TableTexture> table(const std::shared_ptr<const TabulatedBrdf>& table);
+  /// Uploads at the first use (about 20 ms for 90 x 90 x 180). What was decoded from a code that is given, the card
+  /// decodes for itself where it does so and its textures are large enough.
+  std::shared_ptr<const TableTexture> table(const std::shared_ptr<const TabulatedBrdf>& table,
+                                            const std::shared_ptr<const EnsembleCode>& code = nullptr);
   /// The same of each table of a mixture.
   std::shared_ptr<const MixtureTextures> mixture(const std::shared_ptr<const editing::TransformedMixture>& mixture);
+  /// Whether codes are decoded on the card. At first it is so but under software OpenGL (CodeDecoder::isSoftware()).
+  bool decodesCodes() const { return decodesCodes_; }
+  void setDecodesCodes(bool decodes) { decodesCodes_ = decodes; }
   /// Binds the environment's pictures to their units, uploading them when it is another one than before.
   void bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
   /// Binds viridis or the signed map (core/rendering/false_colour.h) to its unit.
@@ -70,8 +77,10 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
 
  private:
   void uploadColourMap(bool isSigned);
+  bool decode(const EnsembleCode& code, GLuint& texture);
 
-  bool initialized_ = false;
+  CodeDecoder decoder_;
+  bool initialized_ = false, decodesCodes_ = false;
   GLuint vertexArray_ = 0, environmentTexture_ = 0, lightPoolTexture_ = 0, lightPoolRadianceTexture_ = 0;
   GLuint colourMaps_[2] = {0, 0};
   std::map<QString, std::unique_ptr<QOpenGLShaderProgram>> programs_;

@@ -8,6 +8,7 @@
 #include "core/brdf/tabulated_brdf.h"
 #include "core/editing/edit.h"
 #include "core/editing/interpolation/interpolation.h"
+#include "widgets/preview/code_texels.h"
 
 namespace gonio::widgets {
 
@@ -29,6 +30,7 @@ struct PreviewSubject {
   const models::Model* model = nullptr;                ///< alone: the table and the edit do not count
   models::ParameterValues parameters = {};             ///< of `model`
   std::optional<PreviewBlend> blend = {};              ///< alone: nothing of the above counts but the lobe
+  std::shared_ptr<const EnsembleCode> code = {};       ///< that `table` was decoded from, where there is one
 
   bool isEmpty() const { return !table && !model && !blend; }
   bool hasActiveEdit() const { return !isAlone() && edit && !edit->isIdentity(); }

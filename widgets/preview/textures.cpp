@@ -30,14 +30,19 @@ void uploadPicture(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, int width, in
 
 }  // namespace
 
+void setTableTexels(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const HalfDifferenceGrid& grid,
+                    const glm::vec4* texels) {
+  bindNew(gl, GL_TEXTURE_3D, texture);
+  gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, grid.phiDCount, grid.thetaDCount, grid.thetaHCount, 0, GL_RGBA,
+                  GL_FLOAT, texels);
+  setSampling(gl, GL_TEXTURE_3D, GL_LINEAR, GL_REPEAT);
+}
+
 void uploadTable(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const HalfDifferenceGrid& grid,
                  std::span<const glm::vec3> values, std::span<const std::uint8_t> valid) {
   std::vector<glm::vec4> texels(values.size());
   for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = valid[i] ? glm::vec4(values[i], 1) : glm::vec4(0);
-  bindNew(gl, GL_TEXTURE_3D, texture);
-  gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, grid.phiDCount, grid.thetaDCount, grid.thetaHCount, 0, GL_RGBA,
-                  GL_FLOAT, texels.data());
-  setSampling(gl, GL_TEXTURE_3D, GL_LINEAR, GL_REPEAT);
+  setTableTexels(gl, texture, grid, texels.data());
 }
 
 void uploadEnvironment(QOpenGLFunctions_4_1_Core& gl, GLuint& map, GLuint& poolDirection, GLuint& poolRadiance,
