@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gonio/transform_text.h"
 #include "core/factorization/pdv_operations.h"
 #include "widgets/curves/curve_editor.h"
 #include "widgets/curves/residual_strip.h"
@@ -27,16 +28,8 @@ constexpr double step = 1.1, tiltStep = 0.1, smoothRadius = 1.5;
 QString tr(const char* text) { return QCoreApplication::translate("FactorColumn", text); }
 
 QString transformedValue(DataTransform transform) {
-  switch (transform) {
-    case DataTransform::logPlus:
-      return tr("ln(1 + ρ), ρ in 1/sr");
-    case DataTransform::cosineLog:
-      return tr("ln(1 + ρ cos θi cos θo), ρ in 1/sr");
-    case DataTransform::root:
-      return tr("√ρ, ρ in 1/sr");
-    default:
-      return tr("ρ in 1/sr");
-  }
+  if (transform == DataTransform::none) return tr("ρ in 1/sr");
+  return tr("%1, ρ in 1/sr").arg(transformFormula(transform));
 }
 
 widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/gonio/evaluation_time.h"
+#include "app/gonio/transform_text.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/io/code_file.h"
@@ -35,11 +36,7 @@ QString transformText(DataTransform transform) {
   return transform == DataTransform::cosineLog ? tr("cosine-weighted log") : tr("log-plus");
 }
 
-QString transformFormula(DataTransform transform) {
-  return transform == DataTransform::cosineLog ? tr("y = ln(1 + ρ cos θi cos θo)") : tr("y = ln(1 + ρ)");
-}
-
-/// "0.0021, cosine-weighted log 0.0034"
+/// "0.0021; cosine-weighted log has 0.0034"
 QString reason(const dictionary::Encoded& encoded) {
   QStringList chosen, others;
   for (const dictionary::EncodedCandidate& candidate : encoded.candidates)
@@ -107,13 +104,12 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
            .arg(code.encoded.seconds, 0, 'f', 1),
        tr("Measured here and now: one evaluation straight from the code on one core; all cells; the encoding")},
       {tr("Transform"),
-       tr("%1: %2").arg(transformText(code.encoded.code.transform), transformFormula(code.encoded.code.transform)),
+       tr("%1: y = %2").arg(transformText(code.encoded.code.transform), transformFormula(code.encoded.code.transform)),
        tr("What the code is of. Both were tried; the one with the least gamma error is kept.")},
       {tr("Gamma error"), reason(code.encoded),
-       tr("Mean of (√ρ − √ρ')² over the projected directions to 85°: nearer to what the eye sees than the plain error, "
-          "which "
-          "the\n"
-          "highlight alone would decide. The transform with the smaller one was chosen.")},
+       tr("Mean of (√ρ − √ρ')² over the projected directions to 85°: nearer to what the eye sees than the plain "
+          "error,\n"
+          "which the highlight alone would decide. The transform with the smaller one was chosen.")},
       {tr("Dictionaries"), dictionaryText(code),
        tr("Of %1, for each channel the one whose largest coefficients hold most of the signal.\n"
           "\"Learned with\": how many coefficients a material was allowed while the dictionary was trained.")

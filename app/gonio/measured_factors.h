@@ -7,8 +7,9 @@
 
 namespace gonio::app {
 
-/// The factors of a material with what each count of terms costs: index 0 is one term.
+/// The factors of a material with what each count of terms costs.
 struct MeasuredFactors {
+  /// What is chosen before a factorisation; the count of terms is chosen after it.
   struct Kind {
     factorization::PdvForm form = factorization::PdvForm::twoFactors;
     DataTransform transform = DataTransform::logPlus;
@@ -16,8 +17,9 @@ struct MeasuredFactors {
   };
   LoadedMaterialPtr material;
   factorization::PdvFactorization factorization;
-  std::vector<factorization::PdvResidualsAlong> along;
-  std::vector<std::size_t> bytes;   ///< of a file with the factors
+  // Of each count of terms; index 0 is one term.
+  std::vector<factorization::PdvResidualsAlong> along;  ///< what is left unexplained at each node
+  std::vector<std::size_t> bytes;                       ///< of a file with the factors
   std::vector<double> nanoseconds;  ///< of one evaluation on one core, the fastest of some runs on this machine
 
   /// The share of the transformed reflectance that so many terms leave unexplained, in [0, 1].

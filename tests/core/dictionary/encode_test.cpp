@@ -3,31 +3,16 @@
 #include "core/dictionary/encode.h"
 
 #include <QTest>
-#include <cstring>
 
 #include "core/dictionary/code_packing.h"
 #include "core/dictionary/decode.h"
-#include "core/math/parallel.h"
-#include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/core/dictionary/code_test_support.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
 using namespace gonio::dictionary::test;
 
 namespace {
-
-/// Root mean square of the differences of valid cells over that of the values.
-double relativeDifference(const TabulatedBrdf& a, const TabulatedBrdf& b) {
-  double difference = 0, total = 0;
-  for (std::size_t cell = 0; cell < a.values().size(); ++cell) {
-    if (a.valid()[cell] == 0) continue;
-    for (int c = 0; c < 3; ++c) {
-      difference += std::pow(double(a.values()[cell][c]) - double(b.values()[cell][c]), 2);
-      total += std::pow(double(a.values()[cell][c]), 2);
-    }
-  }
-  return std::sqrt(difference / total);
-}
 
 /// Of the scaled signals over the valid cells, all channels: what encoding lowers.
 double squaredError(const Ensemble& ensemble, const SparseCode& code, const TabulatedBrdf& table) {
@@ -44,36 +29,11 @@ double squaredError(const Ensemble& ensemble, const SparseCode& code, const Tabu
   return error;
 }
 
-bool sameBits(const SparseCode& a, const SparseCode& b) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto &x = a.channels[c].coefficients, &y = b.channels[c].coefficients;
-    if (a.channels[c].dictionary != b.channels[c].dictionary || x.size() != y.size()) return false;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      if (x[i].index != y[i].index || std::memcmp(&x[i].value, &y[i].value, sizeof(float)) != 0) return false;
-  }
-  return a.transform == b.transform;
-}
-
 }  // namespace
 
 class EncodeTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// With all coefficients a code is the material, in any dictionary and both transforms.
-  void hardCase26ExactWithAllCoefficients() {
-    const Ensemble ensemble = randomEnsemble(2);
-    const auto table = ggxMaterials(1).load(0);
-    const Encoder encoder(ensemble);
-    for (const DataTransform transform : {DataTransform::logPlus, DataTransform::cosineLog}) {
-      const Encoded encoded = encoder.encode(*table, {.coefficients = smallGrid.size(), .transforms = {transform}});
-      QVERIFY(relativeDifference(*table, *decode(ensemble, encoded.code)) < 1e-5);
-    }
-    // None at all: black.
-    const Encoded none = encoder.encode(*table, {.coefficients = 0});
-    const auto black = decode(ensemble, none.code);
-    for (const TabulatedBrdf::Value& value : black->values()) QVERIFY(value == glm::vec3(0));
-  }
-
   /// Exact in double: the tensor from all its coefficients.
   void exactInDouble() {
     std::mt19937_64 random(3);
@@ -231,84 +191,6 @@ class EncodeTest : public QObject {
     code.channels[1].coefficients.push_back({std::uint32_t(smallGrid.size()), 1.0f});
     QVERIFY_EXCEPTION_THROWN(decode(ensemble, code), Error);
     QVERIFY_EXCEPTION_THROWN(Encoder(ensemble).encode(*bakeTable(testing::lambert(Rgb(0.5)), {8, 8, 8, true})), Error);
-  }
-
-  /// Black materials and black channels give zeros back, exactly.
-  void hardCase12BlackChannels() {
-    const Ensemble ensemble = randomEnsemble(2);
-    const auto table = bakeTable(testing::lambert(Rgb(0, 0.5, 0)), smallGrid);
-    const Encoded encoded = Encoder(ensemble).encode(*table, {.coefficients = 40});
-    const auto decoded = decode(ensemble, encoded.code);
-    for (const TabulatedBrdf::Value& value : decoded->values()) QVERIFY(value.x == 0 && value.z == 0);
-    QVERIFY(encoded.code.channels[0].coefficients.empty());
-  }
-
-  /// One coefficient where each mode has a constant atom, in log-plus; elsewhere more lower the error.
-  void hardCase14Constant() {
-    const auto table = bakeTable(testing::lambert(Rgb(0.5)), smallGrid);
-    const Ensemble ensemble = randomEnsemble(2);
-    double last = 1e300;
-    for (const std::size_t coefficients : {1, 10, 100, 1000, int(smallGrid.size())}) {
-      const EncodeOptions options{.coefficients = coefficients, .transforms = {DataTransform::logPlus}};
-      const double error = Encoder(ensemble).encode(*table, options).candidates[0].gammaError;
-      QVERIFY(error < last);
-      last = error;
-    }
-    QVERIFY(last < 1e-10);
-    // Atoms along the signal itself: of a constant it is a product, however its cells are scaled.
-    Ensemble constant = ensemble;
-    const Eigen::ArrayXf signal = signalsOf(*table, DataTransform::logPlus, *GridGeometry::of(smallGrid))[0];
-    const auto sizes = modeSizes(smallGrid);
-    const std::array<Eigen::Index, 3> strides{1, sizes[0], Eigen::Index(sizes[0]) * sizes[1]};
-    for (std::size_t mode = 0; mode < 3; ++mode) {
-      Eigen::MatrixXd m = ensemble.dictionaries[0].modes[mode];
-      for (Eigen::Index i = 0; i < m.rows(); ++i) m(i, 0) = double(signal[i * strides[mode]]);
-      constant.dictionaries[1].modes[mode] = Eigen::HouseholderQR<Eigen::MatrixXd>(m).householderQ();
-    }
-    const Encoded encoded =
-        Encoder(constant).encode(*table, {.coefficients = 1, .transforms = {DataTransform::logPlus}});
-    QCOMPARE(encoded.code.channels[0].dictionary, 1);
-    QVERIFY(relativeDifference(*table, *decode(constant, encoded.code)) < 1e-5);
-  }
-
-  /// A spike of 1e6 stands in one coefficient of the standard basis, and comes back.
-  void hardCase15OneSpike() {
-    Ensemble ensemble{.grid = smallGrid, .dictionaries = {}, .learnedFrom = {}};
-    Dictionary standard;
-    for (std::size_t mode = 0; mode < 3; ++mode)
-      standard.modes[mode] = Eigen::MatrixXd::Identity(modeSizes(smallGrid)[mode], modeSizes(smallGrid)[mode]);
-    ensemble.dictionaries.push_back(standard);
-    std::vector<TabulatedBrdf::Value> values(smallGrid.size(), glm::vec3(0));
-    const std::size_t spike = smallGrid.index(0, 3, 5);
-    values[spike] = glm::vec3(1e6f);
-    const auto above = GridGeometry::of(smallGrid)->aboveHorizon;
-    const TabulatedBrdf table(smallGrid, values, above);
-    const Encoded encoded =
-        Encoder(ensemble).encode(table, {.coefficients = 5, .transforms = {DataTransform::logPlus}});
-    const auto decoded = decode(ensemble, encoded.code);
-    QVERIFY(std::abs(decoded->values()[spike].x / 1e6f - 1) < 1e-5f);
-    QCOMPARE(encoded.code.channels[0].coefficients.size(), std::size_t(1));
-  }
-
-  /// Codes that overshoot stay finite.
-  void hardCase39NoInfinityInATable() {
-    const Ensemble ensemble = randomEnsemble(1);
-    SparseCode code{.grid = smallGrid, .transform = DataTransform::cosineLog, .channels = {}};
-    for (ChannelCode& channel : code.channels) channel.coefficients = {{0, 1e6f}, {1, -1e6f}};
-    const auto decoded = decode(ensemble, code);
-    for (const TabulatedBrdf::Value& value : decoded->values())
-      for (int c = 0; c < 3; ++c) QVERIFY(std::isfinite(value[c]) && value[c] >= 0);
-  }
-
-  void hardCase50SameBitsForAnyThreads() {
-    const Ensemble ensemble = randomEnsemble(3);
-    const auto table = ggxMaterials(1).load(0);
-    std::vector<SparseCode> codes;
-    for (const int threads : {1, 16}) {
-      const ThreadLimit limit(threads);
-      codes.push_back(Encoder(ensemble).encode(*table, {.coefficients = 50}).code);
-    }
-    QVERIFY(sameBits(codes[0], codes[1]));
   }
 };
 
