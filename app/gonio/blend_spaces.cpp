@@ -3,6 +3,7 @@
 #include "app/gonio/blend_spaces.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "app/gonio/thumbnail.h"
 #include "widgets/interpolation/blend_place.h"
@@ -14,12 +15,37 @@ namespace {
 const QString blendKey = QStringLiteral("blend-spaces");
 constexpr int pictureSide = 112, pictureSamples = 16;
 
-std::vector<QImage> drawStrip(const widgets::PreparedBlend& blend, const TaskControl& control) {
+bool sameEnd(const editing::InterpolationEnd& a, const editing::InterpolationEnd& b) {
+  return a.table == b.table && a.factors == b.factors && a.code == b.code;
+}
+
+/// Where each of `ends` stands in `known`; empty where these are other ones.
+std::vector<std::size_t> orderIn(const std::vector<editing::InterpolationEnd>& known,
+                                 const std::vector<editing::InterpolationEnd>& ends) {
+  if (known.size() != ends.size()) return {};
+  std::vector<std::size_t> order;
+  for (const editing::InterpolationEnd& end : ends)
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (sameEnd(known[i], end) && std::find(order.begin(), order.end(), i) == order.end()) {
+        order.push_back(i);
+        break;
+      }
+  return order.size() == ends.size() ? order : std::vector<std::size_t>();
+}
+
+std::vector<double> inOrder(const std::vector<std::size_t>& order, const std::vector<double>& weights) {
+  std::vector<double> result(weights.size());
+  for (std::size_t place = 0; place < weights.size(); ++place) result[order[place]] = weights[place];
+  return result;
+}
+
+std::vector<QImage> drawStrip(const widgets::PreparedBlend& blend, const std::vector<std::size_t>& order,
+                              const TaskControl& control) {
   std::vector<QImage> pictures;
   const int materials = int(blend.ends.size());
   for (int i = 0; i < BlendSpaces::pictureCount; ++i) {
     const double t = i / (BlendSpaces::pictureCount - 1.0);
-    const auto weights = widgets::weightsAt(materials, widgets::wayPlace(materials, t));
+    const auto weights = inOrder(order, widgets::weightsAt(materials, widgets::wayPlace(materials, t)));
     pictures.push_back(
         spherePicture(*blend.interpolation->brdf(weights), pictureSide, pictureSamples, {control.stop, {}}));
     control.report((i + 1.0) / BlendSpaces::pictureCount);
@@ -35,16 +61,37 @@ BlendSpaces::BlendSpaces(BackgroundTasks& tasks, QObject* parent)
       m_spaces{Space::linear, Space::parameters, Space::differential, Space::factors, Space::dictionary} {}
 
 void BlendSpaces::setEnds(std::vector<editing::InterpolationEnd> ends) {
-  m_tasks.drop(blendKey);
-  m_ends = std::move(ends);
-  m_entries = {};
-  m_wanted = false;
+  pause();
+  m_complete = !ends.empty();
+  if (const auto order = orderIn(m_ends, ends); m_complete && order.empty()) {
+    m_ends = std::move(ends);
+    m_entries = {};
+    m_order.resize(m_ends.size());
+    std::iota(m_order.begin(), m_order.end(), 0);
+  } else if (m_complete && order != m_order) {
+    m_order = order;
+    turnPictures();
+  }
   for (const Space space : m_spaces) Q_EMIT changed(space);
+}
+
+std::vector<double> BlendSpaces::ordered(const std::vector<double>& weights) const { return inOrder(m_order, weights); }
+
+void BlendSpaces::turnPictures() {
+  for (Entry& entry : m_entries) {
+    // Of two materials it is the same way backward, of more another one.
+    if (m_ends.size() == 2) {
+      std::reverse(entry.pictures.begin(), entry.pictures.end());
+    } else if (entry.state == State::ready) {
+      entry.pictures.clear();
+      entry.state = State::waiting;
+    }
+  }
 }
 
 void BlendSpaces::want(Space first) {
   m_first = first;
-  if (m_ends.empty()) return;
+  if (!m_complete) return;
   const bool again = entry(first).state == State::failed || entry(first).state == State::cancelled;
   for (const Space space : m_spaces)
     if (entry(space).state == State::cancelled || (again && space == first)) entry(space).state = State::waiting;
@@ -67,7 +114,7 @@ bool BlendSpaces::isSettled() const {
 }
 
 void BlendSpaces::next() {
-  if (!m_wanted || m_ends.empty()) return;
+  if (!m_wanted || !m_complete) return;
   std::vector<Space> order = m_spaces;
   std::stable_partition(order.begin(), order.end(), [this](Space space) { return space == m_first; });
   for (const Space space : order) {
@@ -99,7 +146,9 @@ void BlendSpaces::prepare(Space space) {
 void BlendSpaces::draw(Space space) {
   m_tasks.run<std::vector<QImage>>(
       {tr("Drawing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
-      [prepared = entry(space).prepared](const TaskControl& control) { return drawStrip(*prepared, control); },
+      [prepared = entry(space).prepared, order = m_order](const TaskControl& control) {
+        return drawStrip(*prepared, order, control);
+      },
       [this, space](const std::vector<QImage>& pictures) {
         entry(space).pictures = pictures;
         entry(space).state = State::ready;

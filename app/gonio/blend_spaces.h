@@ -27,9 +27,15 @@ class BlendSpaces : public QObject {
   /// The spaces that can be offered, in the order in which they are shown.
   const std::vector<Space>& spaces() const { return m_spaces; }
 
-  /// Other materials, or none: what was prepared is forgotten, all spaces are prepared anew when they are wanted.
+  /// Materials, or none. Of the same ones in another order, or after none, all that was prepared stays. Of others it is
+  /// prepared anew when it is wanted, also what was found of a material that stays: that is about a second a material
+  /// in the background, and the nodes and dictionaries of the blend depend on all of them.
   void setEnds(std::vector<editing::InterpolationEnd> ends);
-  bool hasEnds() const { return !m_ends.empty(); }
+  bool hasEnds() const { return m_complete; }
+  /// Where the material of each place stands in prepared(): in the order in which they were first set.
+  const std::vector<std::size_t>& order() const { return m_order; }
+  /// Weights of the places as prepared() takes them.
+  std::vector<double> ordered(const std::vector<double>& weights) const;
   /// Begins or goes on, with this space first; also after a cancel or a failure of it.
   void want(Space first);
   /// No more work until want().
@@ -55,8 +61,12 @@ class BlendSpaces : public QObject {
     std::vector<QImage> pictures;
     QString failure;
   };
-  const Entry& entry(Space space) const { return m_entries[std::size_t(space)]; }
+  const Entry& entry(Space space) const {
+    static const Entry none;
+    return m_complete ? m_entries[std::size_t(space)] : none;
+  }
   Entry& entry(Space space) { return m_entries[std::size_t(space)]; }
+  void turnPictures();
   void next();
   void prepare(Space space);
   void draw(Space space);
@@ -65,7 +75,9 @@ class BlendSpaces : public QObject {
 
   BackgroundTasks& m_tasks;
   std::vector<Space> m_spaces;
-  std::vector<editing::InterpolationEnd> m_ends;
+  std::vector<editing::InterpolationEnd> m_ends;  ///< in the order in which they are prepared
+  std::vector<std::size_t> m_order;
+  bool m_complete = false;
   std::array<Entry, editing::interpolationSpaceNames.size()> m_entries;
   Space m_first = Space::linear;
   bool m_wanted = false;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/gonio/source_facts.h"
 #include "widgets/parameters/parameter_text.h"
 #include "widgets/preview/comparison_bar.h"
 #include "widgets/preview/preview_widget.h"
@@ -87,8 +88,10 @@ void ComparisonController::setSides(ComparedSubject first, ComparedSubject secon
 
 void ComparisonController::setStandIn(std::optional<widgets::PreviewSubject> subject, const QString& name) {
   if (!subject && !m_standIn) return;
+  const bool comesOrGoes = subject.has_value() != m_standIn.has_value();
   m_standIn = std::move(subject);
   m_standInName = name;
+  if (comesOrGoes && !m_sidesChosen) chooseUsualSides();
   refresh();
 }
 
@@ -132,7 +135,7 @@ QString ComparisonController::name(ComparedSubject side) const {
   if (side == ComparedSubject::reference)
     return m_reference ? QString::fromStdString(m_reference->material.name) : QString();
   if (!material) return {};
-  if (side == ComparedSubject::measured) return tr("Measured");
+  if (side == ComparedSubject::measured) return sourceKind(*material);
   if (side == ComparedSubject::edited && code()) return isEdited() ? tr("Encoded, edited") : tr("Encoded");
   if (!m_document.edit()) return side == ComparedSubject::edited ? tr("Edited") : QString();
   return side == ComparedSubject::edited ? tr("Edited")

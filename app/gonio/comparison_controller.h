@@ -50,7 +50,7 @@ class ComparisonController : public QObject {
   const std::optional<widgets::PreviewSubject>& standIn() const { return m_standIn; }
   QString standInName() const { return m_standInName; }
 
-  /// "Measured", "Fit: GGX", "Edited", "Encoded", the name of the reference; empty while it is not there.
+  /// sourceKind(), "Fit: GGX", "Edited", "Encoded", the name of the reference; empty while it is not there.
   QString name(widgets::ComparedSubject side) const;
 
  Q_SIGNALS:

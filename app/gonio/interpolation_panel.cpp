@@ -56,7 +56,7 @@ void InterpolationPanel::setShownInPreview(bool shown) { m_show->setChecked(show
 std::optional<widgets::PreviewSubject> InterpolationPanel::subject() const {
   const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space);
   if (!isVisible() || !isShownInPreview() || !blend) return {};
-  return widgets::blendSubject(*blend, weights());
+  return widgets::blendSubject(*blend, m_spaces.ordered(weights()));
 }
 
 QString InterpolationPanel::description() const {
@@ -110,6 +110,12 @@ void InterpolationPanel::endsChanged() {
   showStrip();
   if (isVisible()) m_spaces.want(m_space);
   Q_EMIT subjectChanged();
+}
+
+void InterpolationPanel::materialChanged() {
+  // A blend that is still being kept was to take the place of the material that was open.
+  m_tasks.drop(keepKey);
+  showWells();
 }
 
 void InterpolationPanel::request() { m_spaces.want(m_space); }
@@ -199,8 +205,10 @@ void InterpolationPanel::keep() {
   auto source = std::make_shared<editing::BlendSource>();
   source->space = m_space;
   source->model = blend->model;
-  source->weights = weights();
-  for (int i = 0; i < m_ends.count(); ++i) source->materials.push_back(m_ends.at(i)->source);
+  // As they were prepared: a document makes the blend again in the order that it names.
+  source->weights = m_spaces.ordered(weights());
+  source->materials.resize(std::size_t(m_ends.count()));
+  for (int i = 0; i < m_ends.count(); ++i) source->materials[m_spaces.order()[std::size_t(i)]] = m_ends.at(i)->source;
   const QString text = tr("Keep %1").arg(description());
   m_tasks.run<LoadedMaterialPtr>(
       {text, keepKey},

@@ -87,6 +87,7 @@ class InterpolationPanel : public QWidget {
   void connectWells();
   void connectParts();
   void endsChanged();
+  void materialChanged();
   void askForFile(int place);
   /// The hand works here: the preview follows.
   void touched();

@@ -185,10 +185,8 @@ void InterpolationPanel::connectParts() {
   connect(m_draw, &QPushButton::clicked, this, &InterpolationPanel::request);
   // What is edited or opened is what the user wants to see.
   for (const auto signal : {&Document::materialChanged, &Document::editChanged})
-    connect(&m_document, signal, this, [this] {
-      setShownInPreview(false);
-      showWells();
-    });
+    connect(&m_document, signal, this, [this] { setShownInPreview(false); });
+  connect(&m_document, &Document::materialChanged, this, &InterpolationPanel::materialChanged);
 }
 
 void InterpolationPanel::askForFile(int place) {

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <algorithm>
 
+#include "app/gonio/source_facts.h"
 #include "core/models/model.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -26,7 +27,7 @@ struct Source {
 
 std::vector<Source> sourcesOf(const PlotRequest& request) {
   const auto& table = request.material->table;
-  std::vector<Source> sources{{SeriesRole::measured, QObject::tr("measured"), table, table.get()}};
+  std::vector<Source> sources{{SeriesRole::measured, sourceKind(*request.material).toLower(), table, table.get()}};
   if (request.edit) {
     const models::Model& model = *request.edit->model;
     sources.push_back({SeriesRole::fit, QObject::tr("fit (%1)").arg(widgets::fromView(model.spec().name)),

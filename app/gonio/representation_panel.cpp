@@ -104,7 +104,7 @@ bool RepresentationPanel::isWanted() const {
          (!m_code || m_code->coefficients != coefficients());
 }
 
-bool RepresentationPanel::isSettled() const { return !m_running && !m_delay.isActive(); }
+bool RepresentationPanel::isSettled() const { return !m_requested && !m_delay.isActive(); }
 
 void RepresentationPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
@@ -115,9 +115,9 @@ void RepresentationPanel::request() {
   m_delay.stop();
   if (!isWanted()) {
     m_tasks.drop(encodeKey);
-    m_running = false;
-  } else {
-    m_running = true;
+    m_requested.reset();
+  } else if (m_requested != coefficients()) {
+    m_requested = coefficients();
     const LoadedMaterialPtr material = m_document.material();
     m_tasks.run<MaterialCode>(
         {tr("Encoding %1").arg(QString::fromStdString(material->material.name)), encodeKey},
@@ -131,14 +131,14 @@ void RepresentationPanel::request() {
 }
 
 void RepresentationPanel::adopt(const MaterialCode& code) {
-  m_running = false;
+  m_requested.reset();
   m_code = std::make_shared<const MaterialCode>(code);
   refresh();
   if (m_show->isChecked()) Q_EMIT shownChanged();
 }
 
 void RepresentationPanel::stop(const QString& why) {
-  m_running = false;
+  m_requested.reset();
   m_refusal = why;
   refresh();
 }
@@ -146,7 +146,7 @@ void RepresentationPanel::stop(const QString& why) {
 void RepresentationPanel::forget() {
   m_tasks.drop(encodeKey);
   m_delay.stop();
-  m_running = false;
+  m_requested.reset();
   m_refusal.clear();
   m_code.reset();
   Q_EMIT shownChanged();
@@ -159,7 +159,7 @@ void RepresentationPanel::refresh() {
   m_encode->setVisible(!m_refusal.isEmpty());
   m_state->setText(!m_document.material() ? tr("Open a material to encode it.")
                    : !m_refusal.isEmpty() ? m_refusal
-                   : m_running            ? tr("Encoding with %1 coefficients a channel.").arg(coefficients())
+                   : m_requested          ? tr("Encoding with %1 coefficients a channel.").arg(*m_requested)
                    : !current             ? tr("Not encoded yet.")
                                           : QString());
   m_state->setVisible(!m_state->text().isEmpty());

@@ -4,6 +4,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <optional>
 
 #include "app/gonio/background_task.h"
 #include "app/gonio/document.h"
@@ -65,8 +66,8 @@ class RepresentationPanel : public QWidget {
   widgets::FactList* m_facts;
   QTimer m_delay;
   CodePtr m_code;
-  bool m_running = false;
-  QString m_refusal;  ///< why there is no code; empty where there is none yet
+  std::optional<std::size_t> m_requested;  ///< coefficients of the encoding that runs
+  QString m_refusal;                       ///< why there is no code; empty where there is none yet
 };
 
 }  // namespace gonio::app

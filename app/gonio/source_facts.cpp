@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "core/io/sgd_library.h"
 #include "widgets/inputs/number_field.h"
 
 namespace gonio::app {
@@ -30,6 +31,11 @@ QString rangeText(const std::array<ChannelRange, 3>& channels) {
 }
 
 }  // namespace
+
+QString sourceKind(const LoadedMaterial& loaded) {
+  if (loaded.blend) return tr("Kept blend");
+  return loaded.material.source.format == io::sgdFormat ? tr("Published fit") : tr("Measured");
+}
 
 std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded) {
   const io::MaterialSource& source = loaded.material.source;

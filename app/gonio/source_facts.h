@@ -10,6 +10,9 @@
 
 namespace gonio::app {
 
+/// What a material is before its edits: "Measured" (also where a file holds its code or its factors), "Published fit"
+/// or "Kept blend".
+QString sourceKind(const LoadedMaterial& material);
 /// What the source section tells of a material: file, hash, grid, range of values, invalid share, albedo.
 std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& material);
 /// The residual of a fit in one or two lines.

@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 #include <cmath>
 
+#include "core/io/bundled_library.h"
 #include "core/io/material.h"
 #include "core/rendering/sphere_renderer.h"
 #include "core/rendering/tone_map.h"
@@ -22,8 +23,8 @@ constexpr double exposure = 0;
 /// Those that ship are smaller and smoother, and so half of the bytes.
 constexpr int shippedSide = 128, shippedSamples = 64;
 
-QString fileName(const QString& pattern, const io::Material& material) {
-  return pattern.arg(QString::fromStdString(material.source.sha256));
+QString fileName(const QString& pattern, const std::string& sha256) {
+  return pattern.arg(QString::fromStdString(sha256));
 }
 
 widgets::LibraryLook fromImage(const QImage& image) {
@@ -67,11 +68,15 @@ QString thumbnailCacheFolder() {
 }
 
 widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control) {
+  // A bundled material is not read for its hash: that would decode it.
+  if (const std::string hash = io::librarySha256(id.toStdString()); !hash.empty())
+    if (const QImage shipped(fileName(QStringLiteral(":/thumbnails/%1.png"), hash)); !shipped.isNull())
+      return fromImage(shipped);
+  // A file has to be read for its hash; its values are parsed beside that.
   const io::Material material = io::readMaterial(id.toStdString(), control);
   const QString cached =
-      cacheFolder + fileName(QStringLiteral("/%1-%2-%3.png"), material).arg(rendererVersion).arg(side);
-  for (const QString& path : {fileName(QStringLiteral(":/thumbnails/%1.png"), material), cached})
-    if (const QImage known(path); !known.isNull()) return fromImage(known);
+      cacheFolder + fileName(QStringLiteral("/%1-%2-%3.png"), material.source.sha256).arg(rendererVersion).arg(side);
+  if (const QImage known(cached); !known.isNull()) return fromImage(known);
   const QImage image = spherePicture(*material.brdf, side, samplesPerPixel, control);
   // A cache that cannot be written costs time and nothing else.
   QDir().mkpath(cacheFolder);
@@ -84,9 +89,9 @@ bool drawBundledThumbnails(const QString& folder) {
   QDir().mkpath(folder);
   bool written = true;
   for (const io::LibraryEntry& entry : io::bundledLibrary()) {
-    const io::Material material = io::readMaterial("library:" + entry.id);
+    const io::Material material = io::readMaterial(std::string(io::libraryScheme) + entry.id);
     written &= spherePicture(*material.brdf, shippedSide, shippedSamples)
-                   .save(folder + fileName(QStringLiteral("/%1.png"), material), "PNG");
+                   .save(folder + fileName(QStringLiteral("/%1.png"), material.source.sha256), "PNG");
   }
   return written;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "core/metrics/brdf_metrics.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
 using namespace gonio;
@@ -99,6 +101,39 @@ class ComparisonTest : public QObject {
     editor.comparison.toggle();
     QCOMPARE(editor.comparison.comparison().mode, CompareMode::twoUp);
     QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::edited, ComparedSubject::measured}));
+  }
+
+  /// What stands in for the edited material while two are compared is what the user works on; sides of the user's own
+  /// choice stay.
+  void aStandInTakesItsSide() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.document.adoptFit(lambertFit(0.5));
+    editor.comparison.toggle();
+    QCOMPARE(editor.comparison.sides()[0], ComparedSubject::fit);
+    const widgets::PreviewSubject other{.table = lambertMaterial("other", 0.2)->table, .lobe = {}};
+    editor.comparison.setStandIn(other, "blend");
+    QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::edited, ComparedSubject::measured}));
+    QCOMPARE(editor.preview.overlay()->name(0)->text(), QString("Blend"));
+    editor.comparison.setStandIn({}, {});
+    QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::fit, ComparedSubject::measured}));
+    editor.comparison.setSides(ComparedSubject::measured, ComparedSubject::fit);
+    editor.comparison.setStandIn(other, "blend");
+    QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::measured, ComparedSubject::fit}));
+  }
+
+  /// A material that nobody measured is not called so.
+  void theSourceIsCalledWhatItIs() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    QCOMPARE(editor.comparison.name(ComparedSubject::measured), "Measured");
+    for (const auto& [path, name] :
+         {std::pair("library:sgd/chrome", "Published fit"), {"library:rgl/paper_blue", "Measured"}}) {
+      auto loaded = std::make_shared<LoadedMaterial>(*lambertMaterial("", 0.5));
+      loaded->material.source = io::readMaterial(path).source;
+      editor.document.setMaterial(loaded);
+      QCOMPARE(editor.comparison.name(ComparedSubject::measured), QString(name));
+    }
   }
 
   void subjectsAreWhatTheyAreCalled() {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/interpolation_panel.h"
-
 #include <QComboBox>
 #include <QDropEvent>
 #include <QMimeData>
@@ -12,8 +10,7 @@
 #include <QToolButton>
 #include <cmath>
 
-#include "app/gonio/document_controller.h"
-#include "core/models/registry.h"
+#include "tests/app/interpolation_panel_test_support.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
 #include "widgets/interpolation/blend_pad.h"
@@ -23,47 +20,8 @@
 
 using namespace gonio;
 using namespace gonio::app;
+using namespace gonio::app::test;
 using editing::InterpolationSpace;
-
-namespace {
-
-constexpr int patienceMilliseconds = 240000;
-
-LoadedMaterialPtr greyMaterial(const char* name, double albedo) {
-  auto loaded = std::make_shared<LoadedMaterial>();
-  loaded->material.name = name;
-  loaded->material.source.path = std::string("/nowhere/") + name + ".binary";
-  loaded->material.source.sha256 = std::string(64, 'a');
-  const HalfDifferenceGrid grid{12, 12, 12};
-  loaded->table = std::make_shared<const TabulatedBrdf>(
-      grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(float(albedo / pi))),
-      std::vector<std::uint8_t>(grid.size(), 1));
-  loaded->material.brdf = loaded->table;
-  return loaded;
-}
-
-double normalValue(const Brdf& brdf) { return pi * brdf.evaluate({0, 0, 1}, {0, 0, 1}).r; }
-
-struct Editor {
-  BackgroundTasks tasks;
-  Document document;
-  DocumentController controller{document, tasks};
-  InterpolationPanel panel{document, tasks};
-
-  Editor() {
-    panel.resize(1300, 400);
-    panel.show();
-  }
-  bool isSettled() const { return panel.isSettled() && tasks.isIdle(); }
-  /// Opens a grey and takes it as it is.
-  void fill(int place, const char* name, double albedo) {
-    document.setMaterial(greyMaterial(name, albedo));
-    panel.well(place).currentButton()->click();
-    QTRY_VERIFY_WITH_TIMEOUT(panel.ends().at(place), patienceMilliseconds);
-  }
-};
-
-}  // namespace
 
 class InterpolationPanelTest : public QObject {
   Q_OBJECT
@@ -161,61 +119,6 @@ class InterpolationPanelTest : public QObject {
     QCOMPARE(editor.panel.ends().count(), 2);
     QVERIFY(editor.panel.slider().isVisible());
     QCOMPARE(editor.panel.weights(), (std::vector<double>{1, 0}));
-  }
-
-  /// The blend takes the document's place in one step; undo brings back the material with its edits and its file.
-  void keepingIsAnUndoStep() {
-    Editor editor;
-    editor.fill(0, "dark", 0.2);
-    editor.fill(1, "light", 0.6);
-    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.spaces().prepared(InterpolationSpace::linear), patienceMilliseconds);
-    const models::Model& lambert = models::findModel("lambert");
-    fitting::FitResult fit;
-    fit.model = &lambert;
-    fit.parameters = {{Rgb(0.6)}};
-    editor.document.adoptFit(fit);
-    editor.document.setParameter(0, Rgb(0.5));
-    editor.document.markSaved("/somewhere/light.gonio");
-    editor.panel.moveTo({0.25, 0});
-    editor.panel.keepButton().click();
-    QTRY_COMPARE_WITH_TIMEOUT(editor.document.history().count(), 2, patienceMilliseconds);
-    QVERIFY(std::abs(normalValue(*editor.document.material()->table) - 0.3) < 1e-6);
-    QVERIFY(editor.document.isModified() && editor.document.path().isEmpty());
-    QVERIFY(editor.document.history().text(1).contains("75 % dark"));
-    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit(), patienceMilliseconds);  // fitted as if it had been opened
-    QCOMPARE(editor.document.edit()->model, &defaultModel());
-    // It can be edited further, and all of it goes back.
-    editor.document.setParameter(0, Rgb(0.1));
-    editor.document.history().undo();
-    editor.document.history().undo();
-    QCOMPARE(QString::fromStdString(editor.document.material()->material.name), QStringLiteral("light"));
-    QCOMPARE(editor.document.path(), QStringLiteral("/somewhere/light.gonio"));
-    QVERIFY(!editor.document.isModified());
-    QVERIFY(editor.document.edit()->edited.values[0] == Rgb(0.5));
-    editor.document.history().redo();
-    QVERIFY(std::abs(normalValue(*editor.document.material()->table) - 0.3) < 1e-6);
-    QVERIFY(editor.document.edit() && editor.document.edit()->isIdentity());
-    // What is saved names the materials and their weights.
-    const editing::EditDocument stored = editor.document.toEditDocument();
-    QCOMPARE(stored.blend->weights, (std::vector{0.75, 0.25}));
-    QCOMPARE(stored.blend->materials[1].sourcePath, std::string("/nowhere/light.binary"));
-    QCOMPARE(stored.sourceSha256, editing::blendSha256(*stored.blend));
-    QTRY_VERIFY_WITH_TIMEOUT(editor.isSettled(), patienceMilliseconds);
-  }
-
-  /// Current is what is seen: the material with its edits, which the kept blend remembers.
-  void currentHasItsEdits() {
-    Editor editor;
-    editor.document.setMaterial(greyMaterial("light", 0.6));
-    fitting::FitResult fit;
-    fit.model = &models::findModel("lambert");
-    fit.parameters = {{Rgb(0.6)}};
-    editor.document.adoptFit(fit);
-    editor.document.setParameter(0, Rgb(0.5));
-    editor.panel.begin();
-    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().at(0), patienceMilliseconds);
-    QVERIFY(std::abs(normalValue(*editor.panel.ends().at(0)->material.table) - 0.5) < 1e-6);
-    QCOMPARE(editor.panel.ends().at(0)->source.edits.size(), std::size_t(1));
   }
 
   /// A drop of something that nobody reads: told with its name, shown in the well, and the well can be used again.

@@ -121,6 +121,22 @@ class RepresentationPanelTest : public QObject {
     QCOMPARE(changed.count(), count + 1);
   }
 
+  /// Asking again for what is being encoded does not begin it anew; another count does.
+  void aRunningEncodingGoesOn() {
+    m_document.setMaterial(glossyMaterial(0.2));
+    m_panel->show();
+    QVERIFY(!m_panel->isSettled());
+    QSignalSpy started(&m_tasks, &BackgroundTasks::changed);  // the progress comes by a timer, so not in here
+    m_panel->showEncoded().setChecked(true);
+    m_panel->hide();
+    m_panel->show();
+    QCOMPARE(started.count(), 0);
+    m_panel->setCoefficients(48);
+    QTRY_VERIFY_WITH_TIMEOUT(started.count() > 0, patienceMilliseconds);
+    settle();
+    QCOMPARE(m_panel->shown()->coefficients, std::size_t(48));
+  }
+
   /// A table over another grid has no code: told where the numbers would be.
   void anotherGridIsTold() {
     m_document.setMaterial(glossyMaterial(0.3, {24, 24, 24}));

@@ -17,12 +17,6 @@ QString tr(const char* text) { return QCoreApplication::translate("Interpolation
 
 constexpr double preparedShare = 0.9;
 
-std::optional<editing::TransformedMixture> mixtureOf(const PreparedBlend& blend) {
-  if (blend.space != InterpolationSpace::differential) return blend.interpolation->mixture();
-  // The measured tables, which the shader moves.
-  return editing::prepareInterpolation(InterpolationSpace::linear, blend.ends)->mixture();
-}
-
 editing::FactorEdit curvesAlone(factorization::PdvFactors factors) {
   const auto curves = std::make_shared<const factorization::PdvFactors>(std::move(factors));
   editing::FactorEdit edit;
@@ -42,7 +36,7 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
   for (const editing::InterpolationEnd& end : ends) blend->lobes.push_back(estimateSamplingLobe(*end.table));
   blend->interpolation = editing::prepareInterpolation(space, ends, options, control.between(0, preparedShare));
   control.throwIfStopped();
-  if (auto mixture = mixtureOf(*blend))
+  if (auto mixture = blend->interpolation->mixture())
     blend->mixture = std::make_shared<const editing::TransformedMixture>(std::move(*mixture));
   control.report(1);
   return blend;

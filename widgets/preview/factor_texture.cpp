@@ -72,12 +72,19 @@ void FactorTexture::update(QOpenGLFunctions_4_1_Core& gl, const FactorEdit& edit
   gl.glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &mostTexels);
   places_ = std::clamp(mostTexels / stride, 2, mostPlaces);
   std::vector<glm::vec4> texels(std::size_t(stride) * std::size_t(places_), glm::vec4(0));
-  const PdvFactors* sets[] = {edited_.get(), original_.get()};
-  for (int set = 0; set < 2; ++set)
-    for (int term = 0; term < sets[set]->terms(); ++term)
+  const auto fill = [&](const PdvFactors& factors, glm::vec4* first) {
+    for (int term = 0; term < factors.terms(); ++term)
       for (int axis = 0; axis < axes; ++axis)
-        fillCurve(texels.data() + (set * terms + term) * axes + axis, stride, places_, *sets[set], term, axis,
-                  endOf(*edited_, *original_, axis), axes);
+        fillCurve(first + term * axes + axis, stride, places_, factors, term, axis, endOf(*edited_, *original_, axis),
+                  axes);
+  };
+  fill(*edited_, texels.data());
+  // A blend has no other curves than those it shows.
+  if (original_ != edited_)
+    fill(*original_, texels.data() + terms * axes);
+  else
+    for (auto place = texels.begin(); place != texels.end(); place += stride)
+      std::copy_n(place, terms * axes, place + terms * axes);
   if (buffer_ == 0) gl.glGenBuffers(1, &buffer_);
   gl.glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
   gl.glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(), GL_DYNAMIC_DRAW);
