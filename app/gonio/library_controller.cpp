@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
+#include <chrono>
 
 #include "app/gonio/material_files.h"
 #include "core/io/material.h"
@@ -12,8 +13,38 @@
 namespace gonio::app {
 
 namespace {
+
 const QString thumbnailKey = QStringLiteral("thumbnail");
+
+/// A picture, or why there is none.
+struct Made {
+  QString id;
+  widgets::LibraryLook look;
+  QString failure;
+};
+
+/// The first of the pictures: as many as take a tenth of a second. One at a time would wait for a frame of the preview
+/// each.
+std::vector<Made> madeInABatch(const LibraryController::LookMaker& make, const QStringList& ids,
+                               const TaskControl& control) {
+  constexpr std::chrono::milliseconds batchTime(100);
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<Made> batch;
+  for (const QString& id : ids) {
+    Made& made = batch.emplace_back(Made{id, {}, {}});
+    try {
+      made.look = make(id, control);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const std::exception& error) {
+      made.failure = QString::fromStdString(error.what());
+    }
+    if (std::chrono::steady_clock::now() - start > batchTime) break;
+  }
+  return batch;
 }
+
+}  // namespace
 
 LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QObject* parent)
     : QObject(parent), m_tasks(tasks), m_makeLook(std::move(makeLook)) {}
@@ -56,29 +87,31 @@ bool LibraryController::isVisibleComplete() const {
   return std::none_of(m_visible.begin(), m_visible.end(), [&](const QString& id) { return pending.contains(id); });
 }
 
-void LibraryController::makeNext() {
+QStringList LibraryController::nextOnes() const {
   const QStringList pending = m_model.pending();
-  if (pending.isEmpty()) return;
-  QString id = pending.first();
-  for (const QString& visible : m_visible)
-    if (pending.contains(visible)) {
-      id = visible;
-      break;
-    }
-  const double done = 1 - double(pending.size()) / m_model.rowCount();
-  const QString title = tr("Pictures of the library: %n left", nullptr, int(pending.size()));
-  m_tasks.run<widgets::LibraryLook>(
+  QStringList ids = pending;
+  std::stable_partition(ids.begin(), ids.end(), [&](const QString& id) { return m_visible.contains(id); });
+  return ids;
+}
+
+void LibraryController::makeNext() {
+  const QStringList ids = nextOnes();
+  if (ids.isEmpty()) return;
+  const double done = 1 - double(ids.size()) / m_model.rowCount();
+  const QString title = tr("Pictures of the library: %n left", nullptr, int(ids.size()));
+  m_tasks.run<std::vector<Made>>(
       {title, thumbnailKey, true},
-      [make = m_makeLook, id, done](const TaskControl& control) {
+      [make = m_makeLook, ids, done](const TaskControl& control) {
         control.report(done);
-        return make(id, {control.stop, {}});
+        return madeInABatch(make, ids, {control.stop, {}});
       },
-      [this, id](const widgets::LibraryLook& look) {
-        m_model.setLook(id, look);
-        makeNext();
-      },
-      [this, id](const QString& reason) {
-        m_model.setFailure(id, reason);
+      [this](const std::vector<Made>& batch) {
+        for (const Made& made : batch) {
+          if (made.failure.isEmpty())
+            m_model.setLook(made.id, made.look);
+          else
+            m_model.setFailure(made.id, made.failure);
+        }
         makeNext();
       });
 }

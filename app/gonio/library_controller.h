@@ -11,8 +11,8 @@
 
 namespace gonio::app {
 
-/// Fills the library with the bundled materials or with a folder, and has the pictures made one after the other, those
-/// in sight first.
+/// Fills the library with the bundled materials or with a folder, and has the pictures made in the background, those in
+/// sight first.
 class LibraryController : public QObject {
   Q_OBJECT
 
@@ -39,6 +39,8 @@ class LibraryController : public QObject {
  private:
   void show(std::vector<widgets::LibraryItem> items, const QString& title, const QString& folder);
   void makeNext();
+  /// What is not there yet, those in sight first.
+  QStringList nextOnes() const;
 
   BackgroundTasks& m_tasks;
   LookMaker m_makeLook;
