@@ -70,8 +70,12 @@ bool PreviewResources::decode(const EnsembleCode& code, GLuint& texture) {
   if (!decodesCodes_) return false;
   const CodeTexels texels = codeTexels(*code.ensemble, code.code);
   if (!CodeDecoder::fits(*this, texels)) return false;
-  decoder_.decode(*this, *this, texels, texture);
-  return true;
+  try {
+    decoder_.decode(*this, *this, texels, texture);
+  } catch (const Error&) {
+    decodesCodes_ = false;  // the decoded table is at hand
+  }
+  return decodesCodes_;
 }
 
 std::shared_ptr<const TableTexture> PreviewResources::table(const std::shared_ptr<const TabulatedBrdf>& table,
