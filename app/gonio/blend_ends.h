@@ -28,7 +28,7 @@ class BlendEnds : public QObject {
   BlendEnds(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
 
   int count() const { return int(m_places.size()); }
-  /// Null while the place is empty or being filled.
+  /// Null while the place is empty; one that is filled anew has its old material until then.
   const BlendEnd* at(int place) const;
   bool isReading(int place) const;
   /// What went wrong there, else empty.
@@ -49,7 +49,7 @@ class BlendEnds : public QObject {
   void swap(int first, int second);
 
  Q_SIGNALS:
-  /// A place was filled, emptied, added or taken away: complete() and ends() may be others now.
+  /// A place was filled, emptied, added or taken away: isComplete() and ends() may be others now.
   void changed();
   /// Only the words of a place changed: it is being read, or that failed.
   void stateChanged();

@@ -31,8 +31,8 @@ struct EncodedCandidate {
   /// Mean over the valid cells to 85 degrees, weighted by the projected solid angles of both directions, of
   /// (rho^(1/gamma) - rho'^(1/gamma))^2, rho in 1/sr (dissertation 4.3.2.4, where all cells count the same).
   double gammaError = 0;
-  double squaredError =
-      0;  ///< mean of (rho - rho')^2 over the same cells with the same weights: what the selection does not go by
+  /// Mean of (rho - rho')^2 over the same cells with the same weights: what the selection does not go by.
+  double squaredError = 0;
 };
 
 struct Encoded {

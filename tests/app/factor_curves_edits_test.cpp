@@ -168,7 +168,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
   void aDroppedMaterialLendsItsCurve() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("other.pdv");
-    const auto other = glossyMaterial(0.6);
+    const auto other = glossyMaterial(0.6, {24, 24, 24});
     io::writePdv(factorization::factorizePdv(*other->table, {.terms = 1}).factors, path.toStdString());
     for (const FactorAxis axis : {FactorAxis::theta, FactorAxis::deviation}) {
       undoAll();

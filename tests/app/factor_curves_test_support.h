@@ -7,23 +7,10 @@
 
 #include "app/gonio/factor_curves_panel.h"
 #include "app/gonio/factor_terms_view.h"
+#include "tests/app/glossy_material.h"
 #include "widgets/curves/curve_editor.h"
 
 namespace gonio::app::test {
-
-inline constexpr int patienceMilliseconds = 120000;
-
-inline LoadedMaterialPtr glossyMaterial(double roughness) {
-  const models::Model& ggx = models::findModel("ggx");
-  models::ParameterValues values = models::defaultParameters(ggx.spec());
-  values.values[*ggx.spec().find("roughness")] = Rgb(roughness);
-  values.values[*ggx.spec().find("specular")] = Rgb(0.9, 0.6, 0.3);
-  auto loaded = std::make_shared<LoadedMaterial>();
-  loaded->material.name = "glossy";
-  loaded->table = bakeTable(*ggx.instantiate(values), {24, 24, 24});
-  loaded->material.brdf = loaded->table;
-  return loaded;
-}
 
 /// The dock's panel on one material.
 class OpenFactorCurves {
@@ -49,7 +36,7 @@ class OpenFactorCurves {
   void openPanel() {
     m_panel = std::make_unique<FactorCurvesPanel>(m_document, m_tasks);
     m_panel->resize(1200, 400);
-    m_document.setMaterial(glossyMaterial(0.3));
+    m_document.setMaterial(glossyMaterial(0.3, {24, 24, 24}));
     QVERIFY(editor(FactorAxis::theta).nodes().empty());
     m_panel->show();
     QVERIFY(!m_panel->isSettled());

@@ -14,28 +14,11 @@
 #include "core/dictionary/decode.h"
 #include "core/io/code_file.h"
 #include "core/metrics/brdf_metrics.h"
-#include "core/models/model.h"
+#include "tests/app/glossy_material.h"
 
 using namespace gonio;
 using namespace gonio::app;
-
-namespace {
-
-constexpr int patienceMilliseconds = 120000;
-
-LoadedMaterialPtr glossyMaterial(double roughness, const HalfDifferenceGrid& grid = {}) {
-  const models::Model& ggx = models::findModel("ggx");
-  models::ParameterValues values = models::defaultParameters(ggx.spec());
-  values.values[*ggx.spec().find("roughness")] = Rgb(roughness);
-  values.values[*ggx.spec().find("specular")] = Rgb(0.9, 0.6, 0.3);
-  auto loaded = std::make_shared<LoadedMaterial>();
-  loaded->material.name = "glossy";
-  loaded->table = bakeTable(*ggx.instantiate(values), grid);
-  loaded->material.brdf = loaded->table;
-  return loaded;
-}
-
-}  // namespace
+using namespace gonio::app::test;
 
 class RepresentationPanelTest : public QObject {
   Q_OBJECT

@@ -32,6 +32,7 @@
 #include "tests/studies/comparison_judge.h"
 #include "tests/studies/comparison_records.h"
 #include "tests/studies/held_out_models.h"
+#include "tests/studies/study_main.h"
 
 using namespace gonio;
 using namespace gonio::study;
@@ -257,10 +258,5 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
-    return run(Options(count, arguments));
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return gonio::study::studyMain([&] { return run(Options(count, arguments)); });
 }

@@ -16,6 +16,7 @@
 #include "core/support/error.h"
 #include "tests/studies/comparison_judge.h"
 #include "tests/studies/held_out_models.h"
+#include "tests/studies/study_main.h"
 
 using namespace gonio;
 using namespace gonio::study;
@@ -108,10 +109,5 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
-    return run(Options(count, arguments));
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return gonio::study::studyMain([&] { return run(Options(count, arguments)); });
 }

@@ -17,6 +17,7 @@
 #include "core/fitting/fit_parameters.h"
 #include "core/io/material.h"
 #include "core/models/registry.h"
+#include "tests/studies/study_main.h"
 #include "tests/support/published_fits.h"
 
 using namespace gonio;
@@ -140,10 +141,5 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  try {
-    return run(Options(count, arguments));
-  } catch (const Error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return gonio::study::studyMain([&] { return run(Options(count, arguments)); });
 }
