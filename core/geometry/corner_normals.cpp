@@ -4,12 +4,17 @@
 
 #include <cmath>
 
+#include "core/math/fast_atan2.h"
+#include "core/math/parallel.h"
+
 namespace gonio {
 
 namespace {
 
 /// Beyond, the square of their number would make bad files slow.
 constexpr std::size_t mostFacesAboutAVertex = 1000;
+
+constexpr std::size_t trianglesABlock = 4096;
 
 /// A face's part in the mean about one of its corners.
 struct CornerFace {
@@ -18,17 +23,18 @@ struct CornerFace {
 };
 
 std::vector<CornerFace> cornerFaces(std::span<const glm::vec3> positions, std::span<const TriangleIndices> triangles) {
-  std::vector<CornerFace> faces;
-  faces.reserve(3 * triangles.size());
-  for (const TriangleIndices& t : triangles) {
-    const Direction normal = glm::normalize(areaNormal(positions[t[0]], positions[t[1]], positions[t[2]]));
-    for (int i = 0; i < 3; ++i) {
-      const Direction at(positions[t[i]]);
-      const Direction next = Direction(positions[t[(i + 1) % 3]]) - at,
-                      last = Direction(positions[t[(i + 2) % 3]]) - at;
-      faces.push_back({normal, std::atan2(glm::length(glm::cross(next, last)), glm::dot(next, last))});
+  std::vector<CornerFace> faces(3 * triangles.size());
+  parallelForBlocks(triangles.size(), trianglesABlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t triangle = begin; triangle < end; ++triangle) {
+      const TriangleIndices& t = triangles[triangle];
+      const Direction normal = glm::normalize(areaNormal(positions[t[0]], positions[t[1]], positions[t[2]]));
+      for (int i = 0; i < 3; ++i) {
+        const Direction at(positions[t[i]]);
+        const Direction a = Direction(positions[t[(i + 1) % 3]]) - at, b = Direction(positions[t[(i + 2) % 3]]) - at;
+        faces[3 * triangle + std::size_t(i)] = {normal, fastAtan2(glm::length(glm::cross(a, b)), glm::dot(a, b))};
+      }
     }
-  }
+  });
   return faces;
 }
 
@@ -62,8 +68,7 @@ std::vector<glm::vec3> makeCornerNormals(std::span<const glm::vec3> positions,
   const std::vector<CornerFace> faces = cornerFaces(positions, welded);
   const CornersOfVertices about(positions.size(), welded);
   static const double cosCrease = std::cos(creaseAngle);
-  std::vector<glm::vec3> normals(faces.size());
-  for (std::size_t corner = 0; corner < faces.size(); ++corner) {
+  const auto normalAt = [&](std::size_t corner) {
     const Direction own = faces[corner].normal;
     const std::span<const std::size_t> others = about.at(welded[corner / 3][int(corner % 3)]);
     Direction sum(0);
@@ -71,8 +76,12 @@ std::vector<glm::vec3> makeCornerNormals(std::span<const glm::vec3> positions,
       for (const std::size_t other : others)
         if (glm::dot(faces[other].normal, own) >= cosCrease) sum += faces[other].angle * faces[other].normal;
     // All parts lie within the crease angle of `own`, so the sum is never short unless there is none.
-    normals[corner] = glm::vec3(glm::dot(sum, own) > 0 ? glm::normalize(sum) : own);
-  }
+    return glm::vec3(glm::dot(sum, own) > 0 ? glm::normalize(sum) : own);
+  };
+  std::vector<glm::vec3> normals(faces.size());
+  parallelForBlocks(welded.size(), trianglesABlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t corner = 3 * begin; corner < 3 * end; ++corner) normals[corner] = normalAt(corner);
+  });
   return normals;
 }
 

@@ -131,6 +131,7 @@ class ReaderMutationTest : public QObject {
     readMaterialBytes(rglSeed());
     readPdvBytes(pdvSeed());
     readNpfBytes(npfSeed());
+    readObjBytes(objSeed());
     readCodeBytes(codeSeed());
     readDictionaryBytes(dictionarySeed());
     readImageBytes(hdrSeed());
@@ -142,6 +143,7 @@ class ReaderMutationTest : public QObject {
   void rgl() { check("rgl.bsdf", rglSeed(), readMaterialBytes); }
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
   void npf() { check("npf.bin", npfSeed(), readNpfBytes); }
+  void obj() { check("mesh.obj", objSeed(), readObjBytes); }
   void code() { check("sparse.code", codeSeed(), readCodeBytes); }
   void dictionary() { check("ensemble.dictionary", dictionarySeed(), readDictionaryBytes); }
   void hdr() { check("picture.hdr", hdrSeed(), readImageBytes); }

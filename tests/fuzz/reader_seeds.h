@@ -77,6 +77,14 @@ inline Bytes npfSeed() {
   return bytes;
 }
 
+/// A tetrahedron with normals, a concave polygon, relative indices, a continued line.
+inline Bytes objSeed() {
+  return bytesOf(
+      "# seed\nmtllib a.mtl\no one\nv 0 0 0\nv 1.5 0 0 1\nv 0 2e0 0\nv 0 0 +1\nvt 0 1\nvn 0 0 -1\nvn .5 .5 .5\n"
+      "g side\nf 1//1 3//1 2//1\nf 1/1 2/1 4/1\r\nf -4 -1 \\\n -2\ns off\nf 2/1/2 3/1/2 4/1/2\n"
+      "v 4 4 0\nv 8 4 0\nv 5 5 0\nv 4 8 0\nv 3 6 0\nusemtl red\nf -5 -4 -3 -2 -1\nl 1 2\n");
+}
+
 /// Two run-length coded lines of 16 pixels: a run of ten, then six of their own.
 inline Bytes hdrSeed() {
   Bytes bytes = bytesOf("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 16\n");

@@ -8,10 +8,12 @@
 #include <string_view>
 
 #include "core/editing/edit_document.h"
+#include "core/geometry/mesh_intersector.h"
 #include "core/io/code_file.h"
 #include "core/io/image_io.h"
 #include "core/io/material.h"
 #include "core/io/npf_file.h"
+#include "core/io/obj_file.h"
 #include "core/io/pdv_file.h"
 
 /// What is done with bytes that nobody vouches for. Each reads and uses the result; every outcome but a result that
@@ -60,6 +62,18 @@ inline void readDictionaryBytes(std::span<const std::byte> bytes) {
   const auto dictionary = io::readDictionary(io::MemorySource(bytes));
   if (!(dictionary::orthonormalityError(dictionary->ensemble) < 1e-10))
     throw std::logic_error("a dictionary that is not orthonormal");
+}
+
+/// What was read has unit normals, and rays meet it.
+inline void readObjBytes(std::span<const std::byte> bytes) {
+  const auto mesh = std::make_shared<const TriangleMesh>(io::readObj(io::MemorySource(bytes)));
+  for (const glm::vec3& normal : mesh->cornerNormals())
+    if (!(std::abs(glm::length(normal) - 1) < 1e-5f)) throw std::logic_error("a normal that is no direction");
+  const MeshIntersector intersector(mesh);
+  const glm::dvec3 first(mesh->positions()[mesh->triangles()[0][0]]);
+  const glm::dvec3 eye = mesh->boundingSphere().centre + 3 * mesh->boundingSphere().radius * glm::dvec3(0.6, 0, 0.8);
+  if (const auto hit = intersector.closest(eye, first - eye, 0, 2); hit && !std::isfinite(glm::length(hit->position)))
+    throw std::logic_error("a hit that is nowhere");
 }
 
 inline void readImageBytes(std::span<const std::byte> bytes) {
