@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/support/error.h"
+#include "core/support/number_text.h"
 
 namespace gonio {
 
@@ -20,8 +21,8 @@ void requireProfile(std::span<const glm::dvec2> profile, int segments) {
     throw Error("revolution: found " + std::to_string(profile.size()) + " points, expected at least 3");
   for (std::size_t i = 0; i < profile.size(); ++i)
     if (!std::isfinite(profile[i].x) || !std::isfinite(profile[i].y) || profile[i].x < 0)
-      throw Error("revolution: point " + std::to_string(i) + " is (" + std::to_string(profile[i].x) + ", " +
-                  std::to_string(profile[i].y) + "), expected finite numbers and a distance that is not negative");
+      throw Error("revolution: point " + std::to_string(i) + " is (" + numberText(profile[i].x) + ", " +
+                  numberText(profile[i].y) + "), expected finite numbers and a distance that is not negative");
   const bool axisToAxis = profile.front().x == 0 && profile.back().x == 0;
   if (!axisToAxis && profile.front() != profile.back())
     throw Error("revolution: the profile is open, expected one from axis to axis or around");

@@ -41,7 +41,7 @@ glm::dvec2 exactWeights(const glm::dvec3& origin, const glm::dvec3& direction, c
   const glm::dvec3 p = glm::cross(direction, ac), arm = origin - corner, q = glm::cross(arm, ab);
   const double determinant = glm::dot(ab, p);
   glm::dvec2 weights = found;
-  if (std::abs(determinant) > 1e-9 * glm::length(ab) * glm::length(ac) * glm::length(direction))
+  if (determinant * determinant > 1e-18 * glm::dot(ab, ab) * glm::dot(ac, ac) * glm::dot(direction, direction))
     weights = glm::dvec2(glm::dot(arm, p), glm::dot(direction, q)) / determinant;
   weights = glm::max(weights, glm::dvec2(0));
   return weights / std::max(1.0, weights.x + weights.y);
@@ -141,7 +141,7 @@ std::optional<MeshHit> MeshIntersector::closest(const glm::dvec3& origin, const 
   const glm::dvec3 a = corner(0), ab = corner(1) - a, ac = corner(2) - a;
   const glm::dvec2 w = exactWeights(origin, direction, a, ab, ac, {found.hit.u, found.hit.v});
   MeshHit hit{
-      .t = 0, .triangle = found.hit.primID, .u = w.x, .v = w.y, .geometricNormal = mesh_->geometricNormal(index)};
+      .t = 0, .triangle = found.hit.primID, .u = w.x, .v = w.y, .geometricNormal = glm::normalize(glm::cross(ab, ac))};
   hit.position = a + w.x * ab + w.y * ac;
   hit.t = glm::dot(hit.position - origin, direction) / glm::dot(direction, direction);
   const Direction shading = (1 - w.x - w.y) * normal(0) + w.x * normal(1) + w.y * normal(2);

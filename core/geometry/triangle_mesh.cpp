@@ -12,6 +12,7 @@
 
 #include "core/geometry/corner_normals.h"
 #include "core/support/error.h"
+#include "core/support/number_text.h"
 
 namespace gonio {
 
@@ -26,7 +27,7 @@ bool isFinite(const Vector& v) {
 }
 
 std::string text(const glm::vec3& v) {
-  return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
+  return "(" + numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z) + ")";
 }
 
 void requireUsable(const MeshArrays& arrays) {
@@ -220,7 +221,7 @@ TriangleMesh transformed(const TriangleMesh& mesh, const glm::dmat4& matrix) {
   const glm::dmat3 linear(matrix);
   const double determinant = glm::determinant(linear);
   if (!std::isfinite(determinant) || determinant == 0)
-    throw Error("mesh: the matrix of its place has the determinant " + std::to_string(determinant) +
+    throw Error("mesh: the matrix of its place has the determinant " + numberText(determinant) +
                 ", expected a finite one that is not 0");
   // The adjugate's transpose: the inverse transpose but for a positive factor, and finite where that overflows.
   const glm::dmat3 normalMatrix = determinant * glm::transpose(glm::inverse(linear)) * (determinant < 0 ? -1.0 : 1.0);

@@ -9,6 +9,7 @@
 
 #include "core/math/fast_atan2.h"
 #include "core/support/error.h"
+#include "core/support/number_text.h"
 
 namespace gonio {
 
@@ -22,8 +23,9 @@ void requireUsable(const Image& image, const std::string& name) {
     for (int channel = 0; channel < 3; ++channel)
       if (const float value = image.pixels[i][channel]; !(std::isfinite(value) && value >= 0))
         throw Error("environment '" + name + "': pixel (" + std::to_string(i % std::size_t(image.width)) + ", " +
-                    std::to_string(i / std::size_t(image.width)) + "), channel " + std::to_string(channel) + " is " +
-                    std::to_string(value) + "; radiance is finite and not negative");
+                    std::to_string(i / std::size_t(image.width)) + "), counted from the upper left, has " +
+                    numberText(value) + " in channel " + "RGB"[channel] +
+                    "; expected a radiance that is finite and not negative");
 }
 
 /// Mean luminance of the bilinear interpolant over each pixel, along one axis: neighbours reach an eighth into a pixel.

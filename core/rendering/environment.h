@@ -18,7 +18,7 @@ namespace gonio {
 /// (y + 1/2) / height. Immutable.
 class EnvironmentMap {
  public:
-  /// @throws Error when the picture is empty or has a non-finite or negative value.
+  /// @throws Error when the picture is empty; when a value is not finite or negative: names the first such pixel.
   explicit EnvironmentMap(Image radiance, std::string name);
 
   const std::string& name() const { return name_; }

@@ -3,6 +3,7 @@
 #include "core/rendering/environment.h"
 
 #include <QTest>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -142,13 +143,68 @@ class EnvironmentTest : public QObject {
     }
   }
 
+  /// Nothing is brighter than the rest: every direction is as likely, and finite.
+  void aBlackMapIsSampledEvenly() {
+    const EnvironmentMap map(Image(32, 16), "black");
+    constexpr int perAxis = 200;
+    std::array<int, 8> octants{};
+    for (int i = 0; i < perAxis * perAxis; ++i) {
+      const auto s = map.sample((i % perAxis + 0.5) / perAxis, (i / perAxis + 0.5) / perAxis);
+      QVERIFY(std::abs(s.pdf * 4 * pi - 1) < 1e-4);
+      QVERIFY(std::abs(glm::length(s.direction) - 1) < 1e-12);
+      QCOMPARE(s.radiance, Rgb(0));
+      ++octants[std::size_t((s.direction.x > 0) + 2 * (s.direction.y > 0) + 4 * (s.direction.z > 0))];
+    }
+    for (const int count : octants) QVERIFY(std::abs(count * 8.0 / (perAxis * perAxis) - 1) < 0.03);
+  }
+
+  /// The radiance between pixel centres is bilinear, so that a pixel shines half way into its neighbours; also over the
+  /// edge behind the camera and at a pole.
+  void aHotPixelTakesAllSamples() {
+    constexpr int width = 32, height = 16;
+    for (const auto& [hotX, hotY] : {std::pair(13, 6), std::pair(0, 9), std::pair(31, 0)}) {
+      Image image(width, height);
+      image.at(hotX, hotY) = glm::vec3(1e6f, 1e5f, 0);
+      const EnvironmentMap map(image, "hot");
+      double sum = 0;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+          sum += map.pdf(EnvironmentMap::directionAt((x + 0.5) / width, (y + 0.5) / height)) * 2 * pi / width *
+                 (std::cos(pi * y / height) - std::cos(pi * (y + 1) / height));
+      QVERIFY(std::abs(sum - 1) < 1e-6);
+      constexpr int perAxis = 100;
+      int onIt = 0;
+      for (int i = 0; i < perAxis * perAxis; ++i) {
+        const auto s = map.sample((i % perAxis + 0.5) / perAxis, (i / perAxis + 0.5) / perAxis);
+        const glm::dvec2 p = EnvironmentMap::positionOf(s.direction);
+        const int dx = std::abs(int(p.x * width) - hotX), dy = std::abs(int(p.y * height) - hotY);
+        QVERIFY(std::min(dx, width - dx) <= 1 && dy <= 1);
+        QVERIFY(s.pdf > 0 && std::isfinite(s.pdf));
+        onIt += dx == 0 && dy == 0;
+      }
+      QVERIFY(onIt > perAxis * perAxis / 2);
+    }
+  }
+
   void badPicturesAreRefused() {
     QVERIFY_THROWS_EXCEPTION(Error, EnvironmentMap(Image(), "none"));
-    Image image(2, 2);
-    image.at(1, 0).y = std::numeric_limits<float>::quiet_NaN();
-    QVERIFY_THROWS_EXCEPTION(Error, EnvironmentMap(image, "nan"));
-    image.at(1, 0).y = -1;
-    QVERIFY_THROWS_EXCEPTION(Error, EnvironmentMap(image, "negative"));
+    const auto refusal = [](float value) {
+      Image image(4, 3);
+      image.at(3, 1).y = value;
+      image.at(0, 2).x = value;  // the first one is named
+      try {
+        EnvironmentMap(image, "attic");
+      } catch (const Error& error) {
+        return std::string(error.what());
+      }
+      return std::string("no error");
+    };
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (const auto& [value, text] :
+         {std::pair(std::numeric_limits<float>::quiet_NaN(), "nan"), std::pair(infinity, "inf"),
+          std::pair(-1e-9f, "-1e-09"), std::pair(-3e30f, "-3e+30")})
+      QCOMPARE(refusal(value), std::string("environment 'attic': pixel (3, 1), counted from the upper left, has ") +
+                                   text + " in channel G; expected a radiance that is finite and not negative");
     QVERIFY_THROWS_EXCEPTION(Error, bundledEnvironment("moon"));
   }
 };
