@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
       "failure, 2 wrong usage.");
   for (const auto add : {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit,
                          tool::addEdit, tool::addFactor, tool::addDictionary, tool::addEncode, tool::addDecode,
-                         tool::addInterpolate, tool::addRender, tool::addCompare})
+                         tool::addInterpolate, tool::addRender, tool::addScenes, tool::addCompare})
     add(app, tool);
   try {
     app.parse(argc, argv);

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/io/image_io.h"
+#include "core/rendering/environment_file.h"
 
 namespace gonio::tool {
 
@@ -13,35 +14,21 @@ namespace {
 
 constexpr int maxPictureSize = 8192;
 
-std::shared_ptr<const EnvironmentMap> environmentOf(const std::string& name) {
-  for (const char* bundled : {"studio", "sky", "furnace"})
-    if (name == bundled) return bundledEnvironment(name);
-  if (!std::filesystem::exists(name))
-    throw Error(name + ": found neither an environment of this name (studio, sky, furnace) nor a file");
-  Image image = io::readImage(std::filesystem::path(name));
-  try {
-    return std::make_shared<const EnvironmentMap>(std::move(image), std::filesystem::path(name).stem().string());
-  } catch (const Error& error) {
-    throw Error(name + ": " + error.what());
-  }
-}
-
 std::string suffixOf(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
 }  // namespace
 
-SphereScene PictureOptions::sphereScene() const {
-  SphereScene result;
+void PictureOptions::apply(Scene& scene) const {
   if (!light.empty()) {
     const Direction direction(light[0], light[1], light[2]);
     if (!(glm::length(direction) > 0)) throw UsageError("--light: found a direction of length 0");
-    result.light.toLight = glm::normalize(direction);
-    return result;
+    scene.environment = nullptr;
+    scene.directionalLights = {{.toLight = glm::normalize(direction)}};
+    return;
   }
-  result.environment = environmentOf(environment.empty() ? "studio" : environment);
-  result.environmentRotation = radians(rotation);
-  result.showEnvironment = showEnvironment;
-  return result;
+  if (!environment.empty()) scene.environment = openEnvironment(environment);
+  scene.environmentRotation += radians(rotation);
+  scene.showEnvironment = scene.showEnvironment || showEnvironment;
 }
 
 SphereRenderOptions PictureOptions::renderOptions() const {
@@ -63,9 +50,8 @@ SphereRenderOptions PictureOptions::renderOptions() const {
 }
 
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options) {
-  command.add_option("--scene", options->scene, "What is shown (sphere)")->check(CLI::IsMember({"sphere"}));
   auto* environment =
-      command.add_option("--environment", options->environment, "studio, sky, furnace or a picture file (studio)");
+      command.add_option("--environment", options->environment, "studio, sky, furnace or a picture file (that of the scene)");
   command
       .add_option("--light", options->light, "A distant light instead: the direction to it X Y Z (y up, z to the eye)")
       ->expected(3)
@@ -86,10 +72,12 @@ void checkPicture(const std::string& out, bool mayBeExr) {
   throw UsageError(out + ": found the suffix '" + suffix + "', expected " + (mayBeExr ? ".exr or .png" : ".png"));
 }
 
-void writePicture(const Image& image, const PictureOptions& options, const std::string& out) {
+void writePicture(const Image& image, const PictureOptions& options, const std::string& out,
+                  std::map<std::string, std::string> attributes) {
   checkPicture(out);
+  attributes["software"] = "goniotool " GONIO_VERSION;
   if (suffixOf(out) == ".exr")
-    io::writeExr(image, out, {{"software", "goniotool " GONIO_VERSION}});
+    io::writeExr(image, out, attributes);
   else
     io::writePng(toDisplayBytes(image, options.exposure, options.tone()), image.width, image.height, out);
 }

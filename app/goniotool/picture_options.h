@@ -2,19 +2,21 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/goniotool/tool.h"
 #include "core/rendering/sphere_renderer.h"
+#include "core/rendering/scene.h"
 #include "core/rendering/tone_map.h"
 
 namespace gonio::tool {
 
-/// The options of every picture of a sphere that a subcommand makes.
+/// The options of every picture that a subcommand makes.
 struct PictureOptions {
-  std::string scene = "sphere", environment, size = "256", toneMap = "clamp";
+  std::string environment, size = "256", toneMap = "clamp";
   std::vector<double> light;  ///< direction to the light, world; empty: an environment
   double rotation = 0;        ///< of the environment, degrees
   double exposure = 0;        ///< stops, of PNG pictures
@@ -22,8 +24,9 @@ struct PictureOptions {
   std::uint64_t seed = 1;
   bool showEnvironment = false;
 
+  /// Puts the lights that were asked for in the place of the scene's.
   /// @throws Error when the environment is neither bundled nor a readable picture; UsageError for the rest.
-  SphereScene sphereScene() const;
+  void apply(Scene& scene) const;
   /// @throws UsageError when the size is not understood.
   SphereRenderOptions renderOptions() const;
   ToneMap tone() const { return toneMap == toneMapName(ToneMap::filmic) ? ToneMap::filmic : ToneMap::clamp; }
@@ -32,9 +35,10 @@ struct PictureOptions {
 /// Options of the light, the size, the samples and the display.
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options);
 
-/// Writes a picture by the suffix of `out`: .exr (linear) or .png (displayed).
+/// Writes a picture by the suffix of `out`: .exr (linear, with the attributes) or .png (displayed).
 /// @throws Error naming the file; UsageError for another suffix (checkPicture() tells before the work).
-void writePicture(const Image& image, const PictureOptions& options, const std::string& out);
+void writePicture(const Image& image, const PictureOptions& options, const std::string& out,
+                  std::map<std::string, std::string> attributes = {});
 void checkPicture(const std::string& out, bool mayBeExr = true);
 
 }  // namespace gonio::tool

@@ -2,61 +2,112 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <chrono>
 
+#include "app/goniotool/effects_report.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/picture_options.h"
-#include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/rendering/scene_file.h"
 
 namespace gonio::tool {
 
 namespace {
 
+using Materials = std::vector<std::shared_ptr<const TracedMaterial>>;
+
 struct Options {
-  std::string material, out;
+  std::vector<std::string> materials, on, off;
+  std::string scene = "sphere", out;
   std::shared_ptr<PictureOptions> picture = std::make_shared<PictureOptions>();
-  bool effects = false;
+  bool effects = false, costs = false, everything = false;
+  double remainder = EffectThresholds().remainder;
 };
 
-/// What one convex sphere under distant light calls for.
-Json effectsOf(const SphereScene& scene) {
-  const bool hasEnvironment = scene.environment != nullptr;
-  const auto effect = [](const char* name, bool simulated, const char* reason) {
-    return Json{{"effect", name}, {"simulated", simulated}, {"reason", reason}};
-  };
-  return {
-      effect("direct light", !hasEnvironment, hasEnvironment ? "the scene has none" : "one distant light"),
-      effect("environment light", hasEnvironment, hasEnvironment ? "lights all of the sphere" : "the scene has none"),
-      effect("shadows", false, "one convex object casts none"),
-      effect("interreflection", false, "one convex object does not see itself")};
+EffectOverrides overridesOf(const Options& options) {
+  EffectOverrides overrides;
+  if (options.everything) overrides = everyEffect();
+  for (const auto& [ids, value] : {std::pair{&options.on, true}, {&options.off, false}})
+    for (const std::string& id : *ids) overrides[std::size_t(effectOfId(id))] = value;
+  return overrides;
+}
+
+Materials openMaterials(const Options& options, const Tool& tool) {
+  Materials materials;
+  for (const std::string& material : options.materials)
+    materials.push_back(
+        std::make_shared<const TracedMaterial>(openMaterial(material, tool.control("reading " + material)).brdf));
+  return materials;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
+std::string simulatedEffects(const EffectPlan& plan) {
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < effectCount; ++i)
+    if (plan.decisions[i].simulated) ids.push_back(effectId(Effect(i)));
+  return joined(ids);
+}
+
+struct Rendered {
+  Film film;
+  double seconds = 0;
+};
+
+Rendered renderPicture(const PathTracer& tracer, const SphereRenderOptions& size, const Tool& tool) {
+  Rendered result{Film(size.width, size.height)};
+  const auto start = std::chrono::steady_clock::now();
+  tracer.accumulate(result.film, size.samples, tool.control("rendering"));
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
 }
 
 int render(const Options& options, const Tool& tool) {
-  checkPicture(options.out);
-  const SphereRenderOptions renderOptions = options.picture->renderOptions();
-  const SphereScene scene = options.picture->sphereScene();
-  const io::Material material = openMaterial(options.material, tool.control("reading"));
-  const auto start = std::chrono::steady_clock::now();
-  const Image image = renderSphere(*material.brdf, scene, renderOptions, tool.control("rendering"));
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  writePicture(image, *options.picture, options.out);
-  const Json effects = effectsOf(scene);
-  std::string text = options.out + ": " + std::to_string(image.width) + " x " + std::to_string(image.height) + ", " +
-                     number(seconds) + " s\n";
-  if (options.effects)
-    for (const Json& one : effects)
-      text += "  " + one["effect"].get<std::string>() + ": " + (one["simulated"].get<bool>() ? "yes" : "no") + " (" +
-              one["reason"].get<std::string>() + ")\n";
-  print(tool,
-        {{"seconds", seconds},
-         {"samples", renderOptions.samples},
-         {"width", image.width},
-         {"height", image.height},
-         {"scene", options.picture->scene},
-         {"environment", scene.environment ? Json(scene.environment->name()) : Json(nullptr)},
-         {"plan", effects},
-         {"counters", {{"shadowRays", 0}, {"bounceRays", 0}}},
-         {"out", options.out}},
-        text);
+  if (options.out.empty() && !options.effects && !options.costs)
+    throw UsageError("--out: found nothing, expected a picture to write (or --effects alone)");
+  if (!options.out.empty()) checkPicture(options.out);
+  const SphereRenderOptions size = options.picture->renderOptions();
+  Scene scene = openScene(options.scene, int(options.materials.size()));
+  options.picture->apply(scene);
+  const Materials materials = bindMaterials(scene, openMaterials(options, tool));
+  const EffectOverrides overrides = overridesOf(options);
+  const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides, {.remainder = options.remainder}),
+                          size.seed);
+  std::optional<EffectCosts> costs;
+  if (options.costs)
+    costs = measureEffectCosts(scene, materials, overrides,
+                               {.width = size.width, .height = size.height, .samples = size.samples},
+                               tool.control("measuring effects"));
+  const EffectCosts* told = costs ? &*costs : nullptr;
+  Json json{{"scene", scene.name},
+            {"environment", scene.environment ? Json(scene.environment->name()) : Json(nullptr)},
+            {"reflections", tracer.plan().reflections},
+            {"plan", planJson(tracer.plan(), told)}};
+  std::string text;
+  if (!options.out.empty()) {
+    const Rendered rendered = renderPicture(tracer, size, tool);
+    writePicture(rendered.film.image(), *options.picture, options.out,
+                 {{"samples", std::to_string(size.samples)},
+                  {"scene", scene.name},
+                  {"effects", simulatedEffects(tracer.plan())},
+                  {"reflections", std::to_string(tracer.plan().reflections)},
+                  {"material", joined(options.materials)},
+                  {"seed", std::to_string(size.seed)}});
+    const RayCounters& rays = rendered.film.counters;
+    json.update({{"seconds", rendered.seconds},
+                 {"samples", size.samples},
+                 {"width", size.width},
+                 {"height", size.height},
+                 {"counters", {{"cameraRays", rays.camera}, {"shadowRays", rays.shadow}, {"bounceRays", rays.bounce}}},
+                 {"out", options.out}});
+    text = options.out + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) + ", " +
+           number(rendered.seconds) + " s, " + std::to_string(rays.camera) + " camera rays, " +
+           std::to_string(rays.shadow) + " shadow rays, " + std::to_string(rays.bounce) + " bounce rays\n";
+  }
+  if (options.effects || options.costs) text += planText(tracer.plan(), told);
+  print(tool, json, text);
   return 0;
 }
 
@@ -64,11 +115,22 @@ int render(const Options& options, const Tool& tool) {
 
 void addRender(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("render", "A picture of the material on a sphere");
-  command->add_option("MATERIAL", options->material, materialHelp)->required();
+  CLI::App* command = app.add_subcommand("render", "A picture of materials in a scene, with the effects it calls for");
+  command->add_option("MATERIAL", options->materials, std::string(materialHelp) + "; several for scenes that take them")
+      ->required();
+  command->add_option("--scene", options->scene,
+                      "A scene of the project (goniotool scenes lists them), a scene file (.json) or a mesh (.obj)");
   addPictureOptions(*command, options->picture);
   command->add_flag("--effects", options->effects, "Tell which effects are simulated, and why");
-  command->add_option("--out", options->out, "Picture to write: .exr (linear) or .png")->required();
+  command->add_flag("--effect-costs", options->costs, "Measure each effect: the picture with it and without it");
+  command->add_option("--on", options->on, "Effects to simulate whatever the analysis says")->delimiter(',');
+  command->add_option("--off", options->off, "Effects to leave out")->delimiter(',');
+  command->add_flag("--everything", options->everything, "All effects on: to check the plan");
+  command
+      ->add_option("--remainder", options->remainder,
+                   "What reflections that are left out may add, of the brightest (1/512)")
+      ->check(CLI::Range(1e-9, 1.0));
+  command->add_option("--out", options->out, "Picture to write: .exr (linear) or .png");
   command->callback([options, &tool] { tool.run = [options, &tool] { return render(*options, tool); }; });
 }
 

@@ -35,6 +35,7 @@ void addConvert(CLI::App& app, Tool& tool);
 void addFit(CLI::App& app, Tool& tool);
 void addEdit(CLI::App& app, Tool& tool);
 void addRender(CLI::App& app, Tool& tool);
+void addScenes(CLI::App& app, Tool& tool);
 void addCompare(CLI::App& app, Tool& tool);
 void addFactor(CLI::App& app, Tool& tool);
 void addDictionary(CLI::App& app, Tool& tool);

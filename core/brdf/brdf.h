@@ -29,6 +29,9 @@ class Brdf {
   /// Whether the value depends on the difference of the azimuths only.
   virtual bool isIsotropic() const { return true; }
 
+  /// Whether sample() knows this BRDF better than a cosine does.
+  virtual bool samplesItself() const { return false; }
+
   /// Draws a direction of light wi for the viewer wo (z > 0) from the density pdf(), for importance sampling: about
   /// proportional to the value times cos theta_i. `u` are three numbers in [0, 1): which lobe, then two for the
   /// direction. Always above the horizon, with a positive density. Cosine-weighted where a BRDF knows no better.

@@ -41,7 +41,9 @@ class WeightedSum final : public Brdf {
   bool isIsotropic() const override {
     return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->isIsotropic(); });
   }
-
+  bool samplesItself() const override {
+    return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->samplesItself(); });
+  }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override {
     double left = u.x * total_;
     std::size_t term = 0;

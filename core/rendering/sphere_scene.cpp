@@ -11,7 +11,7 @@ CameraFrame cameraFrame(const OrbitCamera& camera) {
   const double cosPitch = std::cos(camera.pitch);
   const Direction backward{std::sin(camera.yaw) * cosPitch, std::sin(camera.pitch), std::cos(camera.yaw) * cosPitch};
   CameraFrame frame;
-  frame.eye = camera.distance * backward;
+  frame.eye = camera.target + camera.distance * backward;
   frame.forward = -backward;
   frame.right = {std::cos(camera.yaw), 0, -std::sin(camera.yaw)};
   frame.up = glm::cross(frame.right, frame.forward);

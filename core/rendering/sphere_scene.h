@@ -10,12 +10,14 @@
 
 namespace gonio {
 
-/// A camera that orbits a unit sphere at the origin of the world (y up). With both angles 0 it looks along -z.
+/// A camera that orbits a point of the world (y up), for the sphere previews the centre of the unit sphere at the origin.
+/// With both angles 0 it looks along -z.
 struct OrbitCamera {
   double yaw = 0;             ///< rad, about +y; positive moves the camera toward +x
   double pitch = 0;           ///< rad, positive moves the camera up, (-pi/2, pi/2)
-  double distance = 4;        ///< of the eye from the centre, > 1
+  double distance = 4;        ///< of the eye from the target; > 1 for the sphere
   double fieldOfView = 0.55;  ///< of the picture's smaller side, rad; 0 is an orthographic view that shows |y| <= 1.15
+  Direction target{0};        ///< world
 };
 
 /// The camera's rays, for the CPU and the shader alike. A picture position (x, y) in [-1, 1], y up, with the extent e

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/effects_report.h"
+#include "app/goniotool/materials.h"
+#include "app/goniotool/tool.h"
+#include "core/rendering/scene_file.h"
+
+namespace gonio::tool {
+
+namespace {
+
+struct Options {
+  std::vector<std::string> materials, scenes;
+};
+
+int scenes(const Options& options, const Tool& tool) {
+  std::vector<std::shared_ptr<const TracedMaterial>> lookedAt;
+  for (const std::string& material : options.materials)
+    lookedAt.push_back(std::make_shared<const TracedMaterial>(openMaterial(material, tool.control("reading")).brdf));
+  if (lookedAt.empty()) lookedAt.push_back(diffuseMaterial(Rgb(0.5)));
+  Json list = Json::array();
+  std::string text;
+  for (const std::string& name : options.scenes.empty() ? bundledSceneNames() : options.scenes) {
+    const Scene scene = openScene(name, int(lookedAt.size()));
+    const EffectPlan plan = planEffects(scene, bindMaterials(scene, lookedAt));
+    list.push_back({{"scene", scene.name},
+                    {"description", scene.description},
+                    {"objects", scene.objects.size()},
+                    {"reflections", plan.reflections},
+                    {"plan", planJson(plan)}});
+    text += scene.name + ": " + scene.description + "\n" + planText(plan);
+  }
+  print(tool, {{"scenes", list}}, text);
+  return 0;
+}
+
+}  // namespace
+
+void addScenes(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("scenes", "The scenes of the project, or others, with their plans of effects");
+  command->add_option("SCENE", options->scenes,
+                      "Scenes, scene files (.json) or meshes (.obj); none: the project's own");
+  command->add_option("--material", options->materials, "What they show (a grey Lambertian surface)");
+  command->callback([options, &tool] { tool.run = [options, &tool] { return scenes(*options, tool); }; });
+}
+
+}  // namespace gonio::tool

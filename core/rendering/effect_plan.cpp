@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/rendering/effect_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "core/rendering/effect_overrides.h"
+#include "core/support/error.h"
+
+namespace gonio {
+
+namespace {
+
+using Materials = std::span<const std::shared_ptr<const TracedMaterial>>;
+
+struct EffectNames {
+  const char *id, *name;
+};
+constexpr std::array<EffectNames, effectCount> names{{{"emitted-light", "emitted light"},
+                                                      {"direct-light", "direct light"},
+                                                      {"environment-light", "environment light"},
+                                                      {"cast-shadows", "cast shadows"},
+                                                      {"self-shadowing", "self-shadowing"},
+                                                      {"interreflection", "interreflection"},
+                                                      {"anisotropic-frames", "anisotropic frames"},
+                                                      {"area-light-sampling", "area light sampling"}}};
+
+/// "a sixteenth" is for books: two significant digits of a percentage.
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+  return text;
+}
+
+/// Fills in the facts of a scene and decides; forces come after it.
+class Analysis {
+ public:
+  Analysis(const Scene& scene, Materials materials, const EffectThresholds& thresholds)
+      : scene_(scene), materials_(materials), thresholds_(thresholds) {
+    plan.lights = lightsOf(scene);
+    findLit();
+    findBlockers();
+    findVisible();
+    decideLights();
+    decideShadows();
+    decideInterreflection();
+    decideFrames();
+  }
+
+  /// The reflections after which all others add less than the threshold, at most `mostReflections`; and what they add.
+  std::pair<int, double> depth(const std::vector<std::vector<std::size_t>>& visible) const;
+
+  EffectPlan plan;
+
+ private:
+  void findLit();
+  void findBlockers();
+  void findVisible();
+  void decideLights();
+  void decideShadows();
+  void decideInterreflection();
+  void decideFrames();
+  void decide(Effect effect, bool calledFor, std::string reason) {
+    plan.decisions[std::size_t(effect)] = {calledFor, calledFor, std::move(reason)};
+  }
+  bool reflects(std::size_t object) const { return materials_[object] && !materials_[object]->bound().isBlack(); }
+  bool isLit(std::size_t object) const { return std::ranges::find(plan.lit[object], true) != plan.lit[object].end(); }
+  std::string emittedReason() const;
+
+  const Scene& scene_;
+  Materials materials_;
+  const EffectThresholds& thresholds_;
+};
+
+void Analysis::findLit() {
+  for (std::size_t object = 0; object < scene_.objects.size(); ++object) {
+    std::vector<bool>& lit = plan.lit.emplace_back();
+    for (const SceneLight& light : plan.lights)
+      lit.push_back(reflects(object) && canReach(scene_, light, scene_.objects[object]));
+  }
+}
+
+void Analysis::findBlockers() {
+  const std::size_t count = scene_.objects.size();
+  plan.blockers.assign(count, std::vector<std::vector<std::size_t>>(plan.lights.size()));
+  for (std::size_t object = 0; object < count; ++object)
+    for (std::size_t light = 0; light < plan.lights.size(); ++light)
+      for (std::size_t blocker = 0; blocker < count && plan.lit[object][light]; ++blocker)
+        if (mayBlock(scene_, plan.lights[light], scene_.objects[object], scene_.objects[blocker]))
+          plan.blockers[object][light].push_back(blocker);
+}
+
+void Analysis::findVisible() {
+  plan.visible.resize(scene_.objects.size());
+  for (std::size_t object = 0; object < scene_.objects.size(); ++object)
+    for (std::size_t other = 0; other < scene_.objects.size() && reflects(object); ++other)
+      if (reflects(other) && maySee(scene_.objects[object], scene_.objects[other]))
+        plan.visible[object].push_back(other);
+}
+
+std::string Analysis::emittedReason() const {
+  if (scene_.showEnvironment && scene_.environment) return "the environment is drawn behind the objects";
+  const CameraFrame camera = cameraFrame(scene_.camera);
+  for (const SceneObject& object : scene_.objects) {
+    if (!object.emits()) continue;
+    const auto& lamp = std::get<Rectangle>(object.shape);
+    const bool facesEye = glm::dot(lamp.normal(), camera.eye - lamp.centre) > 0;
+    if (facesEye && support(object.shape, camera.forward) > glm::dot(camera.eye, camera.forward))
+      return "the camera sees the front of " + object.name;
+  }
+  return "";
+}
+
+void Analysis::decideLights() {
+  const std::string emitted = emittedReason();
+  decide(Effect::emittedLight, !emitted.empty(), emitted.empty() ? "no source faces the camera" : emitted);
+  std::string lamp, surrounding;
+  bool areLamps = false, haveSize = false;
+  for (std::size_t light = 0; light < plan.lights.size(); ++light) {
+    const SceneLight& source = plan.lights[light];
+    const bool distant = source.kind == SceneLight::Kind::environment;
+    areLamps = areLamps || !distant;
+    for (std::size_t object = 0; object < scene_.objects.size(); ++object) {
+      if (!plan.lit[object][light]) continue;
+      haveSize = haveSize || source.kind == SceneLight::Kind::rectangle;
+      std::string& reason = distant ? surrounding : lamp;
+      if (reason.empty()) reason = lightName(scene_, source) + " lights " + scene_.objects[object].name;
+    }
+  }
+  decide(Effect::directLight, !lamp.empty(),
+         !lamp.empty() ? lamp
+         : areLamps    ? "no reflecting surface faces a lamp"
+                       : "there is no lamp");
+  decide(Effect::environmentLight, !surrounding.empty(),
+         !surrounding.empty()  ? surrounding
+         : !scene_.environment ? "there is no environment"
+                               : "the environment is black, or nothing reflects it");
+  decide(Effect::areaLightSampling, haveSize,
+         haveSize ? "a lamp that lights a surface has a size" : "no lamp that lights a surface has a size");
+}
+
+void Analysis::decideShadows() {
+  std::string cast, self;
+  std::size_t ways = 0;
+  for (std::size_t object = 0; object < scene_.objects.size(); ++object)
+    for (std::size_t light = 0; light < plan.lights.size(); ++light)
+      for (const std::size_t blocker : plan.blockers[object][light]) {
+        if (blocker == object) {
+          if (self.empty()) self = scene_.objects[object].name + " is not convex";
+          continue;
+        }
+        if (++ways == 1)
+          cast = scene_.objects[blocker].name + " may stand between " + scene_.objects[object].name + " and " +
+                 lightName(scene_, plan.lights[light]);
+      }
+  if (ways > 1) cast += ", and " + std::to_string(ways - 1) + " more";
+  decide(Effect::castShadows, ways > 0, ways > 0 ? cast : "nothing stands between a surface and a light");
+  decide(Effect::selfShadowing, !self.empty(), self.empty() ? "every lit shape is convex" : self);
+}
+
+std::pair<int, double> Analysis::depth(const std::vector<std::vector<std::size_t>>& visible) const {
+  const std::size_t count = scene_.objects.size();
+  // bound[i]: what leaves object i after so many reflections, as a share of the brightest first one.
+  std::vector<double> bound(count, 1), additions;
+  constexpr int horizon = 4096;
+  while (additions.size() < horizon) {
+    std::vector<double> next(count, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      double sum = 0, largest = 0;
+      for (const std::size_t j : visible[i]) {
+        sum += materials_[i]->bound().at(largestFormFactor(scene_.objects[i], scene_.objects[j])) * bound[j];
+        largest = std::max(largest, bound[j]);
+      }
+      if (largest > 0) next[i] = std::min(sum, materials_[i]->bound().largestAlbedo() * largest);
+    }
+    bound = next;
+    additions.push_back(count > 0 ? *std::ranges::max_element(bound) : 0);
+    if (!(additions.back() > 1e-9) || additions.back() > 1e9) break;
+  }
+  // A bound that does not fall says nothing about the rest.
+  const double last = additions.back();
+  double remainder = last > 1e-6 ? std::numeric_limits<double>::infinity() : 0;
+  std::size_t reflections = additions.size() + 1;
+  for (std::size_t k = additions.size(); k-- > 0; --reflections) {
+    if (remainder + additions[k] > thresholds_.remainder) break;
+    remainder += additions[k];
+  }
+  const std::size_t most = std::size_t(thresholds_.mostReflections);
+  for (; reflections > most; --reflections) remainder += additions[reflections - 2];
+  return {int(reflections), remainder};
+}
+
+void Analysis::decideInterreflection() {
+  std::string pair;
+  for (std::size_t object = 0; object < scene_.objects.size() && pair.empty(); ++object)
+    if (!plan.visible[object].empty()) {
+      const std::size_t other = plan.visible[object].front();
+      pair = other == object ? scene_.objects[object].name + " sees itself"
+                             : scene_.objects[object].name + " sees " + scene_.objects[other].name;
+    }
+  const auto lit = [&](std::size_t object) { return isLit(object); };
+  bool anyLit = false;
+  for (std::size_t object = 0; object < scene_.objects.size(); ++object) anyLit = anyLit || lit(object);
+  plan.reflections = anyLit ? 1 : 0;
+  if (!anyLit) return decide(Effect::interreflection, false, "no light falls on a reflecting surface");
+  if (pair.empty()) return decide(Effect::interreflection, false, "no reflecting surface sees another");
+  std::tie(plan.reflections, plan.remainder) = depth(plan.visible);
+  if (plan.reflections == 1)
+    return decide(Effect::interreflection, false,
+                  pair + ", but more reflections add at most " + percent(plan.remainder) + " of the brightest");
+  const std::string rest = std::isfinite(plan.remainder)
+                               ? "all after the " + std::to_string(plan.reflections) + "th reflection add at most " +
+                                     percent(plan.remainder) + " of the brightest"
+                               : "the materials send on so much that no number of reflections bounds the rest; " +
+                                     std::to_string(plan.reflections) + " are followed";
+  decide(Effect::interreflection, true, pair + "; " + rest);
+}
+
+void Analysis::decideFrames() {
+  for (std::size_t object = 0; object < scene_.objects.size(); ++object)
+    if (materials_[object] && !materials_[object]->brdf().isIsotropic())
+      return decide(Effect::anisotropicFrames, true,
+                    "the material of " + scene_.objects[object].name + " is anisotropic");
+  decide(Effect::anisotropicFrames, false, "every material is isotropic");
+}
+
+}  // namespace
+
+const char* effectId(Effect effect) { return names[std::size_t(effect)].id; }
+
+std::string effectName(Effect effect) { return names[std::size_t(effect)].name; }
+
+Effect effectOfId(const std::string& id) {
+  std::string known;
+  for (std::size_t i = 0; i < effectCount; ++i) {
+    if (id == names[i].id) return Effect(i);
+    known += std::string(i ? ", " : "") + names[i].id;
+  }
+  throw Error("found the effect '" + id + "', expected one of " + known);
+}
+
+EffectPlan planEffects(const Scene& scene, Materials materials, const EffectOverrides& overrides,
+                       const EffectThresholds& thresholds) {
+  EffectPlan plan = Analysis(scene, materials, thresholds).plan;
+  applyOverrides(plan, materials, overrides, thresholds);
+  return plan;
+}
+
+EffectOverrides everyEffect() {
+  EffectOverrides all;
+  all.fill(true);
+  return all;
+}
+
+}  // namespace gonio

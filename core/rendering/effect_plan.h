@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "core/rendering/scene_light.h"
+#include "core/rendering/traced_material.h"
+
+namespace gonio {
+
+/// What light can do in a scene; in this order plans are told.
+enum class Effect {
+  emittedLight,       ///< light that reaches the eye from its source (PL1)
+  directLight,        ///< light of lamps after one reflection (PL2)
+  environmentLight,   ///< light of the environment after one reflection
+  castShadows,        ///< one object in the light of another
+  selfShadowing,      ///< an object in its own light
+  interreflection,    ///< light after two reflections and more
+  anisotropicFrames,  ///< the directions along a surface count
+  areaLightSampling,  ///< rays are sent to places on lamps that have a size
+};
+inline constexpr std::size_t effectCount = 8;
+/// "emitted-light", as files and the command line name it; and "emitted light" for people.
+const char* effectId(Effect effect);
+std::string effectName(Effect effect);
+/// @throws Error that lists the ids.
+Effect effectOfId(const std::string& id);
+
+struct EffectDecision {
+  bool calledFor = false;  ///< by the analysis
+  bool simulated = false;  ///< so, or as the user forces it
+  std::string reason;      ///< of the analysis, for people
+};
+
+/// What the user forces: on, off, or nothing (the analysis decides).
+using EffectOverrides = std::array<std::optional<bool>, effectCount>;
+
+/// Which effects can change a pixel of a scene. A plain value.
+struct EffectPlan {
+  std::array<EffectDecision, effectCount> decisions;
+  std::vector<SceneLight> lights;  ///< lightsOf() the scene
+  /// [object][light]: whether the light is simulated and the object may face it.
+  std::vector<std::vector<bool>> lit;
+  /// [object][light]: the objects that may stand between, the object itself among them where it is not convex.
+  std::vector<std::vector<std::vector<std::size_t>>> blockers;
+  /// [object]: the reflecting objects that its points may see.
+  std::vector<std::vector<std::size_t>> visible;
+  /// On the longest light path that is followed: 0 none, 1 direct light alone.
+  int reflections = 0;
+  /// What all longer paths can add to a pixel, as a share of the brightest first reflection.
+  double remainder = 0;
+
+  const EffectDecision& operator[](Effect effect) const { return decisions[std::size_t(effect)]; }
+  bool simulates(Effect effect) const { return decisions[std::size_t(effect)].simulated; }
+};
+
+struct EffectThresholds {
+  /// Paths are followed until all longer ones can add less than this share of the brightest first reflection: half a
+  /// step of an 8-bit display by default.
+  double remainder = 1.0 / 512;
+  int mostReflections = 64;
+};
+
+/// Decides by the shapes, the lights and the materials what can change a pixel. The analysis never leaves out what
+/// matters but for the remainder; where it cannot tell, the effect is simulated. Some support points of each shape for
+/// each pair of objects and light: microseconds for the bundled scenes.
+/// @param materials of bindMaterials().
+EffectPlan planEffects(const Scene& scene, std::span<const std::shared_ptr<const TracedMaterial>> materials,
+                       const EffectOverrides& overrides = {}, const EffectThresholds& thresholds = {});
+
+/// Every effect forced on: no analysis is trusted.
+EffectOverrides everyEffect();
+
+}  // namespace gonio

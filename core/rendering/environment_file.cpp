@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/rendering/environment_file.h"
+
+#include "core/io/image_io.h"
+#include "core/support/naming_file.h"
+
+namespace gonio {
+
+std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrPath,
+                                                      const std::filesystem::path& folder) {
+  for (const char* bundled : {"studio", "sky", "furnace"})
+    if (nameOrPath == bundled) return bundledEnvironment(nameOrPath);
+  const std::filesystem::path path = folder / nameOrPath;
+  if (!std::filesystem::exists(path))
+    throw Error(path.string() + ": found neither an environment of this name (studio, sky, furnace) nor a file");
+  Image image = io::readImage(path);
+  return namingFile(path,
+                    [&] { return std::make_shared<const EnvironmentMap>(std::move(image), path.stem().string()); });
+}
+
+}  // namespace gonio

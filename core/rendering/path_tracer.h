@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/rendering/effect_plan.h"
+#include "core/rendering/film.h"
+#include "core/support/task_control.h"
+
+namespace gonio {
+
+/// The reference renderer: the integral over light paths (Veach 1997, section 8.2; the dissertation's 2.1) by random
+/// walks from the eye, with only the effects of a plan. At each surface one direction is drawn for each light and one
+/// from the material; where both find the same light they share it by the balance heuristic. From the fourth reflection
+/// on, walks that carry little end by Russian roulette. No sample is clamped. Immutable: a picture's sums stand in its
+/// Film.
+class PathTracer {
+ public:
+  /// Draws of lights come from both sides by default; from one alone to show what each costs.
+  enum class Strategy { both, lights, materials };
+
+  /// @param materials of bindMaterials(), of which the plan was made.
+  PathTracer(Scene scene, std::vector<std::shared_ptr<const TracedMaterial>> materials, EffectPlan plan,
+             std::uint64_t seed = 1, Strategy strategy = Strategy::both);
+
+  const Scene& scene() const { return scene_; }
+  const EffectPlan& plan() const { return plan_; }
+
+  /// Adds `samples` more to each pixel. The same bits for any number of threads, and for the same count in one part or
+  /// several. Powers of two are best stratified.
+  /// @throws Cancelled; the film is then as it was.
+  void accumulate(Film& film, int samples, const TaskControl& control = {}) const;
+
+ private:
+  class Walk;
+
+  Scene scene_;
+  std::vector<std::shared_ptr<const TracedMaterial>> materials_;
+  EffectPlan plan_;
+  std::uint64_t seed_;
+  Strategy strategy_;
+  CameraFrame camera_;
+  EnvironmentRotation rotation_;
+  /// [object]: what a direction drawn from its material may meet that counts.
+  std::vector<std::vector<std::size_t>> candidates_;
+};
+
+}  // namespace gonio

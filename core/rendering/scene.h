@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/rendering/shape.h"
+#include "core/rendering/sphere_scene.h"
+
+namespace gonio {
+
+/// What an object is made of: one of the materials that are looked at, by its number, or a white Lambertian surface of
+/// some reflectance (linear RGB, 0 to 1), which grounds and backdrops have.
+struct LookedAt {
+  int number = 0;
+};
+struct Diffuse {
+  Rgb reflectance{0.5};
+};
+using SceneMaterial = std::variant<LookedAt, Diffuse>;
+
+/// One thing in a scene. A rectangle may emit: then it sends `radiance` (linear RGB) from its front, equal in all
+/// directions, and reflects nothing.
+struct SceneObject {
+  std::string name;
+  Shape shape;
+  SceneMaterial material = LookedAt{};
+  Rgb radiance{0};
+
+  bool emits() const { return maxChannel(radiance) > 0; }
+};
+
+/// Light from one point: radiant intensity, linear RGB per sr.
+struct PointLight {
+  Direction position{0, 4, 0};
+  Rgb intensity{10};
+};
+
+/// What a picture shows, in world coordinates (y up). Plain values: two scenes may share meshes and environments.
+struct Scene {
+  std::string name, description;
+  OrbitCamera camera;
+  std::vector<SceneObject> objects;
+  std::vector<DirectionalLight> directionalLights;
+  std::vector<PointLight> pointLights;
+  std::shared_ptr<const EnvironmentMap> environment;
+  double environmentRotation = 0;  ///< rad about +y, as of SphereScene
+  bool showEnvironment = false;    ///< draw the environment behind the objects (else black, alpha 0)
+};
+
+/// One more than the highest number of a material that is looked at: how many the scene asks for.
+int lookedAtCount(const Scene& scene);
+
+/// The one sphere with the lights of `sphere`: what previews and thumbnails show, as a scene.
+Scene sceneOf(const SphereScene& sphere);
+
+}  // namespace gonio

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <memory>
+
+#include "core/brdf/sampling_lobe.h"
+#include "core/rendering/reflection_bound.h"
+#include "core/rendering/scene.h"
+
+namespace gonio {
+
+/// A material as rendering needs it: its reflectance, a density to draw its reflections from, and what the effect plan
+/// asks of it. Immutable.
+class TracedMaterial {
+ public:
+  /// Models and factors are drawn from their own densities; what has none (tables, codes, edits) from the lobe, which
+  /// is estimated where absent. Some ms; up to 50 ms for a sparse code.
+  explicit TracedMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt);
+
+  const Brdf& brdf() const { return *brdf_; }
+  /// Contracts of Brdf::sample() and pdf().
+  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
+    return lobe_ ? lobe_->sample(wo, u) : brdf_->sample(wo, u);
+  }
+  double pdf(const Direction& wi, const Direction& wo) const { return lobe_ ? lobe_->pdf(wi, wo) : brdf_->pdf(wi, wo); }
+  const ReflectionBound& bound() const { return bound_; }
+
+ private:
+  std::shared_ptr<const Brdf> brdf_;
+  std::optional<SamplingLobe> lobe_;
+  ReflectionBound bound_;
+};
+
+/// A Lambertian material; `reflectance` in linear RGB.
+std::shared_ptr<const TracedMaterial> diffuseMaterial(const Rgb& reflectance);
+
+/// What each object of a scene is made of, in their order; null for what emits.
+/// @param lookedAt the materials that are looked at, by their number.
+/// @throws Error when the scene looks at more than are given.
+std::vector<std::shared_ptr<const TracedMaterial>> bindMaterials(
+    const Scene& scene, std::span<const std::shared_ptr<const TracedMaterial>> lookedAt);
+
+}  // namespace gonio
