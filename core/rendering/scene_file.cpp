@@ -86,7 +86,8 @@ Scene SceneReader::read() {
 Shape SceneReader::meshOf(const JsonObject& object) const {
   const std::string name = object.text("mesh");
   const bool isFile = std::filesystem::path(name).extension() == ".obj";
-  std::shared_ptr<const TriangleMesh> mesh = isFile ? io::readObj(folder_ / name) : bundledMesh(name);
+  std::shared_ptr<const TriangleMesh> mesh =
+      isFile ? std::make_shared<const TriangleMesh>(io::readObj(folder_ / name)) : bundledMesh(name);
   double scale = numberOr(object, "scale", 1e-6, largest, 1);
   Direction translation = tripleOr(object, "centre", {0, 0, 0});
   if (object.contains("fit") && object.flag("fit")) {
