@@ -235,6 +235,9 @@ class TriangleMeshTest : public QObject {
     MeshArrays folded = grid(5);
     folded.positions[14].y = 1e-3f;
     QVERIFY(!TriangleMesh(folded).isPlanar());
+    MeshArrays oneBack = grid(5);
+    std::swap(oneBack.triangles[7][0], oneBack.triangles[7][1]);
+    QVERIFY(!TriangleMesh(oneBack).isPlanar());
     MeshArrays twoSided = grid(5);
     for (const TriangleIndices& t : grid(5).triangles) twoSided.triangles.emplace_back(t[0], t[2], t[1]);
     QVERIFY(!TriangleMesh(twoSided).isPlanar());
