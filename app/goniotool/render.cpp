@@ -73,13 +73,14 @@ int render(const Options& options, const Tool& tool) {
   options.picture->apply(scene);
   const Materials materials = bindMaterials(scene, openMaterials(options, tool));
   const EffectOverrides overrides = overridesOf(options);
-  const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides, {.remainder = options.remainder}),
-                          size.seed);
+  const EffectThresholds thresholds{.remainder = options.remainder};
+  const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides, thresholds), size.seed);
   std::optional<EffectCosts> costs;
   if (options.costs)
-    costs = measureEffectCosts(scene, materials, overrides,
-                               {.width = size.width, .height = size.height, .samples = size.samples},
-                               tool.control("measuring effects"));
+    costs = measureEffectCosts(
+        scene, materials, overrides,
+        {.width = size.width, .height = size.height, .samples = size.samples, .thresholds = thresholds},
+        tool.control("measuring effects"));
   const EffectCosts* told = costs ? &*costs : nullptr;
   Json json{{"scene", scene.name},
             {"environment", scene.environment ? Json(scene.environment->name()) : Json(nullptr)},

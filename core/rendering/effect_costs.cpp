@@ -31,7 +31,7 @@ EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared
                                const EffectOverrides& overrides, const EffectCostOptions& options,
                                const TaskControl& control) {
   const auto render = [&](const EffectOverrides& forced, std::uint64_t seed, int repeats, const TaskControl& part) {
-    const PathTracer tracer(scene, materials, planEffects(scene, materials, forced), seed);
+    const PathTracer tracer(scene, materials, planEffects(scene, materials, forced, options.thresholds), seed);
     Timed result;
     for (int i = 0; i < repeats; ++i) {
       Film film(options.width, options.height);
@@ -47,7 +47,7 @@ EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared
   const auto share = [](std::size_t done) { return double(done) / (effectCount + 2); };
   const Timed planned = render(overrides, 1, options.repeats, control.between(0, share(1)));
   const Timed other = render(overrides, 2, 1, control.between(share(1), share(2)));
-  const EffectPlan plan = planEffects(scene, materials, overrides);
+  const EffectPlan plan = planEffects(scene, materials, overrides, options.thresholds);
   EffectCosts costs{planned.seconds, {}};
   for (std::size_t i = 0; i < effectCount; ++i) {
     EffectOverrides turned = overrides;

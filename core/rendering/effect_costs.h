@@ -17,6 +17,7 @@ struct EffectCost {
 struct EffectCostOptions {
   int width = 128, height = 128, samples = 16;
   int repeats = 3;  ///< of each picture; the shortest time counts
+  EffectThresholds thresholds;
 };
 
 struct EffectCosts {

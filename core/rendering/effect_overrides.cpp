@@ -8,11 +8,16 @@ namespace gonio {
 
 namespace {
 
-void forceLights(EffectPlan& plan) {
-  for (auto& lit : plan.lit)
+using Materials = std::span<const std::shared_ptr<const TracedMaterial>>;
+
+void forceLights(EffectPlan& plan, Materials materials, const EffectOverrides& overrides) {
+  for (std::size_t object = 0; object < plan.lit.size(); ++object)
     for (std::size_t light = 0; light < plan.lights.size(); ++light) {
       const bool distant = plan.lights[light].kind == SceneLight::Kind::environment;
-      if (!plan.simulates(distant ? Effect::environmentLight : Effect::directLight)) lit[light] = false;
+      const auto on = overrides[std::size_t(distant ? Effect::environmentLight : Effect::directLight)];
+      if (!on) continue;
+      plan.lit[object][light] = *on && materials[object];
+      if (plan.lit[object][light]) plan.reflections = std::max(plan.reflections, 1);
     }
 }
 
@@ -30,8 +35,7 @@ void forceBlockers(EffectPlan& plan, bool on, bool self) {
     }
 }
 
-void forceInterreflection(EffectPlan& plan, bool on, int mostReflections,
-                          std::span<const std::shared_ptr<const TracedMaterial>> materials) {
+void forceInterreflection(EffectPlan& plan, bool on, int mostReflections, Materials materials) {
   for (auto& visible : plan.visible) visible.clear();
   plan.reflections = std::min(plan.reflections, 1);
   if (!on || plan.reflections == 0) return;
@@ -43,12 +47,12 @@ void forceInterreflection(EffectPlan& plan, bool on, int mostReflections,
 
 }  // namespace
 
-void applyOverrides(EffectPlan& plan, std::span<const std::shared_ptr<const TracedMaterial>> materials,
-                    const EffectOverrides& overrides, const EffectThresholds& thresholds) {
+void applyOverrides(EffectPlan& plan, Materials materials, const EffectOverrides& overrides,
+                    const EffectThresholds& thresholds) {
   const auto forced = [&](Effect effect) { return overrides[std::size_t(effect)]; };
   for (std::size_t i = 0; i < effectCount; ++i)
     if (overrides[i]) plan.decisions[i].simulated = *overrides[i];
-  forceLights(plan);
+  forceLights(plan, materials, overrides);
   if (const auto on = forced(Effect::castShadows)) forceBlockers(plan, *on, false);
   if (const auto on = forced(Effect::selfShadowing)) forceBlockers(plan, *on, true);
   if (const auto on = forced(Effect::interreflection))

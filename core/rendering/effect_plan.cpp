@@ -107,9 +107,10 @@ std::string Analysis::emittedReason() const {
   for (const SceneObject& object : scene_.objects) {
     if (!object.emits()) continue;
     const auto& lamp = std::get<Rectangle>(object.shape);
-    const bool facesEye = glm::dot(lamp.normal(), camera.eye - lamp.centre) > 0;
-    if (facesEye && support(object.shape, camera.forward) > glm::dot(camera.eye, camera.forward))
-      return "the camera sees the front of " + object.name;
+    const Direction toEye = camera.orthographic ? -camera.forward : camera.eye - lamp.centre;
+    if (glm::dot(lamp.normal(), toEye) > 0 &&
+        support(object.shape, camera.forward) > glm::dot(camera.eye, camera.forward))
+      return "the front of " + object.name + " is turned to the camera";
   }
   return "";
 }

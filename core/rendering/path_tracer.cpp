@@ -26,7 +26,7 @@ ShadingFrame anyFrame(const Direction& n) {
 
 /// Independent point sets of one pixel: one for each reflection and purpose.
 enum Purpose : std::uint32_t { filmPosition, reflectedDirection, reflectedLobe, survival, firstLight };
-constexpr std::uint32_t purposesOfReflection = 64;
+constexpr std::uint32_t purposesOfReflection = 1024;
 
 struct Pixel {
   std::uint32_t seed, sample;
@@ -67,7 +67,7 @@ class PathTracer::Walk {
   };
 
   const std::vector<SceneObject>& objects() const { return tracer_.scene_.objects; }
-  Surface surfaceAt(std::size_t object, const Ray& ray, double distance) const;
+  Surface surfaceAt(std::size_t object, const Ray& ray) const;
   LightDraw drawLight(const SceneLight& light, const Surface& surface, const glm::dvec2& u) const;
   std::pair<Rgb, double> meeting(const SceneLight& light, const Direction& toward, double distance) const;
   bool isBlocked(const std::vector<std::size_t>& blockers, const Ray& ray, double distance);
@@ -84,9 +84,9 @@ class PathTracer::Walk {
   std::vector<double> distances_;
 };
 
-PathTracer::Walk::Surface PathTracer::Walk::surfaceAt(std::size_t object, const Ray& ray, double distance) const {
+PathTracer::Walk::Surface PathTracer::Walk::surfaceAt(std::size_t object, const Ray& ray) const {
   const SceneObject& thing = objects()[object];
-  Surface surface{object, shapeHit(thing.shape, ray, distance * (1 - 1e-7), distance * (1 + 1e-7)), {}, {}, {}};
+  Surface surface{object, shapeHit(thing.shape, ray, 0, infinity), {}, {}, {}};
   const bool backFaced = glm::dot(surface.hit.geometricNormal, ray.direction) > 0;
   // A shading normal that turns away from the eye where the surface does not would leave black rims.
   const bool turnedAway = glm::dot(surface.hit.shadingNormal, ray.direction) >= 0;
@@ -99,10 +99,7 @@ PathTracer::Walk::Surface PathTracer::Walk::surfaceAt(std::size_t object, const 
   else
     surface.frame = shadingFrame(normal);
   surface.wo = backFaced ? Direction(0, 0, -1) : surface.frame.toLocal(-ray.direction);
-  surface.origin = surface.hit.position;
-  if (std::holds_alternative<MeshShape>(thing.shape))
-    surface.origin =
-        offsetOrigin(surface.hit.position, surface.hit.geometricNormal, boundingSphere(thing.shape).radius);
+  surface.origin = leavingPoint(thing.shape, surface.hit);
   return surface;
 }
 
@@ -154,9 +151,8 @@ bool PathTracer::Walk::isBlocked(const std::vector<std::size_t>& blockers, const
   if (blockers.empty()) return false;
   ++counters_.shadow;
   // The far end lies on the lamp itself.
-  return std::ranges::any_of(blockers, [&](std::size_t blocker) {
-    return blocks(objects()[blocker].shape, ray, 1e-7, distance * (1 - 1e-7));
-  });
+  return std::ranges::any_of(
+      blockers, [&](std::size_t blocker) { return blocks(objects()[blocker].shape, ray, 0, distance * (1 - 1e-7)); });
 }
 
 Rgb PathTracer::Walk::sampledLights(const Surface& surface, int reflection) {
@@ -205,7 +201,8 @@ Rgb PathTracer::Walk::foundLights(const Surface& surface, const Ray& ray, double
                                              [&](std::size_t blocker) { return distanceOf(blocker) < distance; });
     if (blocked) continue;
     const auto [radiance, other] = meeting(light, ray.direction, distance);
-    if (other > 0) sum += radiance * (density / (density + (drawn ? other : 0)));
+    // Where the lights' own density is too small for its table, this direction has the light to itself.
+    sum += radiance * (density / (density + (drawn ? other : 0)));
   }
   return sum;
 }
@@ -233,7 +230,7 @@ std::optional<PathTracer::Walk::Surface> PathTracer::Walk::reflect(const Surface
   if (!candidates.empty()) ++counters_.bounce;
   distances_.resize(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    distances_[i] = nearestDistance(objects()[candidates[i]].shape, ray, 1e-7, infinity);
+    distances_[i] = nearestDistance(objects()[candidates[i]].shape, ray, 0, infinity);
   if (finds) radiance_ += throughput_ * foundLights(surface, ray, drawn.pdf);
   if (!goesOn) return std::nullopt;
 
@@ -250,7 +247,7 @@ std::optional<PathTracer::Walk::Surface> PathTracer::Walk::reflect(const Surface
   if (!std::isfinite(nearest) ||
       std::ranges::find(plan.visible[surface.object], candidates[next]) == plan.visible[surface.object].end())
     return std::nullopt;
-  return surfaceAt(candidates[next], ray, nearest);
+  return surfaceAt(candidates[next], ray);
 }
 
 std::pair<Rgb, bool> PathTracer::Walk::follow(const Pixel& pixel, const CameraRay& cameraRay) {
@@ -273,7 +270,7 @@ std::pair<Rgb, bool> PathTracer::Walk::follow(const Pixel& pixel, const CameraRa
     const bool front = glm::dot(std::get<Rectangle>(objects()[object].shape).normal(), ray.direction) < 0;
     return {front && showsSources ? objects()[object].radiance : Rgb(0), true};
   }
-  std::optional<Surface> surface = surfaceAt(object, ray, nearest);
+  std::optional<Surface> surface = surfaceAt(object, ray);
   for (int reflection = 1; surface && surface->wo.z > 0 && reflection <= tracer_.plan_.reflections; ++reflection) {
     radiance_ += throughput_ * sampledLights(*surface, reflection);
     surface = reflect(*surface, reflection);

@@ -21,10 +21,9 @@ struct Piece {
   double reflection;  ///< of a light of radiance 1 from there
 };
 
-std::vector<Piece> drawnPieces(const Brdf& brdf, const ReflectionBound::Sampler& sampler, double theta) {
+std::vector<Piece> drawnPieces(const Brdf& brdf, const ReflectionBound::Sampler& sampler, const Direction& wo) {
   std::vector<DirectionPair> pairs;
   std::vector<double> densities;
-  const Direction wo = fromSpherical(theta, 0);
   for (std::uint32_t i = 0; i < samples; ++i) {
     const glm::dvec2 u = scrambledSobol(i, 1);
     const DirectionSample drawn = sampler(wo, {scrambledVanDerCorput(i, 2), u.x, u.y});
@@ -46,25 +45,33 @@ std::vector<Piece> drawnPieces(const Brdf& brdf, const ReflectionBound::Sampler&
 }  // namespace
 
 ReflectionBound::ReflectionBound(const Brdf& brdf, const Sampler& sampler) {
-  for (const double theta : {0, 15, 30, 45, 60, 70, 75, 80, 85, 89}) {
-    double share = 0, reflection = 0;
-    std::size_t step = 1;
-    for (const Piece& piece : drawnPieces(brdf, sampler, radians(theta))) {
-      // A step that ends within the piece has it whole: the bound errs upward.
-      reflection += piece.reflection;
-      share += piece.share;
-      for (; step < steps && std::pow(double(step) / steps, 2) <= share; ++step)
-        bound_[step] = std::max(bound_[step], reflection);
-    }
-    for (; step <= steps; ++step) bound_[step] = std::max(bound_[step], reflection);
-  }
+  for (const double theta : {0, 15, 30, 45, 60, 70, 75, 80, 85, 89})
+    for (const double phi : {0, 45, 90, 135})
+      if (phi == 0 || !brdf.isIsotropic()) include(brdf, sampler, fromSpherical(radians(theta), radians(phi)));
   for (std::size_t step = 1; step <= steps; ++step) bound_[step] = std::max(bound_[step], bound_[step - 1]);
+}
+
+void ReflectionBound::include(const Brdf& brdf, const Sampler& sampler, const Direction& wo) {
+  double share = 0, reflection = 0;
+  std::size_t step = 1;
+  for (const Piece& piece : drawnPieces(brdf, sampler, wo)) {
+    peak_ = std::max(peak_, piece.value);
+    // A step that ends within the piece has it whole: the bound errs upward.
+    reflection += piece.reflection;
+    share += piece.share;
+    for (; step < steps && std::pow(double(step) / steps, 2) <= share; ++step)
+      bound_[step] = std::max(bound_[step], reflection);
+  }
+  for (; step <= steps; ++step) bound_[step] = std::max(bound_[step], reflection);
 }
 
 double ReflectionBound::at(double share) const {
   const double place = std::sqrt(std::clamp(share, 0.0, 1.0)) * steps;
   const auto step = std::min(steps - 1, std::size_t(place));
-  return bound_[step] + (place - double(step)) * (bound_[step + 1] - bound_[step]);
+  // Within the first step mirrors rise faster than any line.
+  const double bound =
+      step == 0 ? bound_[1] : bound_[step] + (place - double(step)) * (bound_[step + 1] - bound_[step]);
+  return std::min(bound, pi * peak_ * std::clamp(share, 0.0, 1.0));
 }
 
 }  // namespace gonio

@@ -14,7 +14,7 @@ namespace gonio {
 ///   A(F) = max over wo of max over regions W with integral over W of cos = pi F of  integral over W of f cos dw.
 /// A(1) is the largest directional albedo; of a mirror A rises to it at once, of a Lambertian surface A(F) = albedo F.
 /// In the channel that reflects most. Estimated from directions drawn from the material's own density, for viewers from
-/// 0 to 89 degrees: within some percent, no strict bound.
+/// 0 to 89 degrees (of an anisotropic material at four azimuths): within some percent, no strict bound.
 class ReflectionBound {
  public:
   using Sampler = std::function<DirectionSample(const Direction& wo, const glm::dvec3& u)>;
@@ -26,8 +26,11 @@ class ReflectionBound {
   bool isBlack() const { return !(largestAlbedo() > 0); }
 
  private:
+  void include(const Brdf& brdf, const Sampler& sampler, const Direction& wo);
+
   static constexpr std::size_t steps = 64;  ///< of the square root of the share: fine where mirrors rise
   std::array<double, steps + 1> bound_{};
+  double peak_ = 0;  ///< the largest value that was drawn, 1/sr: A(F) is at most pi F times it
 };
 
 }  // namespace gonio

@@ -163,7 +163,7 @@ bool mayBlock(const Scene& scene, const SceneLight& light, const SceneObject& re
   // The way to a rectangle ends at it.
   if (light.kind == SceneLight::Kind::rectangle && &scene.objects[light.index] == &blocker) return false;
   if (light.kind == SceneLight::Kind::environment) return someLiesBefore(receiver.shape, blocker.shape);
-  const double size = boundingSphere(receiver.shape).radius + boundingSphere(blocker.shape).radius;
+  const double size = std::min(boundingSphere(receiver.shape).radius, boundingSphere(blocker.shape).radius);
   return !areSeparated(waysTo(scene, light, receiver.shape), blocker.shape, size);
 }
 

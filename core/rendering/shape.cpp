@@ -76,8 +76,18 @@ ShapeHit shapeHit(const Shape& shape, const Ray& ray, double tMin, double tMax) 
     const Direction normal = glm::normalize(position - sphere->centre);
     return {t, sphere->centre + sphere->radius * normal, normal, normal};
   }
-  const Direction normal = std::get<Rectangle>(shape).normal();
-  return {t, position, normal, normal};
+  const auto& rectangle = std::get<Rectangle>(shape);
+  const Direction normal = rectangle.normal();
+  // From far away the ray's end is not in the plane by much more than the coordinates' rounding.
+  return {t, position - glm::dot(position - rectangle.centre, normal) * normal, normal, normal};
+}
+
+Direction leavingPoint(const Shape& shape, const ShapeHit& hit) {
+  if (const auto* mesh = std::get_if<MeshShape>(&shape))
+    return offsetOrigin(hit.position, hit.geometricNormal, (*mesh)->mesh().boundingSphere().radius);
+  const Sphere bound = boundingSphere(shape);
+  const double largestCoordinate = glm::length(bound.centre) + bound.radius;
+  return hit.position + 16 * std::numeric_limits<double>::epsilon() * largestCoordinate * hit.geometricNormal;
 }
 
 bool blocks(const Shape& shape, const Ray& ray, double tMin, double tMax) {

@@ -47,8 +47,11 @@ struct Ray {
 /// The nearest meeting with t in (tMin, tMax): distance alone, for most shapes that a ray passes are not the nearest.
 /// Infinity where there is none.
 double nearestDistance(const Shape& shape, const Ray& ray, double tMin, double tMax);
-/// The meeting at the nearest distance in (tMin, tMax); the distance must be one by nearestDistance().
+/// The nearest meeting; there must be one by nearestDistance() with the same arguments.
 ShapeHit shapeHit(const Shape& shape, const Ray& ray, double tMin, double tMax);
+/// Where rays start that leave the surface on the side of the geometric normal: off it by more than rounding, so that
+/// they do not meet it again where it is convex.
+Direction leavingPoint(const Shape& shape, const ShapeHit& hit);
 /// Whether the shape is met at a t in (tMin, tMax).
 bool blocks(const Shape& shape, const Ray& ray, double tMin, double tMax);
 
