@@ -3,6 +3,7 @@
 #include "core/rendering/effect_overrides.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace gonio {
 
@@ -37,6 +38,7 @@ void forceBlockers(EffectPlan& plan, bool on, bool self) {
 
 void forceInterreflection(EffectPlan& plan, bool on, int mostReflections, Materials materials) {
   for (auto& visible : plan.visible) visible.clear();
+  if (!on && plan.reflections > 1) plan.remainder = std::numeric_limits<double>::infinity();
   plan.reflections = std::min(plan.reflections, 1);
   if (!on || plan.reflections == 0) return;
   plan.reflections = mostReflections;

@@ -35,6 +35,11 @@ std::string percent(double share) {
   return text;
 }
 
+std::string ordinal(int number) {
+  const int ten = number / 10 % 10, one = number % 10;
+  return std::to_string(number) + (ten == 1 || one < 1 || one > 3 ? "th" : one == 1 ? "st" : one == 2 ? "nd" : "rd");
+}
+
 /// Fills in the facts of a scene and decides; forces come after it.
 class Analysis {
  public:
@@ -164,6 +169,11 @@ void Analysis::decideShadows() {
 
 std::pair<int, double> Analysis::depth(const std::vector<std::vector<std::size_t>>& visible) const {
   const std::size_t count = scene_.objects.size();
+  // [i][j]: what object i sends on of the light of its visible[i][j].
+  std::vector<std::vector<double>> sentOn(count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (const std::size_t j : visible[i])
+      sentOn[i].push_back(materials_[i]->bound().at(largestFormFactor(scene_.objects[i], scene_.objects[j])));
   // bound[i]: what leaves object i after so many reflections, as a share of the brightest first one.
   std::vector<double> bound(count, 1), additions;
   constexpr int horizon = 4096;
@@ -171,9 +181,9 @@ std::pair<int, double> Analysis::depth(const std::vector<std::vector<std::size_t
     std::vector<double> next(count, 0);
     for (std::size_t i = 0; i < count; ++i) {
       double sum = 0, largest = 0;
-      for (const std::size_t j : visible[i]) {
-        sum += materials_[i]->bound().at(largestFormFactor(scene_.objects[i], scene_.objects[j])) * bound[j];
-        largest = std::max(largest, bound[j]);
+      for (std::size_t k = 0; k < visible[i].size(); ++k) {
+        sum += sentOn[i][k] * bound[visible[i][k]];
+        largest = std::max(largest, bound[visible[i][k]]);
       }
       if (largest > 0) next[i] = std::min(sum, materials_[i]->bound().largestAlbedo() * largest);
     }
@@ -182,8 +192,8 @@ std::pair<int, double> Analysis::depth(const std::vector<std::vector<std::size_t
     if (!(additions.back() > 1e-9) || additions.back() > 1e9) break;
   }
   // A bound that does not fall says nothing about the rest.
-  const double last = additions.back();
-  double remainder = last > 1e-6 ? std::numeric_limits<double>::infinity() : 0;
+  if (additions.back() > 1e-6) return {thresholds_.mostReflections, std::numeric_limits<double>::infinity()};
+  double remainder = 0;
   std::size_t reflections = additions.size() + 1;
   for (std::size_t k = additions.size(); k-- > 0; --reflections) {
     if (remainder + additions[k] > thresholds_.remainder) break;
@@ -213,7 +223,7 @@ void Analysis::decideInterreflection() {
     return decide(Effect::interreflection, false,
                   pair + ", but more reflections add at most " + percent(plan.remainder) + " of the brightest");
   const std::string rest = std::isfinite(plan.remainder)
-                               ? "all after the " + std::to_string(plan.reflections) + "th reflection add at most " +
+                               ? "all after the " + ordinal(plan.reflections) + " reflection add at most " +
                                      percent(plan.remainder) + " of the brightest"
                                : "the materials send on so much that no number of reflections bounds the rest; " +
                                      std::to_string(plan.reflections) + " are followed";

@@ -50,7 +50,8 @@ struct EffectPlan {
   std::vector<std::vector<std::size_t>> visible;
   /// On the longest light path that is followed: 0 none, 1 direct light alone.
   int reflections = 0;
-  /// What all longer paths can add to a pixel, as a share of the brightest first reflection.
+  /// What all longer paths can add to a pixel, as a share of the brightest first reflection; infinite where nothing
+  /// bounds it.
   double remainder = 0;
 
   const EffectDecision& operator[](Effect effect) const { return decisions[std::size_t(effect)]; }
