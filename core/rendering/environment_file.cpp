@@ -7,12 +7,17 @@
 
 namespace gonio {
 
+const std::vector<std::string>& bundledEnvironmentNames() {
+  static const std::vector<std::string> names{"studio", "sky", "furnace"};
+  return names;
+}
+
 std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrPath,
                                                       const std::filesystem::path& folder) {
-  for (const char* bundled : {"studio", "sky", "furnace"})
+  for (const std::string& bundled : bundledEnvironmentNames())
     if (nameOrPath == bundled) return bundledEnvironment(nameOrPath);
   const std::filesystem::path path = folder / nameOrPath;
-  if (!std::filesystem::exists(path))
+  if (std::error_code unreadable; !std::filesystem::exists(path, unreadable))
     throw Error(path.string() + ": found neither an environment of this name (studio, sky, furnace) nor a file");
   Image image = io::readImage(path);
   return namingFile(path,

@@ -17,7 +17,8 @@ namespace gonio {
 
 namespace {
 
-constexpr double largest = 1e6;  ///< coordinate, radiance
+constexpr double largest = 1e6;    ///< coordinate, radiance
+constexpr double smallest = 1e-6;  ///< radius, half side, scale
 constexpr std::uint64_t maxSceneBytes = std::uint64_t(1) << 24;
 constexpr int maxObjects = 256;
 
@@ -42,11 +43,29 @@ double numberOr(const JsonObject& object, std::string_view key, double min, doub
   return object.contains(key) ? object.number(key, min, max) : otherwise;
 }
 
+bool isObj(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  return extension == ".obj" || extension == ".OBJ";
+}
+
+/// Scaled, turned about +y (rad) and moved; `fits`: first into a sphere of radius 1 that stands on the plane one below
+/// the origin.
+Shape placedMesh(std::shared_ptr<const TriangleMesh> mesh, double scale, double turn, Direction centre, bool fits) {
+  if (fits) {
+    scale /= mesh->boundingSphere().radius;
+    const Direction middle = mesh->boundingSphere().centre, foot(middle.x, mesh->bounds().min.y, middle.z);
+    centre -= Direction(placement(scale, turn, Direction(0)) * glm::dvec4(foot, 1)) + Direction(0, 1, 0);
+  }
+  const glm::dmat4 placed = placement(scale, turn, centre);
+  if (placed != glm::dmat4(1)) mesh = std::make_shared<const TriangleMesh>(transformed(*mesh, placed));
+  return std::make_shared<const MeshIntersector>(std::move(mesh));
+}
+
 /// Reads one scene: a part of the file a function.
 class SceneReader {
  public:
-  SceneReader(const JsonObject& root, int materials, std::filesystem::path folder)
-      : root_(root), materials_(materials), folder_(std::move(folder)) {}
+  SceneReader(const JsonObject& root, int materials, const std::optional<std::filesystem::path>& folder)
+      : root_(root), materials_(materials), folder_(folder) {}
 
   Scene read();
 
@@ -61,13 +80,14 @@ class SceneReader {
 
   const JsonObject& root_;
   int materials_;
-  std::filesystem::path folder_;
+  const std::optional<std::filesystem::path>& folder_;
   Scene scene_;
 };
 
 Scene SceneReader::read() {
   if (root_.text("format") != "gonio scene") root_.fail("format", "\"gonio scene\"");
   if (root_.number("version", 1, 1e6) != 1) root_.fail("version", "1, the only version that this program reads");
+  root_.expectOnly({"format", "version", "description", "camera", "objects", "lights", "environment"});
   if (root_.contains("description")) scene_.description = root_.text("description");
   const nlohmann::json none = nlohmann::json::array();
   const auto each = [&](const char* key, auto read) {
@@ -84,33 +104,29 @@ Scene SceneReader::read() {
 }
 
 Shape SceneReader::meshOf(const JsonObject& object) const {
+  object.expectOnly({"name", "shape", "mesh", "centre", "scale", "turn", "fit", "material", "radiance"});
   const std::string name = object.text("mesh");
-  const bool isFile = std::filesystem::path(name).extension() == ".obj";
+  if (isObj(name) && !folder_) object.fail("mesh", "the name of a bundled mesh: files are not opened here");
   std::shared_ptr<const TriangleMesh> mesh =
-      isFile ? std::make_shared<const TriangleMesh>(io::readObj(folder_ / name)) : bundledMesh(name);
-  double scale = numberOr(object, "scale", 1e-6, largest, 1);
-  Direction translation = tripleOr(object, "centre", {0, 0, 0});
-  if (object.contains("fit") && object.flag("fit")) {
-    // Into the unit sphere about `centre`, on the plane one below it.
-    scale /= mesh->boundingSphere().radius;
-    const Direction middle = mesh->boundingSphere().centre;
-    translation -= scale * Direction(middle.x, mesh->bounds().min.y, middle.z) + Direction(0, 1, 0);
-  }
-  const glm::dmat4 placed = placement(scale, radians(numberOr(object, "turn", -360, 360, 0)), translation);
-  if (placed != glm::dmat4(1)) mesh = std::make_shared<const TriangleMesh>(transformed(*mesh, placed));
-  return std::make_shared<const MeshIntersector>(std::move(mesh));
+      isObj(name) ? std::make_shared<const TriangleMesh>(io::readObj(*folder_ / name)) : bundledMesh(name);
+  return placedMesh(std::move(mesh), numberOr(object, "scale", smallest, largest, 1),
+                    radians(numberOr(object, "turn", -360, 360, 0)), tripleOr(object, "centre", {0, 0, 0}),
+                    object.contains("fit") && object.flag("fit"));
 }
 
 Shape SceneReader::shapeOf(const JsonObject& object) const {
   const std::string kind = object.text("shape");
-  if (kind == "sphere")
-    return Sphere{tripleOr(object, "centre", {0, 0, 0}), numberOr(object, "radius", 1e-6, largest, 1)};
   if (kind == "mesh") return meshOf(object);
+  if (kind == "sphere") {
+    object.expectOnly({"name", "shape", "centre", "radius", "material", "spacing", "radiance"});
+    return Sphere{tripleOr(object, "centre", {0, 0, 0}), numberOr(object, "radius", smallest, largest, 1)};
+  }
   if (kind != "rectangle") object.fail("shape", "\"sphere\", \"rectangle\" or \"mesh\"");
+  object.expectOnly({"name", "shape", "centre", "halfU", "halfV", "material", "radiance"});
   const Rectangle rectangle{tripleOr(object, "centre", {0, 0, 0}), triple(object, "halfU"), triple(object, "halfV")};
   const double u = glm::length(rectangle.halfU), v = glm::length(rectangle.halfV);
-  if (!(u > 0 && v > 0) || std::abs(glm::dot(rectangle.halfU, rectangle.halfV)) > 1e-6 * u * v)
-    object.fail("halfV", "a side that is perpendicular to halfU, neither of length 0");
+  if (!(u >= smallest && v >= smallest) || std::abs(glm::dot(rectangle.halfU, rectangle.halfV)) > 1e-6 * u * v)
+    object.fail("halfV", "a side that is perpendicular to halfU, both at least 1e-6 long");
   return rectangle;
 }
 
@@ -121,15 +137,16 @@ void SceneReader::readObject(const JsonObject& object) {
     result.radiance = triple(object, "radiance", 0);
   }
   const char* expected = "a number of a material from 0, \"each\", or {\"diffuse\": [r, g, b]}";
-  const nlohmann::json material = object.contains("material") ? object.member("material", expected) : nlohmann::json(0);
+  const nlohmann::json material = object.contains("material") ? object.member("material", expected) : nlohmann::json(0u);
   if (material.is_object()) {
     const JsonObject diffuse(material, object.place("material"));
+    diffuse.expectOnly({"diffuse"});
     result.material = Diffuse{triple(diffuse, "diffuse", 0)};
     if (maxChannel(std::get<Diffuse>(result.material).reflectance) > 1)
       diffuse.fail("diffuse", "a reflectance of at most 1");
-  } else if (material.is_number_integer() && material.get<int>() >= 0) {
+  } else if (material.is_number_unsigned()) {
     // With fewer materials than the scene has places for, the last one takes the others.
-    result.material = LookedAt{std::min(material.get<int>(), materials_ - 1)};
+    result.material = LookedAt{int(std::min(material.get<std::uint64_t>(), std::uint64_t(materials_ - 1)))};
   } else if (material != "each") {
     object.fail("material", expected);
   }
@@ -149,10 +166,12 @@ void SceneReader::readObject(const JsonObject& object) {
 void SceneReader::readLight(const JsonObject& light) {
   const std::string kind = light.text("kind");
   if (kind == "point") {
+    light.expectOnly({"kind", "position", "intensity"});
     scene_.pointLights.push_back({triple(light, "position"), triple(light, "intensity", 0)});
   } else if (kind == "directional") {
+    light.expectOnly({"kind", "toLight", "irradiance"});
     const Direction way = triple(light, "toLight");
-    if (!(glm::length(way) > 0)) light.fail("toLight", "a direction, not of length 0");
+    if (!(glm::length(way) >= smallest)) light.fail("toLight", "a direction, at least 1e-6 long");
     scene_.directionalLights.push_back({glm::normalize(way), triple(light, "irradiance", 0)});
   } else {
     light.fail("kind", "\"directional\" or \"point\"");
@@ -160,7 +179,11 @@ void SceneReader::readLight(const JsonObject& light) {
 }
 
 void SceneReader::readEnvironment(const JsonObject& environment) {
-  scene_.environment = openEnvironment(environment.text("picture"), folder_);
+  environment.expectOnly({"picture", "rotation", "shown"});
+  const std::string picture = environment.text("picture");
+  if (!folder_ && std::ranges::find(bundledEnvironmentNames(), picture) == bundledEnvironmentNames().end())
+    environment.fail("picture", "the name of a bundled environment: files are not opened here");
+  scene_.environment = openEnvironment(picture, folder_.value_or(""));
   scene_.environmentRotation = radians(numberOr(environment, "rotation", -360, 360, 0));
   scene_.showEnvironment = environment.contains("shown") && environment.flag("shown");
 }
@@ -182,6 +205,7 @@ double SceneReader::fittingDistance(const OrbitCamera& camera) const {
 }
 
 void SceneReader::readCamera(const JsonObject& camera) {
+  camera.expectOnly({"yaw", "pitch", "distance", "fieldOfView", "target"});
   OrbitCamera& result = scene_.camera;
   result.yaw = radians(numberOr(camera, "yaw", -360, 360, 0));
   result.pitch = radians(numberOr(camera, "pitch", -89, 89, 0));
@@ -200,16 +224,13 @@ std::string namesText() {
 }
 
 /// A mesh from disk as its own scene: the bundled one of the shader ball with that mesh in its place.
-Scene meshScene(const std::filesystem::path& path, int materials) {
-  const auto found = std::ranges::find(bundledScenes(), std::string_view("shader-ball"), &BundledScene::name);
-  nlohmann::json json = nlohmann::json::parse(found->json);
-  nlohmann::json& object = json["objects"][0];
-  object["name"] = path.stem().string();
-  object["mesh"] = std::filesystem::absolute(path).string();
-  object["fit"] = true;
-  json["description"] = "A mesh on the ground in the studio";
-  Scene scene = parseScene(json.dump(), materials);
+Scene meshScene(const std::filesystem::path& path) {
+  Scene scene = openScene("shader-ball");
   scene.name = path.stem().string();
+  scene.description = "A mesh on the ground in the studio";
+  scene.objects[0].name = scene.name;
+  scene.objects[0].shape =
+      placedMesh(std::make_shared<const TriangleMesh>(io::readObj(path)), 1, 0, Direction(0), true);
   return scene;
 }
 
@@ -224,7 +245,7 @@ const std::vector<std::string>& bundledSceneNames() {
   return names;
 }
 
-Scene parseScene(const std::string& text, int materials, const std::filesystem::path& folder) {
+Scene parseScene(const std::string& text, int materials, const std::optional<std::filesystem::path>& folder) {
   nlohmann::json json;
   try {
     json = nlohmann::json::parse(text);
@@ -242,9 +263,9 @@ Scene openScene(const std::string& nameOrPath, int materials) {
       return scene;
     }
   const std::filesystem::path path(nameOrPath);
-  if (!std::filesystem::exists(path))
+  if (std::error_code unreadable; !std::filesystem::exists(path, unreadable))
     throw Error(nameOrPath + ": found neither a scene of this name (" + namesText() + ") nor a file");
-  if (path.extension() == ".obj") return meshScene(path, materials);
+  if (isObj(path)) return meshScene(path);
   Scene scene = namingFile(path, [&] {
     const std::vector<std::byte> bytes = io::FileSource(path).readAll(maxSceneBytes);
     const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/support/json_object.h"
 
+#include <algorithm>
+
 #include "core/support/error.h"
 
 namespace gonio {
@@ -41,6 +43,14 @@ const nlohmann::json& JsonObject::member(std::string_view key, std::string_view 
   const auto found = value_.find(key);
   if (found == value_.end()) fail(key, expected);
   return *found;
+}
+
+void JsonObject::expectOnly(std::initializer_list<std::string_view> known) const {
+  std::string expected = "one of ";
+  for (const std::string_view name : known) expected += (expected.ends_with("of ") ? "" : ", ") + std::string(name);
+  for (const auto& item : value_.items())
+    if (std::ranges::find(known, std::string_view(item.key())) == known.end())
+      throw Error(place(item.key()) + ": found a member of this name, expected " + expected);
 }
 
 std::string JsonObject::text(std::string_view key) const {

@@ -137,6 +137,7 @@ class ReaderMutationTest : public QObject {
     readImageBytes(hdrSeed());
     readImageBytes(exrSeed());
     readDocumentBytes(documentSeed());
+    readSceneBytes(sceneSeed());
   }
 
   void merl() { check("merl.binary", merlSeed(), readMaterialBytes); }
@@ -149,6 +150,7 @@ class ReaderMutationTest : public QObject {
   void hdr() { check("picture.hdr", hdrSeed(), readImageBytes); }
   void exr() { check("picture.exr", exrSeed(), readImageBytes); }
   void document() { check("edit.gonio", documentSeed(), readDocumentBytes); }
+  void scene() { check("scene.json", sceneSeed(), readSceneBytes); }
 };
 
 QTEST_APPLESS_MAIN(ReaderMutationTest)

@@ -104,4 +104,17 @@ inline Bytes documentSeed() {
     "view": {"exposure": 1, "light": [0, 0, 1]}})");
 }
 
+/// Without a mesh: its bounding volumes would be built for every mutation.
+inline Bytes sceneSeed() {
+  return bytesOf(
+      R"({"format": "gonio scene", "version": 1, "camera": {"yaw": 3, "distance": "fit", "target": [0, 1, 0]},
+    "objects": [{"name": "a", "shape": "sphere", "centre": [0, 1, 2], "radius": 0.5, "material": "each", "spacing": 2},
+                {"name": "b", "shape": "rectangle", "halfU": [0, 0, 9], "halfV": [9, 0, 0],
+                 "material": {"diffuse": [0.4, 0.5, 0.6]}},
+                {"name": "c", "shape": "rectangle", "halfU": [1, 0, 0], "halfV": [0, 1, 0], "radiance": [5, 6, 7]}],
+    "lights": [{"kind": "directional", "toLight": [1, 2, 3], "irradiance": [1, 1, 1]},
+               {"kind": "point", "position": [0, 3, 0], "intensity": [4, 4, 4]}],
+    "environment": {"picture": "sky", "rotation": 30, "shown": true}})");
+}
+
 }  // namespace gonio::fuzz

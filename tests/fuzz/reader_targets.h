@@ -15,6 +15,8 @@
 #include "core/io/npf_file.h"
 #include "core/io/obj_file.h"
 #include "core/io/pdv_file.h"
+#include "core/rendering/effect_plan.h"
+#include "core/rendering/scene_file.h"
 
 /// What is done with bytes that nobody vouches for. Each reads and uses the result; every outcome but a result that
 /// keeps its promises and a gonio::Error is a bug. Shared by the mutation test and the libFuzzer programs.
@@ -92,6 +94,19 @@ inline void readDocumentBytes(std::span<const std::byte> bytes) {
       factorization::makePdvBrdf(*std::get<editing::FactorEdit>(edit).edited);
   }
   editing::toJson(document).dump();
+}
+
+/// What was read can be planned. Files that the text names are not opened.
+inline void readSceneBytes(std::span<const std::byte> bytes) {
+  const Scene scene = parseScene({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, 2);
+  const std::vector<std::shared_ptr<const TracedMaterial>> grey(2, diffuseMaterial(Rgb(0.5)));
+  const EffectPlan plan = planEffects(scene, bindMaterials(scene, grey));
+  if (plan.reflections < 0 || !(plan.remainder >= 0) || !(scene.camera.distance > 0))
+    throw std::logic_error("a scene without a plan");
+  for (const SceneObject& object : scene.objects)
+    if (const Sphere bound = boundingSphere(object.shape);
+        !(bound.radius > 0) || !std::isfinite(glm::length(bound.centre)))
+      throw std::logic_error("a shape without a place");
 }
 
 }  // namespace gonio::fuzz
