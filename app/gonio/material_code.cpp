@@ -7,12 +7,12 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/gonio/evaluation_time.h"
 #include "app/gonio/transform_text.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/io/code_file.h"
 #include "core/metrics/brdf_metrics.h"
+#include "core/study/evaluation_time.h"
 
 namespace gonio::app {
 
@@ -83,7 +83,7 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   code.lobe = estimateSamplingLobe(*code.table);
   code.logError = metrics::brdfError(metrics::BrdfMetric::log, *material->table, *code.table);
   code.snr = metrics::brdfSignalToNoiseRatio(*material->table, *code.table);
-  code.nanoseconds = evaluationNanoseconds(*dictionary::makeCodeBrdf(*ensemble, code.stored->code));
+  code.nanoseconds = study::measureEvaluation(*dictionary::makeCodeBrdf(*ensemble, code.stored->code)).median;
   return code;
 }
 

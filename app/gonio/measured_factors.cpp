@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/measured_factors.h"
 
-#include "app/gonio/evaluation_time.h"
 #include "core/io/pdv_file.h"
+#include "core/study/evaluation_time.h"
 
 namespace gonio::app {
 
@@ -19,7 +19,7 @@ MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const Measured
     control.throwIfStopped();
     const auto factors = measured.factorization.factors.truncated(terms);
     measured.bytes.push_back(io::pdvFileBytes(factors));
-    measured.nanoseconds.push_back(evaluationNanoseconds(*factorization::makePdvBrdf(factors)));
+    measured.nanoseconds.push_back(study::measureEvaluation(*factorization::makePdvBrdf(factors)).median);
   }
   return measured;
 }

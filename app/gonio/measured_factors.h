@@ -20,7 +20,7 @@ struct MeasuredFactors {
   // Of each count of terms; index 0 is one term.
   std::vector<factorization::PdvResidualsAlong> along;  ///< what is left unexplained at each node
   std::vector<std::size_t> bytes;                       ///< of a file with the factors
-  std::vector<double> nanoseconds;  ///< of one evaluation on one core, the fastest of some runs on this machine
+  std::vector<double> nanoseconds;  ///< of one evaluation on one core, the median of some runs on this machine
 
   /// The share of the transformed reflectance that so many terms leave unexplained, in [0, 1].
   double residual(int terms) const { return factorization.residuals[std::size_t(terms)]; }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
-#include <thread>
 
+#include "app/goniotool/interrupt.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "app/goniotool/training_files.h"
 #include "core/io/dictionary_file.h"
 #include "core/io/training_checkpoint.h"
 
@@ -24,67 +23,6 @@ struct Options {
   std::string out, checkpoint;
   TrainingOptions training;
 };
-
-std::atomic<bool> interrupted = false;
-
-/// While alive, an interrupt from the keyboard asks the work to stop; a second one ends the program as always.
-class StopOnInterrupt {
- public:
-  StopOnInterrupt() : watcher_([this](const std::stop_token& end) { watch(end); }) {
-    std::signal(SIGINT, [](int) {
-      interrupted = true;
-      std::signal(SIGINT, SIG_DFL);
-    });
-  }
-  ~StopOnInterrupt() { std::signal(SIGINT, SIG_DFL); }
-  std::stop_token token() const { return stop_.get_token(); }
-
- private:
-  void watch(const std::stop_token& end) {
-    while (!end.stop_requested()) {
-      if (interrupted) stop_.request_stop();
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
-  }
-  std::stop_source stop_;
-  std::jthread watcher_;
-};
-
-/// Files as they are, of folders all files of materials, in the order of their names; less the excluded names.
-std::vector<std::string> trainingFiles(const Options& options) {
-  std::vector<std::string> files;
-  for (const std::string& source : options.sources) {
-    if (!std::filesystem::is_directory(source)) {
-      files.push_back(source);
-      continue;
-    }
-    std::vector<std::string> found;
-    for (const auto& entry : std::filesystem::directory_iterator(source))
-      if (const auto suffix = entry.path().extension(); suffix == ".binary" || suffix == ".bsdf")
-        found.push_back(entry.path().string());
-    if (found.empty()) throw Error(source + ": found no .binary and no .bsdf file");
-    std::sort(found.begin(), found.end());
-    files.insert(files.end(), found.begin(), found.end());
-  }
-  // A name that excludes nothing would teach what is to be held out.
-  for (const std::string& name : options.excluded)
-    if (std::erase_if(files, [&](const std::string& file) { return std::filesystem::path(file).stem() == name; }) == 0)
-      throw Error("dictionary train: found no material " + name + " to leave out");
-  if (files.empty()) throw Error("dictionary train: no material is left to learn from");
-  return files;
-}
-
-TrainingMaterials materialsOf(const std::vector<std::string>& files) {
-  TrainingMaterials materials;
-  for (const std::string& file : files) materials.names.push_back(std::filesystem::path(file).stem().string());
-  materials.load = [files](std::size_t m) {
-    auto table = openMaterial(files[m]).tabulated();
-    if (!(table->grid() == HalfDifferenceGrid{}))
-      throw Error(files[m] + ": found another grid than that of MERL tables, 90 x 90 x 180");
-    return table;
-  };
-  return materials;
-}
 
 /// What makes two trainings the same, for a checkpoint.
 std::string describe(const Options& options, const TrainingMaterials& materials) {
@@ -114,7 +52,7 @@ TrainingResult trainWithCheckpoints(const Options& options, const TrainingMateri
 }
 
 int train(const Options& options, const Tool& tool) {
-  const TrainingMaterials materials = materialsOf(trainingFiles(options));
+  const TrainingMaterials materials = trainingMaterials(trainingFiles(options.sources, options.excluded));
   const TrainingResult result = trainWithCheckpoints(options, materials, tool);
   io::writeDictionary(result.ensemble, options.out);
   Json ensembles = Json::array();

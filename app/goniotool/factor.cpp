@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
-#include <random>
 
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
@@ -11,6 +9,7 @@
 #include "core/factorization/pdv_operations.h"
 #include "core/io/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
+#include "core/study/evaluation_time.h"
 
 namespace gonio::tool {
 
@@ -66,26 +65,6 @@ PdvFactors swapped(const Options& options, PdvFactors factors, const Tool& tool)
   return factors;
 }
 
-/// Nanoseconds a pair on one core, in a long batch: the fastest of some.
-double evaluationNanoseconds(const Brdf& brdf) {
-  constexpr std::size_t count = 1 << 14;
-  constexpr int repetitions = 5;
-  std::vector<DirectionPair> pairs(count);
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  const auto direction = [&] { return fromSpherical(std::acos(uniform(random)), 2 * pi * uniform(random)); };
-  for (DirectionPair& pair : pairs) pair = {direction(), direction()};
-  std::vector<Rgb> values(count);
-  double best = 0;
-  for (int n = 0; n < repetitions; ++n) {
-    const auto start = std::chrono::steady_clock::now();
-    brdf.evaluate(pairs, values);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    best = n == 0 ? seconds : std::min(best, seconds);
-  }
-  return best * 1e9 / double(count);
-}
-
 void checkOptions(const Options& options) {
   if (options.keepFurther && !options.swaps()) throw UsageError("factor: --keep-terms is for --swap-f1 and --swap-f2");
   if (!options.out.empty() && !isFactorsFile(options.out)) checkOutput(options.out);
@@ -101,7 +80,7 @@ int factor(const Options& options, const Tool& tool) {
   const auto brdf = makePdvBrdf(result.factors);
   const std::vector<double> errors = metrics::brdfErrors(*table, *brdf);
   const double snr = metrics::brdfSignalToNoiseRatio(*table, *brdf);
-  const double nanoseconds = evaluationNanoseconds(*brdf);
+  const double nanoseconds = study::measureEvaluation(*brdf).median;
   if (isFactorsFile(options.out)) io::writePdv(result.factors, options.out);
   for (const std::string& path : {isFactorsFile(options.out) ? std::string() : options.out, options.decode})
     if (!path.empty()) writeMaterial(*bakeTable(*brdf, table->grid(), tool.control("decoding")), path);

@@ -35,7 +35,7 @@ int work(const tool::Tool& tool) {
 int main(int argc, char** argv) {
   CLI::App app(
       "Measured materials (BRDFs) without a window: read, check, convert, fit, edit, factor, encode, blend, render,\n"
-      "compare.",
+      "compare, study.",
       "goniotool");
   tool::Tool tool;
   app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
       "failure, 2 wrong usage.");
   for (const auto add : {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit,
                          tool::addEdit, tool::addFactor, tool::addDictionary, tool::addEncode, tool::addDecode,
-                         tool::addInterpolate, tool::addRender, tool::addScenes, tool::addCompare})
+                         tool::addInterpolate, tool::addRender, tool::addScenes, tool::addCompare, tool::addStudy})
     add(app, tool);
   try {
     app.parse(argc, argv);

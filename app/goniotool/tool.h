@@ -42,5 +42,6 @@ void addDictionary(CLI::App& app, Tool& tool);
 void addEncode(CLI::App& app, Tool& tool);
 void addDecode(CLI::App& app, Tool& tool);
 void addInterpolate(CLI::App& app, Tool& tool);
+void addStudy(CLI::App& app, Tool& tool);
 
 }  // namespace gonio::tool

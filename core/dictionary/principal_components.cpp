@@ -58,6 +58,19 @@ ComponentCode ComponentCode::truncated(int components) const {
   return result;
 }
 
+ComponentCode ComponentCode::inHalfPrecision() const {
+  ComponentCode result = *this;
+  for (Eigen::VectorXf& channel : result.channels) {
+    const float scale = channel.size() > 0 ? channel.cwiseAbs().maxCoeff() : 0;
+    if (scale > 0) channel = (channel / scale).cast<Eigen::half>().cast<float>() * scale;
+  }
+  return result;
+}
+
+std::size_t ComponentCode::halfBytes(int components) {
+  return 3 * (sizeof(float) + std::size_t(components) * sizeof(Eigen::half));
+}
+
 ComponentCode encode(const PrincipalComponents& pca, const TabulatedBrdf& table, int components,
                      const TaskControl& control) {
   checkGrid(pca.mapping, table.grid());

@@ -42,6 +42,10 @@ struct ComponentCode {
 
   int components() const { return int(channels[0].size()); }
   std::size_t bytes() const { return 3 * std::size_t(components()) * sizeof(float); }
+  /// What a file of half precision would hold: values over the channel's largest as float16, and that as float32.
+  ComponentCode inHalfPrecision() const;
+  /// Bytes of such a file.
+  static std::size_t halfBytes(int components);
   /// The code of the first components alone: the same as encoding with so many.
   ComponentCode truncated(int components) const;
 };

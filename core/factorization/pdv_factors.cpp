@@ -91,6 +91,10 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
   result.residuals.push_back(total > 0 ? 1 : 0);
   const std::vector<bool> measured[] = {measuredNodes(channels[0], 0), measuredNodes(channels[0], 1),
                                         measuredNodes(channels[0], 2)};
+  const auto elapsed = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  result.termSeconds.push_back(elapsed());
   for (int term = 0; term < options.terms; ++term) {
     control.throwIfStopped();
     control.report(preparationShare + (1 - preparationShare) * term / options.terms);
@@ -107,9 +111,10 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
     });
     for (const double channelLeft : lefts) left += channelLeft;
     result.residuals.push_back(total > 0 ? std::min(result.residuals.back(), std::sqrt(left / total)) : 0);
+    result.termSeconds.push_back(elapsed());
   }
   control.report(1);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = elapsed();
   return result;
 }
 

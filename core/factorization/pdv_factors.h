@@ -70,6 +70,7 @@ struct PdvFactorization {
   std::vector<double> residuals;
   std::size_t cells = 0;  ///< on the disk that were measured
   double seconds = 0;
+  std::vector<double> termSeconds = {};  ///< from the start to where 0, 1, .. terms are known: what so many cost alone
 };
 
 /// Factorises a table: term after term the best rank-one tensor of what the terms before left, over the cells that

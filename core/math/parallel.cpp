@@ -12,6 +12,7 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <mutex>
 #include <vector>
 
@@ -62,6 +63,11 @@ void runQuietly(const std::function<void()>& work) {
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
 #endif
   tbb::task_arena(1).execute(work);
+}
+
+int threadCount() {
+  const auto allowed = int(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  return std::min(allowed, tbb::this_task_arena::max_concurrency());
 }
 
 ThreadLimit::ThreadLimit(int threads)

@@ -22,9 +22,12 @@ double parallelSumBlocks(std::size_t count, std::size_t blockSize,
                          const std::function<double(std::size_t begin, std::size_t end)>& blockSum,
                          const TaskControl& control = {});
 
-/// Runs `work` on the calling thread alone: its parallel loops take no other core. The thread's priority is lowered where
-/// the system allows it, for good: call this on a thread that does nothing else. For work that nobody waits for.
+/// Runs `work` on the calling thread alone: its parallel loops take no other core. The thread's priority is lowered
+/// where the system allows it, for good: call this on a thread that does nothing else. For work that nobody waits for.
 void runQuietly(const std::function<void()>& work);
+
+/// How many threads parallel loops of the calling thread may use now.
+int threadCount();
 
 /// While alive, bounds the number of threads that parallel loops of this process use (tests of determinism,
 /// `goniotool --threads`). Not nestable from several threads at once.

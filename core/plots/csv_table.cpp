@@ -36,11 +36,15 @@ std::string toCsv(const CsvTable& table) {
   for (const std::string& comment : table.comments) text += "# " + oneLine(comment) + "\n";
   for (std::size_t i = 0; i < table.columns.size(); ++i) text += (i ? "," : "") + quoted(table.columns[i].title);
   text += "\n";
-  const std::size_t rows = table.columns.empty() ? 0 : table.columns.front().values.size();
+  const std::size_t rows = table.columns.empty() ? 0 : table.columns.front().rows();
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       if (i) text += ",";
-      append(text, table.columns[i].values[row]);
+      const CsvColumn& column = table.columns[i];
+      if (column.texts.empty())
+        append(text, column.values[row]);
+      else
+        text += quoted(column.texts[row]);
     }
     text += "\n";
   }

@@ -36,17 +36,13 @@ EnsembleModels ensembleModels(const Encoder& encoder, const TabulatedBrdf& table
 
 std::vector<RivalModel> componentModels(const PrincipalComponents& components, const TabulatedBrdf& table,
                                         Budgets budgets) {
-  constexpr std::size_t scales = 3 * sizeof(float), bytesOfOne = 3 * sizeof(Eigen::half);
+  const std::size_t scales = ComponentCode::halfBytes(0), bytesOfOne = ComponentCode::halfBytes(1) - scales;
   const ComponentCode all = encode(components, table, components.count());
   std::vector<RivalModel> models;
   for (const std::size_t budget : budgets) {
     const std::size_t fit = (std::max(budget, scales) - scales) / bytesOfOne;
-    ComponentCode code = all.truncated(int(std::min(fit, std::size_t(components.count()))));
-    for (Eigen::VectorXf& channel : code.channels) {
-      const float scale = channel.size() > 0 ? channel.cwiseAbs().maxCoeff() : 0;
-      if (scale > 0) channel = (channel / scale).cast<Eigen::half>().cast<float>() * scale;
-    }
-    models.push_back({decode(components, code), scales + bytesOfOne * std::size_t(code.components())});
+    const ComponentCode code = all.truncated(int(std::min(fit, std::size_t(components.count())))).inHalfPrecision();
+    models.push_back({decode(components, code), ComponentCode::halfBytes(code.components())});
   }
   return models;
 }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/dictionary/training_materials.h"
+
+namespace gonio::tool {
+
+/// Files as they are, of folders all files of materials, in the order of their names; less the excluded names.
+/// @throws Error when a folder has none, a name excludes nothing, or none is left.
+std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
+                                       const std::vector<std::string>& excluded = {});
+
+/// Their tables over the grid of MERL tables; `load` throws Error naming a file of another grid.
+dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files);
+
+}  // namespace gonio::tool

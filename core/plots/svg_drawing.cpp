@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/plots/svg_drawing.h"
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "core/math/types.h"
+
+namespace gonio::plots {
+
+namespace {
+
+/// A tenth of a hundredth of a pixel is not seen.
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", value);
+  return text;
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string pointsText(std::span<const glm::dvec2> points) {
+  std::string text;
+  for (const glm::dvec2& point : points) text += (text.empty() ? "" : " ") + number(point.x) + "," + number(point.y);
+  return text;
+}
+
+std::string strokeText(const SvgStroke& stroke) {
+  std::string text =
+      " stroke=\"" + std::string(stroke.colour) + "\" stroke-width=\"" + number(stroke.width) + "\" fill=\"none\"";
+  if (!stroke.dashes.empty()) text += " stroke-dasharray=\"" + std::string(stroke.dashes) + "\"";
+  return text;
+}
+
+/// Corners on circles about a point, turned from the top.
+std::vector<glm::dvec2> corners(const glm::dvec2& at, int count, double radius, double innerRadius) {
+  std::vector<glm::dvec2> result;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * pi * i / count, r = i % 2 == 0 ? radius : innerRadius;
+    result.emplace_back(at.x + r * std::sin(angle), at.y - r * std::cos(angle));
+  }
+  return result;
+}
+
+std::vector<glm::dvec2> outline(Marker marker, const glm::dvec2& at, double size) {
+  switch (marker) {
+    case Marker::square: {
+      const double s = 0.85 * size;
+      return {{at.x - s, at.y - s}, {at.x + s, at.y - s}, {at.x + s, at.y + s}, {at.x - s, at.y + s}};
+    }
+    case Marker::triangle:
+      return corners(at, 3, 1.2 * size, 1.2 * size);
+    case Marker::diamond:
+      return corners(at, 4, 1.25 * size, 1.25 * size);
+    case Marker::cross: {
+      const double s = 1.1 * size, t = 0.4 * size;
+      std::vector<glm::dvec2> result;
+      for (const auto& [x, y] : {std::pair{-t, -s},
+                                 {t, -s},
+                                 {t, -t},
+                                 {s, -t},
+                                 {s, t},
+                                 {t, t},
+                                 {t, s},
+                                 {-t, s},
+                                 {-t, t},
+                                 {-s, t},
+                                 {-s, -t},
+                                 {-t, -t}})
+        result.emplace_back(at.x + x, at.y + y);
+      return result;
+    }
+    case Marker::star:
+      return corners(at, 10, 1.45 * size, 0.6 * size);
+    case Marker::circle:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+SvgDrawing::SvgDrawing(double width, double height) {
+  const std::string w = number(width), h = number(height);
+  body_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w +
+          "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
+          "\" font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+}
+
+void SvgDrawing::line(const glm::dvec2& from, const glm::dvec2& to, const SvgStroke& stroke) {
+  body_ += "<line x1=\"" + number(from.x) + "\" y1=\"" + number(from.y) + "\" x2=\"" + number(to.x) + "\" y2=\"" +
+           number(to.y) + "\"" + strokeText(stroke) + "/>\n";
+}
+
+void SvgDrawing::polyline(std::span<const glm::dvec2> points, const SvgStroke& stroke) {
+  body_ += "<polyline points=\"" + pointsText(points) + "\"" + strokeText(stroke) + "/>\n";
+}
+
+void SvgDrawing::frame(const glm::dvec2& low, const glm::dvec2& high, const SvgStroke& stroke) {
+  body_ += "<rect x=\"" + number(low.x) + "\" y=\"" + number(low.y) + "\" width=\"" + number(high.x - low.x) +
+           "\" height=\"" + number(high.y - low.y) + "\"" + strokeText(stroke) + "/>\n";
+}
+
+void SvgDrawing::marker(Marker marker, const glm::dvec2& at, double size, std::string_view colour, bool hollow,
+                        std::string_view title) {
+  const std::string paint = " stroke=\"" + std::string(colour) + "\" stroke-width=\"1.4\" fill=\"" +
+                            (hollow ? std::string("#ffffff") : std::string(colour)) + "\"";
+  const std::string shape =
+      marker == Marker::circle
+          ? "circle cx=\"" + number(at.x) + "\" cy=\"" + number(at.y) + "\" r=\"" + number(size) + "\""
+          : "polygon points=\"" + pointsText(outline(marker, at, size)) + "\"";
+  body_ += "<" + shape + paint;
+  if (title.empty())
+    body_ += "/>\n";
+  else
+    body_ += "><title>" + escaped(title) + "</title></" + (marker == Marker::circle ? "circle" : "polygon") + ">\n";
+}
+
+void SvgDrawing::text(const glm::dvec2& at, std::string_view words, const TextStyle& style) {
+  constexpr const char* anchors[] = {"start", "middle", "end"};
+  body_ += "<text x=\"" + number(at.x) + "\" y=\"" + number(at.y) + "\" font-size=\"" + number(style.size) +
+           "\" text-anchor=\"" + anchors[int(style.anchor)] + "\" fill=\"" + std::string(style.colour) + "\"";
+  if (style.bold) body_ += " font-weight=\"bold\"";
+  if (style.upward) body_ += " transform=\"rotate(-90 " + number(at.x) + " " + number(at.y) + ")\"";
+  body_ += ">" + escaped(words) + "</text>\n";
+}
+
+}  // namespace gonio::plots

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace gonio::plots {
+
+/// Shapes by which points are told apart without their colours.
+enum class Marker { square, circle, triangle, diamond, cross, star };
+
+struct SvgStroke {
+  std::string_view colour = "#222222";
+  double width = 1;           ///< px
+  std::string_view dashes{};  ///< "4 3"; none: solid
+};
+
+/// A drawing as SVG 1.1 text: pixels, the origin at the top left, y down, on white. Colours as CSS names them.
+class SvgDrawing {
+ public:
+  SvgDrawing(double width, double height);
+
+  void line(const glm::dvec2& from, const glm::dvec2& to, const SvgStroke& stroke = {});
+  void polyline(std::span<const glm::dvec2> points, const SvgStroke& stroke = {});
+  void frame(const glm::dvec2& low, const glm::dvec2& high, const SvgStroke& stroke = {});
+  /// @param size about half its height and width, px.
+  /// @param title what a viewer shows while the pointer rests on it; none where it is empty.
+  void marker(Marker marker, const glm::dvec2& at, double size, std::string_view colour, bool hollow,
+              std::string_view title = {});
+
+  enum class Anchor { start, middle, end };
+  struct TextStyle {
+    double size = 12;  ///< px
+    Anchor anchor = Anchor::start;
+    bool bold = false;
+    bool upward = false;  ///< turned by 90 degrees, read from below
+    std::string_view colour = "#222222";
+  };
+  /// @param at on the base line, where the anchor says.
+  void text(const glm::dvec2& at, std::string_view text, const TextStyle& style);
+  void text(const glm::dvec2& at, std::string_view words) { text(at, words, TextStyle()); }
+
+  /// The whole file.
+  std::string str() const { return body_ + "</svg>\n"; }
+
+ private:
+  std::string body_;
+};
+
+}  // namespace gonio::plots

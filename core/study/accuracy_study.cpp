@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/study/accuracy_study.h"
+
+#include <chrono>
+
+#include "core/metrics/brdf_metrics.h"
+#include "core/rendering/rendered_comparison.h"
+
+namespace gonio::study {
+
+namespace {
+
+/// Share of the progress that the reference's picture takes; the representations divide the rest evenly.
+constexpr double referenceShare = 0.02;
+/// Share of a representation's progress that making it takes; the rest is measuring it.
+constexpr double buildShare = 0.6;
+constexpr std::size_t mostFrames = 3;
+constexpr double enoughSeconds = 1;
+
+/// Renders frames until their time is known; `picture` is one of them.
+double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf, Image& picture,
+                         const TaskControl& stop) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> frames;
+  double total = 0;
+  while (frames.empty() || (frames.size() < mostFrames && total < 1000 * enoughSeconds)) {
+    const auto start = Clock::now();
+    picture = comparison.render(brdf, stop);
+    frames.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    total += frames.back();
+  }
+  return quantile(std::move(frames), 0.5);
+}
+
+StudiedRepresentation measure(const Representation& representation, const BuiltRepresentation& built,
+                              const TabulatedBrdf& table, const RenderedComparison& comparison,
+                              const TaskControl& stop) {
+  StudiedRepresentation studied{
+      .record = {.representation = representation, .bytes = built.bytes, .encodeSeconds = built.encodeSeconds},
+      .brdf = built.brdf,
+      .picture = {}};
+  StudyRecord& record = studied.record;
+  record.evaluation = measureEvaluation(*built.brdf, stop);
+  record.frameMilliseconds = frameMilliseconds(comparison, *built.brdf, studied.picture, stop);
+  record.renderedSnr = comparison.signalToNoiseRatio(studied.picture);
+  stop.throwIfStopped();
+  record.errors = metrics::brdfErrors(table, built.nodes ? static_cast<const Brdf&>(*built.nodes) : *built.brdf);
+  stop.throwIfStopped();
+  return studied;
+}
+
+}  // namespace
+
+std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const Representation> representations,
+                                  const StudyOptions& options, const TaskControl& control) {
+  std::vector<StudyRecord> records;
+  try {
+    const RenderedComparison comparison(*subject.reference, options.picture, control.between(0, referenceShare));
+    RepresentationBuilder builder(subject, options.build, representations);
+    const double share = (1 - referenceShare) / double(std::max<std::size_t>(1, representations.size()));
+    for (const Representation& representation : representations) {
+      const double begin = referenceShare + double(records.size()) * share;
+      const BuiltRepresentation built =
+          builder.build(representation, control.between(begin, begin + buildShare * share));
+      const StudiedRepresentation studied =
+          measure(representation, built, *subject.table, comparison, {.stop = control.stop, .progress = {}});
+      records.push_back(studied.record);
+      if (options.measured) options.measured(studied);
+      control.report(begin + share);
+    }
+    control.report(1);
+  } catch (const Cancelled&) {
+  }
+  return records;
+}
+
+}  // namespace gonio::study

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+namespace gonio::study {
+
+// Of this build, from CMake (build_facts.cpp.in).
+extern const char* const buildVersion;
+extern const char* const buildCompiler;
+extern const char* const buildFlags;
+
+}  // namespace gonio::study

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/study/pareto.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace gonio::study {
+
+std::vector<std::size_t> paretoFront(std::span<const Trade> trades) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < trades.size(); ++i)
+    if (!std::isnan(trades[i].cost) && !std::isnan(trades[i].error)) order.push_back(i);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return std::tuple(trades[i].cost, trades[i].error); });
+  std::vector<std::size_t> front;
+  for (const std::size_t i : order) {
+    const bool equal =
+        !front.empty() && trades[front.back()].cost == trades[i].cost && trades[front.back()].error == trades[i].error;
+    if (front.empty() || equal || trades[i].error < trades[front.back()].error) front.push_back(i);
+  }
+  return front;
+}
+
+std::optional<std::size_t> bestWithin(std::span<const StudyRecord> records, const Budget& budget) {
+  const auto keeps = [&](const StudyRecord& record) {
+    return !(budget.frameMilliseconds && record.frameMilliseconds > *budget.frameMilliseconds) &&
+           !(budget.bytes && double(record.bytes) > *budget.bytes) &&
+           (!budget.renderedSnr || record.renderedSnr >= *budget.renderedSnr);
+  };
+  const auto order = [](const StudyRecord& record) {
+    const bool undefined = std::isnan(record.renderedSnr);
+    return std::tuple(undefined, undefined ? 0 : -record.renderedSnr, record.frameMilliseconds, record.bytes);
+  };
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < records.size(); ++i)
+    if (keeps(records[i]) && (!best || order(records[i]) < order(records[*best]))) best = i;
+  return best;
+}
+
+}  // namespace gonio::study

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/models/model.h"
+
+namespace gonio::study {
+
+/// Kinds of representations, in the order in which they are listed.
+enum class RepresentationFamily { table, fit, factors, code, components, nonparametric };
+inline constexpr int representationFamilyCount = 6;
+
+/// "table", "fits", "factors", "codes", "components", "nonparametric": on the command line and in files.
+std::string_view familyId(RepresentationFamily family);
+/// For people, in legends.
+std::string_view familyName(RepresentationFamily family);
+/// @throws Error that lists the ids.
+RepresentationFamily familyById(std::string_view id);
+
+/// One way to keep a material, at one budget. A value.
+struct Representation {
+  RepresentationFamily family = RepresentationFamily::table;
+  std::string id;          ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
+                           ///< "components", "nonparametric"
+  std::string label;       ///< for people: "GGX", "PDV factors, three curves"
+  double budget = 0;       ///< terms, coefficients or components a channel; fitted numbers; 0 where nothing is counted
+  std::string budgetText;  ///< "10 terms", or "" where nothing is counted
+
+  bool operator==(const Representation&) const = default;
+  /// Label with its budget: "PDV factors, three curves, 10 terms".
+  std::string fullLabel() const;
+};
+
+/// Which representations there are to measure.
+struct RepresentationChoice {
+  /// Components are left out by default: their basis is learned, not shipped.
+  std::vector<RepresentationFamily> families{RepresentationFamily::table, RepresentationFamily::fit,
+                                             RepresentationFamily::factors, RepresentationFamily::code,
+                                             RepresentationFamily::nonparametric};
+  std::vector<const models::Model*> models;  ///< none: all registered ones
+  std::vector<int> terms{1, 2, 3, 5, 8, 10, 14, 20};
+  std::vector<std::size_t> coefficients{32, 64, 128, 256, 512, 1024, 2048};  ///< a channel
+  std::vector<int> components{4, 8, 16, 32, 64, 128};                        ///< a channel
+};
+
+/// All of them, in the order in which a study measures and lists them.
+std::vector<Representation> representationsOf(const RepresentationChoice& choice = {});
+
+}  // namespace gonio::study

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/study/representation_builder.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/brdf/weighted_sum.h"
+#include "core/dictionary/code_brdf.h"
+#include "core/dictionary/decode.h"
+#include "core/factorization/rivals/nonparametric.h"
+#include "core/fitting/fit_parameters.h"
+#include "core/io/code_file.h"
+#include "core/io/pdv_file.h"
+#include "core/models/registry.h"
+
+namespace gonio::study {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// A table read without interpolation.
+class NearestBrdf final : public Brdf {
+ public:
+  explicit NearestBrdf(std::shared_ptr<const TabulatedBrdf> table) : table_(std::move(table)) {}
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    table_->evaluate(pairs, values, TableLookup::nearest);
+  }
+
+ private:
+  std::shared_ptr<const TabulatedBrdf> table_;
+};
+
+}  // namespace
+
+RepresentationBuilder::RepresentationBuilder(StudySubject subject, BuildOptions options,
+                                             std::span<const Representation> planned)
+    : subject_(std::move(subject)), options_(std::move(options)) {
+  for (const Representation& representation : planned)
+    if (representation.family == RepresentationFamily::factors) {
+      int& most = mostTerms_[representation.id];
+      most = std::max(most, int(representation.budget));
+    }
+}
+
+BuiltRepresentation RepresentationBuilder::build(const Representation& representation, const TaskControl& control) {
+  switch (representation.family) {
+    case RepresentationFamily::table:
+      return table(representation);
+    case RepresentationFamily::fit:
+      return fit(representation, control);
+    case RepresentationFamily::factors:
+      return factors(representation, control);
+    case RepresentationFamily::code:
+      return code(representation, control);
+    case RepresentationFamily::components:
+      return components(representation, control);
+    case RepresentationFamily::nonparametric:
+      break;
+  }
+  return nonparametric(control);
+}
+
+BuiltRepresentation RepresentationBuilder::table(const Representation& representation) const {
+  BuiltRepresentation built{.brdf = subject_.table, .nodes = subject_.table, .bytes = subject_.table->bytes()};
+  if (representation.id == "table-nearest") built.brdf = std::make_shared<const NearestBrdf>(subject_.table);
+  return built;
+}
+
+BuiltRepresentation RepresentationBuilder::fit(const Representation& representation, const TaskControl& control) {
+  if (!fitData_) fitData_.emplace(*subject_.table, options_.fit);
+  const models::Model& model = models::findModel(representation.id);
+  const fitting::FitResult result = fitting::fit(*fitData_, model, control);
+  control.throwIfStopped();
+  return {.brdf = model.instantiate(result.parameters),
+          .nodes = nullptr,
+          .bytes = fitting::fittedParameterCount(model.spec()) * sizeof(float),
+          .encodeSeconds = result.seconds};
+}
+
+BuiltRepresentation RepresentationBuilder::factors(const Representation& representation, const TaskControl& control) {
+  using namespace factorization;
+  const auto known = factorizations_.find(representation.id);
+  const int terms = int(representation.budget);
+  if (known == factorizations_.end()) {
+    const PdvForm form = representation.id == "factors-2d" ? PdvForm::twoFactors : PdvForm::threeFactors;
+    const int most = std::max(terms, mostTerms_[representation.id]);
+    factorizations_[representation.id] = factorizePdv(*subject_.table, {.form = form, .terms = most}, control);
+  }
+  const PdvFactorization& all = factorizations_.at(representation.id);
+  if (terms > all.factors.terms())
+    throw Error(representation.fullLabel() + ": more terms than the " + std::to_string(all.factors.terms()) +
+                " that were planned");
+  const PdvFactors factors = all.factors.truncated(terms);
+  return {.brdf = makePdvBrdf(factors),
+          .nodes = nullptr,
+          .bytes = io::pdvFileBytes(factors),
+          .encodeSeconds = all.termSeconds[std::size_t(terms)]};
+}
+
+BuiltRepresentation RepresentationBuilder::code(const Representation& representation, const TaskControl& control) {
+  if (!encoder_) {
+    if (!options_.dictionary) options_.dictionary = io::bundledDictionary();
+    encoder_.emplace(options_.dictionary->ensemble);
+    codedTable_ = onGrid(subject_.table, options_.dictionary->ensemble.grid, {.stop = control.stop});
+  }
+  dictionary::EncodeOptions encoding;
+  encoding.coefficients = std::size_t(representation.budget);
+  const dictionary::Encoded encoded = encoder_->encode(*codedTable_, encoding, control);
+  const std::vector<std::byte> file = io::encodeCode(encoded.code, options_.dictionary->id);
+  // Of what the file holds: with the values as they are rounded.
+  const dictionary::SparseCode stored = io::readCode(io::MemorySource(file)).code;
+  const dictionary::Ensemble& ensemble = options_.dictionary->ensemble;
+  const bool sameNodes = subject_.table->grid() == ensemble.grid;
+  return {.brdf = dictionary::makeCodeBrdf(ensemble, stored),
+          .nodes = sameNodes ? dictionary::decode(ensemble, stored) : nullptr,
+          .bytes = file.size(),
+          .encodeSeconds = encoded.seconds};
+}
+
+BuiltRepresentation RepresentationBuilder::components(const Representation& representation,
+                                                      const TaskControl& control) const {
+  if (!options_.components) throw Error("principal components: found none that were learned");
+  const dictionary::PrincipalComponents& all = *options_.components;
+  const int count = int(representation.budget);
+  if (count > all.count())
+    throw Error(representation.fullLabel() + ": the training set has only " + std::to_string(all.count()));
+  const auto start = Clock::now();
+  const dictionary::ComponentCode encoded = dictionary::encode(all, *subject_.table, count, control);
+  const double seconds = secondsSince(start);
+  const auto decoded = dictionary::decode(all, encoded.inHalfPrecision(), {.stop = control.stop});
+  return {.brdf = decoded,
+          .nodes = decoded,
+          .bytes = dictionary::ComponentCode::halfBytes(count),
+          .encodeSeconds = seconds};
+}
+
+BuiltRepresentation RepresentationBuilder::nonparametric(const TaskControl& control) const {
+  using namespace factorization;
+  const auto start = Clock::now();
+  const NonparametricFit fit =
+      fitNonparametric(sampleHalfDifference(*subject_.table, nonparametricAxes(), {.stop = control.stop}), {}, control);
+  return {.brdf = makeNonparametricBrdf(fit.factors),
+          .nodes = nullptr,
+          .bytes = NonparametricFactors::bytes(),
+          .encodeSeconds = secondsSince(start)};
+}
+
+}  // namespace gonio::study

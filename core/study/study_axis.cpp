@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/study/study_axis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gonio::study {
+
+namespace {
+
+/// Share of an axis that an end takes.
+constexpr double endShare = 0.07;
+constexpr int mostDecades = 12;
+constexpr double decibelStep = 10;
+
+/// Without both ends, so that a scale of whole decades or tens shows all.
+StudyAxis logarithmicAxis(const std::vector<double>& values) {
+  return {.scale = plots::scaleFor(values, true, mostDecades),
+          .zeroEnd = std::ranges::any_of(values, [](double value) { return value <= 0; })};
+}
+
+StudyAxis decibelAxis(const std::vector<double>& values) {
+  StudyAxis axis{.scale = {false, 0, decibelStep}};
+  for (const double value : values) {
+    if (std::isfinite(value)) {
+      axis.scale.min = std::min(axis.scale.min, decibelStep * std::floor(value / decibelStep));
+      axis.scale.max = std::max(axis.scale.max, decibelStep * std::ceil(value / decibelStep));
+    } else if (value > 0) {
+      axis.infiniteEnd = true;
+    } else if (value < 0) {
+      axis.zeroEnd = true;
+    }
+  }
+  return axis;
+}
+
+template <typename Value>
+std::vector<double> valuesOf(std::span<const StudyRecord> records, const Value& value) {
+  std::vector<double> values;
+  for (const StudyRecord& record : records) values.push_back(value(record));
+  return values;
+}
+
+}  // namespace
+
+double qualityOf(const StudyRecord& record, Quality quality) {
+  return quality ? record.errors[std::size_t(*quality)] : record.renderedSnr;
+}
+
+std::string axisTitle(Quality quality) {
+  if (!quality) return "rendered SNR [dB]";
+  const metrics::MetricRecord& metric = metrics::metricRecord(*quality);
+  return "error " + std::string(metric.id) + (metric.unit.empty() ? "" : " [" + std::string(metric.unit) + "]");
+}
+
+std::string axisTitle(Cost cost) { return std::string(costName(cost)) + " [" + std::string(costUnit(cost)) + "]"; }
+
+std::vector<Trade> tradesOf(std::span<const StudyRecord> records, Cost cost, Quality quality) {
+  std::vector<Trade> trades;
+  for (const StudyRecord& record : records)
+    trades.push_back({costOf(record, cost), quality ? qualityOf(record, quality) : -record.renderedSnr});
+  return trades;
+}
+
+std::optional<double> StudyAxis::position(double value) const {
+  if (std::isnan(value)) return std::nullopt;
+  const double low = zeroEnd ? endShare : 0, high = infiniteEnd ? 1 - endShare : 1;
+  if (std::isinf(value)) return value > 0 ? 1 - endShare / 3 : endShare / 3;
+  if (scale.logarithmic && value <= 0) return endShare / 3;
+  return low + (high - low) * std::clamp(scale.share(value), 0.0, 1.0);
+}
+
+std::vector<StudyAxis::Tick> StudyAxis::ticks() const {
+  constexpr int wanted = 7;
+  std::vector<Tick> ticks;
+  if (zeroEnd) ticks.push_back({endShare / 3, scale.logarithmic ? "0" : "-∞"});
+  for (const double value : plots::scaleTicks(scale, wanted)) ticks.push_back({*position(value), shortNumber(value)});
+  if (!scale.logarithmic) ticks.push_back({*position(0), "0"});
+  if (infiniteEnd) ticks.push_back({1 - endShare / 3, "∞"});
+  return ticks;
+}
+
+StudyAxis costAxis(std::span<const StudyRecord> records, Cost cost) {
+  return logarithmicAxis(valuesOf(records, [cost](const StudyRecord& record) { return costOf(record, cost); }));
+}
+
+StudyAxis qualityAxis(std::span<const StudyRecord> records, Quality quality) {
+  const auto values = valuesOf(records, [quality](const StudyRecord& r) { return qualityOf(r, quality); });
+  return quality ? logarithmicAxis(values) : decibelAxis(values);
+}
+
+std::string shortNumber(double value) {
+  if (std::isnan(value)) return "-";
+  if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
+  constexpr struct {
+    double size;
+    const char* prefix;
+  } prefixes[] = {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}};
+  char text[32];
+  for (const auto& [size, prefix] : prefixes)
+    // What three digits round up to the next thousand has its prefix.
+    if (std::abs(value) >= 0.9995 * size) {
+      std::snprintf(text, sizeof text, "%.3g%s", value / size, prefix);
+      return text;
+    }
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+}  // namespace gonio::study

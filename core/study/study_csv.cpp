@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/study/study_csv.h"
+
+#include "core/metrics/brdf_metric.h"
+#include "core/rendering/sphere_renderer.h"
+
+namespace gonio::study {
+
+std::string picturesText(int width, int height, int samples) {
+  return std::string(comparisonSceneName) + ", " + std::to_string(width) + " x " + std::to_string(height) + ", " +
+         std::to_string(samples) + " samples";
+}
+
+plots::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> records, const MachineFacts& machine,
+                         const std::string& pictures) {
+  plots::CsvTable table{.comments = {title, "pictures and frames: " + pictures}, .columns = {}};
+  for (const std::string& line : machineLines(machine)) table.comments.push_back(line);
+  const auto texts = [&](const char* name, const auto& text) {
+    plots::CsvColumn& column = table.columns.emplace_back(plots::CsvColumn{.title = name, .values = {}});
+    for (const StudyRecord& record : records) column.texts.push_back(std::string(text(record)));
+  };
+  const auto numbers = [&](const std::string& name, const auto& number) {
+    plots::CsvColumn& column = table.columns.emplace_back(plots::CsvColumn{.title = name, .values = {}});
+    for (const StudyRecord& record : records) column.values.push_back(double(number(record)));
+  };
+  using R = const StudyRecord&;
+  texts("family", [](R r) { return familyId(r.representation.family); });
+  texts("representation", [](R r) { return r.representation.id; });
+  texts("label", [](R r) { return r.representation.label; });
+  numbers("budget", [](R r) { return r.representation.budget; });
+  texts("budget text", [](R r) { return r.representation.budgetText; });
+  numbers("bytes [B]", [](R r) { return r.bytes; });
+  numbers("encoding [s]", [](R r) { return r.encodeSeconds; });
+  numbers("evaluation median [ns]", [](R r) { return r.evaluation.median; });
+  numbers("evaluation lower quartile [ns]", [](R r) { return r.evaluation.lowerQuartile; });
+  numbers("evaluation upper quartile [ns]", [](R r) { return r.evaluation.upperQuartile; });
+  numbers("frame [ms]", [](R r) { return r.frameMilliseconds; });
+  numbers("rendered SNR [dB]", [](R r) { return r.renderedSnr; });
+  const auto metricRecords = metrics::metricRecords();
+  for (std::size_t i = 0; i < metricRecords.size(); ++i) {
+    const std::string unit = metricRecords[i].unit.empty() ? "" : " [" + std::string(metricRecords[i].unit) + "]";
+    numbers(std::string(metricRecords[i].id) + unit, [i](R r) { return r.errors[i]; });
+  }
+  return table;
+}
+
+}  // namespace gonio::study

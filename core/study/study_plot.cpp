@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/study/study_plot.h"
+
+#include <algorithm>
+#include <map>
+
+namespace gonio::study {
+
+namespace {
+
+using plots::Marker;
+using plots::SvgDrawing;
+using Anchor = SvgDrawing::Anchor;
+
+constexpr double panelWidth = 620, panelHeight = 420, legendLine = 18, titleHeight = 40, noteHeight = 17;
+constexpr double left = 64, right = 20, top = 14, bottom = 52;
+constexpr double markerSize = 4.6, labelSize = 10.5;
+constexpr std::string_view gridColour = "#dddddd", frontColour = "#888888";
+constexpr plots::SvgStroke frontStroke{.colour = frontColour, .width = 2.5, .dashes = "7 3"};
+
+struct FamilyLook {
+  Marker marker;
+  std::string_view colour;
+};
+/// Colours that the colour-blind tell apart (Okabe and Ito 2008, "Color Universal Design").
+constexpr FamilyLook looks[representationFamilyCount] = {{Marker::square, "#000000"},   {Marker::circle, "#0072b2"},
+                                                         {Marker::triangle, "#d55e00"}, {Marker::diamond, "#009e73"},
+                                                         {Marker::cross, "#cc79a7"},    {Marker::star, "#e69f00"}};
+
+/// A rectangle that a label takes.
+struct Box {
+  glm::dvec2 low, high;
+  bool overlaps(const Box& other) const {
+    return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+  }
+};
+
+std::string numbersText(const StudyRecord& record) {
+  return record.representation.fullLabel() + ": " + shortNumber(record.renderedSnr) + " dB, " +
+         shortNumber(record.evaluation.median) + " ns, " + shortNumber(record.frameMilliseconds) + " ms a frame, " +
+         shortNumber(double(record.bytes)) + "B, encoded in " + shortNumber(record.encodeSeconds) + " s";
+}
+
+/// Short, beside a point: the budget where its shape tells the rest.
+std::string labelOf(const Representation& r) {
+  return r.family == RepresentationFamily::factors || r.family == RepresentationFamily::code ||
+                 r.family == RepresentationFamily::components
+             ? r.budgetText
+             : r.label;
+}
+
+class PanelPainter {
+ public:
+  PanelPainter(SvgDrawing& svg, const glm::dvec2& origin, std::span<const StudyRecord> records, const StudyPanel& panel)
+      : svg_(svg),
+        records_(records),
+        panel_(panel),
+        low_(origin.x + left, origin.y + panelHeight - bottom),
+        high_(origin.x + panelWidth - right, origin.y + top),
+        costs_(costAxis(records, panel.cost)),
+        qualities_(qualityAxis(records, panel.quality)) {
+    for (const StudyRecord& record : records) places_.push_back(placeOf(record));
+  }
+
+  void paint() {
+    paintAxes();
+    paintLines();
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      if (!places_[i]) continue;
+      const SeriesLook look = lookOf(records_[i].representation);
+      svg_.marker(look.marker, *places_[i], markerSize, look.colour, look.hollow, numbersText(records_[i]));
+      taken_.push_back({*places_[i] - markerSize, *places_[i] + markerSize});
+    }
+    for (const std::size_t i : front_) paintLabel(i);
+  }
+
+ private:
+  std::optional<glm::dvec2> placeOf(const StudyRecord& record) const {
+    const auto x = costs_.position(costOf(record, panel_.cost));
+    const auto y = qualities_.position(qualityOf(record, panel_.quality));
+    if (!x || !y) return std::nullopt;
+    return glm::dvec2(low_.x + *x * (high_.x - low_.x), low_.y + *y * (high_.y - low_.y));
+  }
+
+  void paintAxes() {
+    for (const auto& [position, text] : costs_.ticks()) {
+      const double x = low_.x + position * (high_.x - low_.x);
+      svg_.line({x, low_.y}, {x, high_.y}, {gridColour});
+      svg_.text({x, low_.y + 16}, text, {.size = 11, .anchor = Anchor::middle});
+    }
+    for (const auto& [position, text] : qualities_.ticks()) {
+      const double y = low_.y + position * (high_.y - low_.y);
+      svg_.line({low_.x, y}, {high_.x, y}, {gridColour});
+      svg_.text({low_.x - 6, y + 4}, text, {.size = 11, .anchor = Anchor::end});
+    }
+    svg_.frame({low_.x, high_.y}, {high_.x, low_.y});
+    svg_.text({(low_.x + high_.x) / 2, low_.y + 36}, axisTitle(panel_.cost), {.anchor = Anchor::middle});
+    svg_.text({low_.x - 44, (low_.y + high_.y) / 2}, axisTitle(panel_.quality),
+              {.anchor = Anchor::middle, .upward = true});
+  }
+
+  /// Budgets of one representation, and the front over all.
+  void paintLines() {
+    std::map<std::string, std::vector<glm::dvec2>> lines;
+    std::map<std::string, std::string_view> colours;
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      const Representation& r = records_[i].representation;
+      if (!places_[i]) continue;
+      lines[r.id].push_back(*places_[i]);
+      colours[r.id] = lookOf(r).colour;
+    }
+    for (const auto& [id, points] : lines)
+      if (points.size() > 1) svg_.polyline(points, {colours[id], 0.8});
+    front_ = paretoFront(tradesOf(records_, panel_.cost, panel_.quality));
+    // Steps: between two points there is nothing to be had but the cheaper one.
+    std::vector<glm::dvec2> steps;
+    for (const std::size_t i : front_) {
+      if (!steps.empty()) steps.emplace_back(places_[i]->x, steps.back().y);
+      steps.push_back(*places_[i]);
+    }
+    svg_.polyline(steps, frontStroke);
+  }
+
+  /// Beside its point, on the first side that is free; nowhere where none is.
+  void paintLabel(std::size_t i) {
+    const std::string text = labelOf(records_[i].representation);
+    const glm::dvec2 at = *places_[i];
+    const double width = 0.56 * labelSize * double(text.size()), gap = 2 * markerSize;
+    const struct {
+      double x, y;  ///< of the label's left end on the base line
+    } sides[] = {{at.x + gap, at.y + 4},         {at.x - gap - width, at.y + 4},
+                 {at.x - width / 2, at.y - gap}, {at.x - width / 2, at.y + gap + labelSize},
+                 {at.x + gap, at.y - gap},       {at.x - gap - width, at.y + gap + labelSize}};
+    for (const auto& [x, y] : sides) {
+      const Box box{{x, y - labelSize}, {x + width, y + 2}};
+      const bool inside = box.low.x > low_.x && box.high.x < high_.x && box.low.y > high_.y && box.high.y < low_.y;
+      if (!inside || std::ranges::any_of(taken_, [&](const Box& other) { return box.overlaps(other); })) continue;
+      svg_.text({x, y}, text, {.size = labelSize});
+      taken_.push_back(box);
+      return;
+    }
+  }
+
+  SvgDrawing& svg_;
+  std::span<const StudyRecord> records_;
+  StudyPanel panel_;
+  glm::dvec2 low_, high_;  ///< corners of the axes: bottom left, top right
+  StudyAxis costs_, qualities_;
+  std::vector<std::optional<glm::dvec2>> places_;
+  std::vector<std::size_t> front_;
+  std::vector<Box> taken_;
+};
+
+struct LegendEntry {
+  SeriesLook look;
+  glm::dvec2 at;
+};
+
+/// The series of the records and, without a marker, the front; in lines of a width, from (0, 0).
+std::vector<LegendEntry> legendOf(std::span<const StudyRecord> records, double width) {
+  std::vector<LegendEntry> legend;
+  for (const StudyRecord& record : records)
+    if (const SeriesLook look = lookOf(record.representation);
+        std::ranges::none_of(legend, [&](const LegendEntry& entry) { return entry.look.name == look.name; }))
+      legend.push_back({look, {}});
+  legend.push_back({{.marker = {}, .colour = frontColour, .hollow = false, .name = "Pareto front"}, {}});
+  glm::dvec2 place(0);
+  for (LegendEntry& entry : legend) {
+    const double taken = 34 + 7 * double(entry.look.name.size());
+    if (place.x + taken > width) place = {0, place.y + legendLine};
+    entry.at = place;
+    place.x += taken;
+  }
+  return legend;
+}
+
+void paintLegend(SvgDrawing& svg, const glm::dvec2& origin, const std::vector<LegendEntry>& legend) {
+  for (const LegendEntry& entry : legend) {
+    const glm::dvec2 at = origin + entry.at;
+    if (&entry == &legend.back())
+      svg.line({at.x - 4, at.y}, {at.x + 16, at.y}, frontStroke);
+    else
+      svg.marker(entry.look.marker, {at.x + 6, at.y}, markerSize, entry.look.colour, entry.look.hollow);
+    svg.text({at.x + 20, at.y + 4}, entry.look.name);
+  }
+}
+
+}  // namespace
+
+SeriesLook lookOf(const Representation& r) {
+  const FamilyLook& look = looks[std::size_t(r.family)];
+  const bool hollow = r.id == "table-nearest" || r.id == "factors-2d";
+  const bool named = r.family == RepresentationFamily::table || r.family == RepresentationFamily::factors;
+  return {look.marker, look.colour, hollow, named ? r.label : std::string(familyName(r.family))};
+}
+
+std::vector<StudyPanel> allCostPanels() {
+  std::vector<StudyPanel> panels;
+  for (const Cost cost : allCosts) panels.push_back({.cost = cost});
+  return panels;
+}
+
+std::string studySvg(const std::string& title, std::span<const StudyRecord> records, std::span<const StudyPanel> panels,
+                     const std::vector<std::string>& notes) {
+  const std::size_t columns = std::min<std::size_t>(2, std::max<std::size_t>(1, panels.size()));
+  const std::size_t rows = (panels.size() + columns - 1) / columns;
+  const double width = panelWidth * double(columns);
+  const std::vector<LegendEntry> legend = legendOf(records, width - left - right);
+  const double panelsTop = titleHeight + legend.back().at.y + 1.5 * legendLine;
+  SvgDrawing svg(width, panelsTop + panelHeight * double(rows) + noteHeight * double(notes.size()) + 8);
+  svg.text({left, 26}, title, {.size = 16, .bold = true});
+  paintLegend(svg, {left + 4, titleHeight + 8}, legend);
+  for (std::size_t i = 0; i < panels.size(); ++i)
+    PanelPainter(svg, {panelWidth * double(i % columns), panelsTop + panelHeight * double(i / columns)}, records,
+                 panels[i])
+        .paint();
+  for (std::size_t i = 0; i < notes.size(); ++i)
+    svg.text({left, panelsTop + panelHeight * double(rows) + noteHeight * (double(i) + 0.5)}, notes[i],
+             {.size = 11, .colour = "#555555"});
+  return svg.str();
+}
+
+}  // namespace gonio::study

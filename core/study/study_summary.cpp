@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/study/study_summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gonio::study {
+
+namespace {
+
+using Records = std::vector<const StudyRecord*>;
+
+template <typename Value>
+std::vector<double> numbers(const Records& records, const Value& value) {
+  std::vector<double> result;
+  for (const StudyRecord* record : records)
+    if (const auto number = double(value(*record)); !std::isnan(number)) result.push_back(number);
+  return result;
+}
+
+StudySummary summaryOf(const Records& records) {
+  const auto median = [&](const auto& value) { return quantile(numbers(records, value), 0.5); };
+  using R = const StudyRecord&;
+  StudySummary summary{.median = {.representation = records.front()->representation}, .materials = records.size()};
+  StudyRecord& m = summary.median;
+  m.bytes = std::size_t(std::lround(median([](R r) { return r.bytes; })));
+  m.encodeSeconds = median([](R r) { return r.encodeSeconds; });
+  m.evaluation = {median([](R r) { return r.evaluation.median; }),
+                  median([](R r) { return r.evaluation.lowerQuartile; }),
+                  median([](R r) { return r.evaluation.upperQuartile; })};
+  m.frameMilliseconds = median([](R r) { return r.frameMilliseconds; });
+  for (std::size_t i = 0; i < records.front()->errors.size(); ++i)
+    m.errors.push_back(median([i](R r) { return r.errors[i]; }));
+  const std::vector<double> snr = numbers(records, [](R r) { return r.renderedSnr; });
+  m.renderedSnr = quantile(snr, 0.5);
+  summary.leastSnr = quantile(snr, 0);
+  summary.mostSnr = quantile(snr, 1);
+  return summary;
+}
+
+}  // namespace
+
+std::vector<StudySummary> summarise(std::span<const std::vector<StudyRecord>> materials) {
+  std::vector<Records> groups;
+  for (const std::vector<StudyRecord>& records : materials)
+    for (const StudyRecord& record : records) {
+      const auto known = std::ranges::find_if(
+          groups, [&](const Records& group) { return group.front()->representation == record.representation; });
+      if (known == groups.end())
+        groups.push_back({&record});
+      else
+        known->push_back(&record);
+    }
+  std::vector<StudySummary> summaries;
+  for (const Records& group : groups) summaries.push_back(summaryOf(group));
+  return summaries;
+}
+
+}  // namespace gonio::study

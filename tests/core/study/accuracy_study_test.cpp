@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/study/accuracy_study.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "core/factorization/pdv_factors.h"
+#include "core/fitting/fit_parameters.h"
+#include "core/io/pdv_file.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/models/registry.h"
+#include "core/rendering/rendered_comparison.h"
+#include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/function_brdf.h"
+
+using namespace gonio;
+using namespace gonio::study;
+
+namespace {
+
+constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36};
+
+StudySubject plastic() {
+  static const auto table = bakeTable(*testing::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04), smallGrid);
+  return {table, table};
+}
+
+StudyOptions smallPictures() {
+  StudyOptions options;
+  options.picture = {.width = 16, .height = 16, .samples = 4};
+  return options;
+}
+
+std::vector<Representation> few() {
+  RepresentationChoice choice;
+  choice.families = {RepresentationFamily::table, RepresentationFamily::fit, RepresentationFamily::factors};
+  choice.models = {&models::findModel("lambert"), &models::findModel("ggx")};
+  choice.terms = {1, 3};
+  return representationsOf(choice);
+}
+
+const StudyRecord& find(const std::vector<StudyRecord>& records, std::string_view id, double budget) {
+  return *std::ranges::find_if(
+      records, [&](const auto& r) { return r.representation.id == id && r.representation.budget == budget; });
+}
+
+}  // namespace
+
+class AccuracyStudyTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void allRepresentationsInTheirOrder() {
+    const auto all = representationsOf();
+    // Two tables, the models, eight counts of terms in two forms, seven codes, and the non-parametric factors.
+    QCOMPARE(all.size(), 2 + models::allModels().size() + 16 + 7 + 1);
+    QVERIFY(std::ranges::is_sorted(all, {}, &Representation::family));
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) QVERIFY(all[i].fullLabel() != all[j].fullLabel());
+    for (int i = 0; i < representationFamilyCount; ++i)
+      QCOMPARE(familyById(familyId(RepresentationFamily(i))), RepresentationFamily(i));
+    try {
+      familyById("tables");
+      QFAIL("accepted");
+    } catch (const Error& error) {
+      QVERIFY(std::string(error.what()).find("'tables'") != std::string::npos);
+      QVERIFY(std::string(error.what()).find("codes, components") != std::string::npos);
+    }
+  }
+
+  /// Each record holds what its parts give when they are called by themselves.
+  void recordsHoldWhatTheirPartsGiveAlone() {
+    const auto representations = few();
+    std::vector<std::string> told;
+    StudyOptions options = smallPictures();
+    const RenderedComparison comparison(*plastic().table, options.picture);
+    options.measured = [&](const StudiedRepresentation& studied) {
+      told.push_back(studied.record.representation.fullLabel());
+      const Image picture = comparison.render(*studied.brdf);
+      QVERIFY(picture.pixels == studied.picture.pixels);
+      const double snr = comparison.signalToNoiseRatio(picture);
+      QCOMPARE(studied.record.renderedSnr, snr);
+    };
+    const std::vector<StudyRecord> records = runStudy(plastic(), representations, options);
+    QCOMPARE(records.size(), representations.size());
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      const StudyRecord& record = records[i];
+      QVERIFY(record.representation == representations[i]);
+      QCOMPARE(told[i], representations[i].fullLabel());
+      QVERIFY(record.evaluation.lowerQuartile > 0 && record.evaluation.lowerQuartile <= record.evaluation.median &&
+              record.evaluation.median <= record.evaluation.upperQuartile);
+      QVERIFY(record.frameMilliseconds > 0);
+      QCOMPARE(record.encodeSeconds > 0, record.representation.family != RepresentationFamily::table);
+      QCOMPARE(record.errors.size(), metrics::allBrdfMetrics().size());
+    }
+    const StudyRecord& trilinear = find(records, "table-trilinear", 0);
+    QVERIFY(std::isinf(trilinear.renderedSnr));
+    QVERIFY(std::ranges::all_of(trilinear.errors, [](double error) { return error == 0; }));
+    QVERIFY(std::isfinite(find(records, "table-nearest", 0).renderedSnr));
+    QCOMPARE(trilinear.bytes, plastic().table->bytes());
+
+    const auto fit = fitting::fit(*plastic().table, models::findModel("ggx"));
+    const StudyRecord& ggx = find(records, "ggx", 8);
+    QVERIFY(ggx.errors == fit.errors);
+    QCOMPARE(ggx.bytes, 8 * sizeof(float));
+    const auto one = factorization::factorizePdv(*plastic().table, {.terms = 1}).factors;
+    const StudyRecord& factors = find(records, "factors-3d", 1);
+    QVERIFY(factors.errors == metrics::brdfErrors(*plastic().table, *factorization::makePdvBrdf(one)));
+    QCOMPARE(factors.bytes, io::pdvFileBytes(one));
+    QVERIFY(find(records, "factors-3d", 3).encodeSeconds > factors.encodeSeconds);
+  }
+
+  void codesAndComponents() {
+    const HalfDifferenceGrid grid = dictionary::test::smallGrid;
+    const auto table = bakeTable(*plastic().table, grid);
+    BuildOptions build;
+    build.dictionary =
+        std::make_shared<const io::NamedEnsemble>(io::NamedEnsemble{dictionary::test::randomEnsemble(2), 1});
+    const auto rough = bakeTable(*testing::ggx(Rgb(0.1), Rgb(0.5), 0.5, 0.04), grid);
+    const std::shared_ptr<const TabulatedBrdf> taught[] = {table, rough};
+    build.components = std::make_shared<const dictionary::PrincipalComponents>(
+        dictionary::learnPrincipalComponents(2, [&](std::size_t m) { return taught[m]; }));
+    RepresentationChoice choice;
+    choice.families = {RepresentationFamily::code, RepresentationFamily::components};
+    choice.coefficients = {200, 2000};
+    choice.components = {1, 3};
+    const auto all = representationsOf(choice);
+    RepresentationBuilder builder({table, table}, build, all);
+    std::vector<double> errors;
+    for (const Representation& representation : all) {
+      const BuiltRepresentation built = builder.build(representation);
+      errors.push_back(metrics::brdfError(metrics::BrdfMetric::log, *table, *built.nodes));
+      // What is evaluated is what the nodes hold.
+      const std::size_t cell = grid.index(4, 3, 8);
+      const DirectionPair pair = grid.directions(cell);
+      const Rgb value = built.brdf->evaluate(pair.wi, pair.wo), node(built.nodes->values()[cell]);
+      QVERIFY2(glm::length(value - node) < 1e-3 * glm::length(node), representation.fullLabel().c_str());
+    }
+    QVERIFY(errors[1] < errors[0]);
+    QVERIFY(errors[3] < errors[2]);
+    // All components of the two, of which one is grey, hold both, but for half precision.
+    QVERIFY2(errors[3] < 1e-3, qPrintable(QString::number(errors[3])));
+    QVERIFY2(errors[1] < 0.05, qPrintable(QString::number(errors[1])));
+    Representation tooMany = all.back();
+    tooMany.budget = 4;
+    QVERIFY_EXCEPTION_THROWN(builder.build(tooMany), Error);
+    Representation unplanned = few().back();
+    RepresentationBuilder other(plastic(), {}, few());
+    other.build(few().back());
+    unplanned.budget = 4;
+    QVERIFY_EXCEPTION_THROWN(other.build(unplanned), Error);
+  }
+
+  /// Codes are of the dictionary's grid: a table on another is sampled first.
+  void smallTablesAreCodedToo() {
+    RepresentationChoice choice;
+    choice.families = {RepresentationFamily::code};
+    choice.coefficients = {16};
+    const auto records = runStudy(plastic(), representationsOf(choice), smallPictures());
+    QCOMPARE(records.size(), std::size_t(1));
+    QVERIFY(std::isfinite(records[0].renderedSnr) && records[0].errors[0] > 0);
+  }
+
+  void cancelReturnsWhatIsDone() {
+    const auto representations = few();
+    for (const std::size_t wanted : {0, 1, 5}) {
+      StudyOptions options = smallPictures();
+      std::stop_source source;
+      std::size_t done = 0;
+      if (wanted == 0) source.request_stop();
+      options.measured = [&](const StudiedRepresentation&) {
+        if (++done == wanted) source.request_stop();
+      };
+      QCOMPARE(runStudy(plastic(), representations, options, {source.get_token(), {}}).size(), wanted);
+    }
+  }
+
+  void progressNeverFalls() {
+    double last = 0;
+    bool falls = false;
+    runStudy(plastic(), few(), smallPictures(), {{}, [&](double share) {
+                                                   falls = falls || share < last || share > 1;
+                                                   last = share;
+                                                 }});
+    QVERIFY(!falls);
+    QCOMPARE(last, 1.0);
+  }
+
+  void hardCase44BlackReference() {
+    const auto black = bakeTable(*testing::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
+    for (const StudyRecord& record : runStudy({black, black}, few(), smallPictures()))
+      QVERIFY(std::isnan(record.renderedSnr));
+  }
+};
+
+QTEST_APPLESS_MAIN(AccuracyStudyTest)
+#include "accuracy_study_test.moc"

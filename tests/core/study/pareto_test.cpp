@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/study/pareto.h"
+
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace gonio::study;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const double none = std::nan("");
+using Indices = std::vector<std::size_t>;
+
+bool beats(const Trade& a, const Trade& b) {
+  return a.cost <= b.cost && a.error <= b.error && (a.cost < b.cost || a.error < b.error);
+}
+
+StudyRecord record(double frame, double snr, std::size_t bytes) {
+  return {.representation = {}, .bytes = bytes, .frameMilliseconds = frame, .errors = {}, .renderedSnr = snr};
+}
+
+}  // namespace
+
+class ParetoTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// The definition, tried on every pair; few distinct numbers make many ties.
+  void frontIsWhatNoneBeats() {
+    std::mt19937 random(7);
+    std::uniform_int_distribution<int> few(0, 9);
+    for (int trial = 0; trial < 200; ++trial) {
+      std::vector<Trade> trades(std::size_t(few(random)) * 3);
+      for (Trade& trade : trades) {
+        trade = {double(few(random)), double(few(random))};
+        if (few(random) == 0) trade.cost = none;
+        if (few(random) == 0) trade.error = few(random) < 5 ? none : -infinity;
+      }
+      const Indices front = paretoFront(trades);
+      for (std::size_t i = 0; i < trades.size(); ++i) {
+        const bool isNumber = !std::isnan(trades[i].cost) && !std::isnan(trades[i].error);
+        const bool beaten = std::ranges::any_of(trades, [&](const Trade& other) { return beats(other, trades[i]); });
+        QCOMPARE(std::ranges::count(front, i) == 1, isNumber && !beaten);
+      }
+      QVERIFY(std::ranges::is_sorted(front, {}, [&](std::size_t i) { return trades[i].cost; }));
+    }
+  }
+
+  void equalsStandTogetherInTheirOrder() {
+    const std::vector<Trade> trades{{2, 1}, {1, 2}, {2, 1}, {1, 2}, {2, 2}};
+    QCOMPARE(paretoFront(trades), (Indices{1, 3, 0, 2}));
+  }
+
+  void noErrorAtAllAndNoCostAtAll() {
+    const std::vector<Trade> trades{{5, -infinity}, {0, 3}, {6, -infinity}, {4, none}, {infinity, -infinity}};
+    QCOMPARE(paretoFront(trades), (Indices{1, 0}));
+    QVERIFY(paretoFront({}).empty());
+  }
+
+  void theBestKeepsAllLimits() {
+    const std::vector<StudyRecord> records{record(5, 60, 1000), record(1, 30, 100), record(2, 45, 500),
+                                           record(1, 45, 900)};
+    QCOMPARE(bestWithin(records, {}), std::size_t(0));
+    QCOMPARE(bestWithin(records, {.frameMilliseconds = 1}), std::size_t(3));
+    QCOMPARE(bestWithin(records, {.frameMilliseconds = 2, .bytes = 500}), std::size_t(2));
+    QCOMPARE(bestWithin(records, {.renderedSnr = 30, .bytes = 100}), std::size_t(1));
+    QVERIFY(!bestWithin(records, {.renderedSnr = 45.1, .bytes = 900}));
+    QVERIFY(!bestWithin({}, {}));
+  }
+
+  void tiesGoToTheCheaper() {
+    QCOMPARE(bestWithin(std::vector{record(3, 40, 5), record(2, 40, 9), record(2, 40, 8), record(2, 40, 8)}, {}),
+             std::size_t(2));
+  }
+
+  void equalPicturesAndBlackMaterials() {
+    const std::vector<StudyRecord> records{record(1, none, 1), record(9, infinity, 9), record(1, 50, 1)};
+    QCOMPARE(bestWithin(records, {}), std::size_t(1));
+    QCOMPARE(bestWithin(records, {.renderedSnr = 200}), std::size_t(1));
+    QVERIFY(!bestWithin(std::vector{records[0]}, {.renderedSnr = -100}));
+    // A black material is shown well by anything: the cheapest.
+    QCOMPARE(bestWithin(std::vector{record(2, none, 1), record(1, none, 1)}, {}), std::size_t(1));
+  }
+};
+
+QTEST_APPLESS_MAIN(ParetoTest)
+#include "pareto_test.moc"
