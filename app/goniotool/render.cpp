@@ -97,11 +97,13 @@ int render(const Options& options, const Tool& tool) {
                   {"material", joined(options.materials)},
                   {"seed", std::to_string(size.seed)}});
     const RayCounters& rays = rendered.film.counters;
+    const Fireflies fireflies = rendered.film.fireflies();
     json.update({{"seconds", rendered.seconds},
                  {"samples", size.samples},
                  {"width", size.width},
                  {"height", size.height},
                  {"counters", {{"cameraRays", rays.camera}, {"shadowRays", rays.shadow}, {"bounceRays", rays.bounce}}},
+                 {"fireflies", {{"brightest", fireflies.brightest}, {"share", fireflies.share}}},
                  {"out", options.out}});
     text = options.out + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) + ", " +
            number(rendered.seconds) + " s, " + std::to_string(rays.camera) + " camera rays, " +

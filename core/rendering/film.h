@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,29 @@ struct RayCounters {
   }
 };
 
+/// How bright single samples were, counted in classes of luminance: the same for any order of the samples.
+class SampleLuminances {
+ public:
+  void add(double luminance);
+  SampleLuminances& operator+=(const SampleLuminances& other);
+
+  double largest() const { return largest_; }
+  /// Sum of the samples from `threshold` on, each to within a 16th (it counts as the middle of its class).
+  double sumFrom(double threshold) const;
+
+ private:
+  static constexpr int classesOfOctave = 8, lowestOctave = -64, octaves = 128;
+  std::array<std::uint64_t, std::size_t(classesOfOctave* octaves)> counts_{};
+  double largest_ = 0;
+};
+
+/// Rare samples that are far brighter than the rest: noise that more samples remove slowly. It is told, not clamped.
+struct Fireflies {
+  static constexpr double threshold = 100;
+  double brightest = 0;  ///< luminance of the brightest sample over the mean of the samples that met something
+  double share = 0;      ///< of the picture's luminance that comes from samples of more than `threshold` means
+};
+
 /// The sums of a picture that grows by samples.
 struct Film {
   int width = 0, height = 0;
@@ -30,6 +54,7 @@ struct Film {
   std::vector<Rgb> radiance;     ///< sums, linear RGB
   std::vector<double> coverage;  ///< samples that met an object or a drawn environment
   RayCounters counters;
+  SampleLuminances luminances;
 
   Film() = default;
   Film(int filmWidth, int filmHeight)
@@ -48,6 +73,9 @@ struct Film {
     }
     return picture;
   }
+
+  /// All 0 for a black picture.
+  Fireflies fireflies() const;
 };
 
 }  // namespace gonio

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include "core/math/parallel.h"
 #include "core/math/sampling.h"
@@ -315,8 +316,10 @@ void PathTracer::accumulate(Film& film, int samples, const TaskControl& control)
   Film next = film;
   std::vector<RayCounters> counters(height);
   const std::uint32_t pictureSeed = hashCombine(std::uint32_t(seed_), std::uint32_t(seed_ >> 32));
+  std::mutex merging;
   const auto row = [&](std::size_t y) {
     Walk walk(*this, counters[y]);
+    SampleLuminances luminances;
     for (std::size_t x = 0; x < width; ++x) {
       const std::size_t index = y * width + x;
       for (int i = 0; i < samples; ++i) {
@@ -327,8 +330,11 @@ void PathTracer::accumulate(Film& film, int samples, const TaskControl& control)
         const auto [radiance, covered] = walk.follow(pixel, ray);
         next.radiance[index] += radiance;
         next.coverage[index] += covered;
+        luminances.add(luminance(radiance));
       }
     }
+    const std::lock_guard lock(merging);
+    next.luminances += luminances;
   };
   parallelForBlocks(
       height, 1,

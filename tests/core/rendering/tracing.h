@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QString>
+#include <functional>
+
+#include "core/rendering/path_tracer.h"
+#include "tests/support/random_scenes.h"
+
+/// Small pictures by the path tracer, and whether two estimates of a picture agree within their own noise.
+namespace gonio::testing {
+
+using Material = std::shared_ptr<const TracedMaterial>;
+
+inline Material traced(std::shared_ptr<const Brdf> brdf) {
+  return std::make_shared<const TracedMaterial>(std::move(brdf));
+}
+
+struct TraceOptions {
+  int size = 24, samples = 16;
+  std::uint64_t seed = 1;
+  EffectOverrides overrides{};
+  PathTracer::Strategy strategy = PathTracer::Strategy::both;
+};
+
+inline PathTracer tracerOf(const Scene& scene, const Material& material, const TraceOptions& options = {}) {
+  const std::vector<Material> lookedAt(std::size_t(std::max(1, lookedAtCount(scene))), material);
+  const auto bound = bindMaterials(scene, lookedAt);
+  return PathTracer(scene, bound, planEffects(scene, bound, options.overrides), options.seed, options.strategy);
+}
+
+inline Film trace(const Scene& scene, const Material& material, const TraceOptions& options = {}) {
+  Film film(options.size, options.size);
+  tracerOf(scene, material, options).accumulate(film, options.samples);
+  return film;
+}
+
+/// Through a lens so long that the picture is one point of the scene.
+inline Rgb traceOnePoint(Scene scene, const Material& material, TraceOptions options = {}) {
+  scene.camera.fieldOfView = 1e-6;
+  Rgb mean(0);
+  for (const Rgb& sum : trace(scene, material, options).radiance) mean += sum / double(options.samples);
+  return mean / double(options.size * options.size);
+}
+
+/// What a camera at `eye` sees at `target`.
+inline OrbitCamera lookFrom(const Direction& eye, const Direction& target) {
+  OrbitCamera camera;
+  const Direction way = eye - target;
+  camera.distance = glm::length(way);
+  camera.yaw = std::atan2(way.x, way.z);
+  camera.pitch = std::asin(way.y / camera.distance);
+  camera.target = target;
+  return camera;
+}
+
+/// Means over 4 x 4 tiles of a picture, of several independent estimates, with the squared standard error.
+struct Tiles {
+  std::vector<Rgb> mean = std::vector<Rgb>(16, Rgb(0)), error2 = mean;
+};
+inline Tiles tilesOf(int estimates, const std::function<Image(std::uint64_t seed)>& render, std::uint64_t firstSeed) {
+  Tiles sum;
+  for (int n = 0; n < estimates; ++n) {
+    const Image image = render(firstSeed + std::uint64_t(n));
+    std::vector<Rgb> tiles(16, Rgb(0));
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x)
+        tiles[std::size_t(4 * (4 * y / image.height) + 4 * x / image.width)] +=
+            Rgb(image.at(x, y)) * (16.0 / double(image.pixels.size()));
+    for (std::size_t i = 0; i < 16; ++i) sum.mean[i] += tiles[i], sum.error2[i] += tiles[i] * tiles[i];
+  }
+  for (std::size_t i = 0; i < 16; ++i) {
+    sum.mean[i] /= estimates;
+    sum.error2[i] =
+        glm::max(Rgb(0), sum.error2[i] / double(estimates) - sum.mean[i] * sum.mean[i]) / double(estimates - 1);
+  }
+  return sum;
+}
+
+/// Empty where all tiles agree within six standard errors and `slack`; else the tile that is worst.
+inline QString disagreement(const Tiles& a, const Tiles& b, double slack = 0) {
+  double worst = 1;
+  QString text;
+  for (std::size_t i = 0; i < 16; ++i)
+    for (int channel = 0; channel < 3; ++channel) {
+      const double difference = std::abs(a.mean[i][channel] - b.mean[i][channel]);
+      const double bound = 6 * std::sqrt(a.error2[i][channel] + b.error2[i][channel]) + slack + 1e-7;
+      if (!(difference / bound > worst) && std::isfinite(difference)) continue;
+      worst = difference / bound;
+      text = QString("tile %1: %2 and %3, bound %4").arg(i).arg(a.mean[i][channel]).arg(b.mean[i][channel]).arg(bound);
+    }
+  return text;
+}
+
+/// Tiles of six pictures of a scene, of seeds from `firstSeed` on.
+inline Tiles tracedTiles(const Scene& scene, const Material& material, TraceOptions options, std::uint64_t firstSeed) {
+  return tilesOf(
+      6,
+      [&](std::uint64_t seed) {
+        options.seed = seed;
+        return trace(scene, material, options).image();
+      },
+      firstSeed);
+}
+
+}  // namespace gonio::testing
