@@ -23,6 +23,8 @@ void PictureOptions::apply(Scene& scene) const {
     const Direction direction(light[0], light[1], light[2]);
     if (!(glm::length(direction) > 0)) throw UsageError("--light: found a direction of length 0");
     scene.environment = nullptr;
+    scene.pointLights.clear();
+    std::erase_if(scene.objects, [](const SceneObject& object) { return object.emits(); });
     scene.directionalLights = {{.toLight = glm::normalize(direction)}};
     return;
   }
@@ -50,10 +52,11 @@ SphereRenderOptions PictureOptions::renderOptions() const {
 }
 
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options) {
-  auto* environment =
-      command.add_option("--environment", options->environment, "studio, sky, furnace or a picture file (that of the scene)");
+  auto* environment = command.add_option("--environment", options->environment,
+                                         "studio, sky, furnace or a picture file (that of the scene)");
   command
-      .add_option("--light", options->light, "A distant light instead: the direction to it X Y Z (y up, z to the eye)")
+      .add_option("--light", options->light,
+                  "A distant light instead of all others: the direction to it X Y Z (y up, z to the eye)")
       ->expected(3)
       ->excludes(environment);
   command.add_option("--rotation", options->rotation, "Of the environment about the vertical axis, degrees (0)");

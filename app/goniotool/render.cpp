@@ -30,6 +30,19 @@ EffectOverrides overridesOf(const Options& options) {
   return overrides;
 }
 
+std::vector<std::string> effectIds() {
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < effectCount; ++i) ids.emplace_back(effectId(Effect(i)));
+  return ids;
+}
+
+void requirePlaces(const Scene& scene, std::size_t materials) {
+  const std::size_t places = std::size_t(std::max(1, lookedAtCount(scene)));
+  if (materials > places)
+    throw UsageError("MATERIAL: found " + std::to_string(materials) + ", expected at most " + std::to_string(places) +
+                     ", as many as the scene '" + scene.name + "' shows");
+}
+
 Materials openMaterials(const Options& options, const Tool& tool) {
   Materials materials;
   for (const std::string& material : options.materials)
@@ -70,6 +83,7 @@ int render(const Options& options, const Tool& tool) {
   if (!options.out.empty()) checkPicture(options.out);
   const SphereRenderOptions size = options.picture->renderOptions();
   Scene scene = openScene(options.scene, int(options.materials.size()));
+  requirePlaces(scene, options.materials.size());
   options.picture->apply(scene);
   const Materials materials = bindMaterials(scene, openMaterials(options, tool));
   const EffectOverrides overrides = overridesOf(options);
@@ -126,8 +140,11 @@ void addRender(CLI::App& app, Tool& tool) {
   addPictureOptions(*command, options->picture);
   command->add_flag("--effects", options->effects, "Tell which effects are simulated, and why");
   command->add_flag("--effect-costs", options->costs, "Measure each effect: the picture with it and without it");
-  command->add_option("--on", options->on, "Effects to simulate whatever the analysis says")->delimiter(',');
-  command->add_option("--off", options->off, "Effects to leave out")->delimiter(',');
+  const CLI::IsMember known(effectIds());
+  command->add_option("--on", options->on, "Effects to simulate whatever the analysis says")
+      ->delimiter(',')
+      ->check(known);
+  command->add_option("--off", options->off, "Effects to leave out")->delimiter(',')->check(known);
   command->add_flag("--everything", options->everything, "All effects on: to check the plan");
   command
       ->add_option("--remainder", options->remainder,
