@@ -8,7 +8,7 @@
 #include "app/gonio/edit_transfer.h"
 #include "core/editing/factor_transfer.h"
 #include "core/io/image_io.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/path_tracer.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -204,19 +204,23 @@ void DocumentController::exportMerl(const QString& path) {
       [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(shortName(path)), error); });
 }
 
-void DocumentController::exportExr(const QString& path, const SphereScene& scene) {
+void DocumentController::exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const std::vector<editing::Edit> edits = m_document.edits();
   m_tasks.run<bool>(
       {tr("Rendering %1").arg(shortName(path)), exportKey},
-      [material, edits, scene, path](const TaskControl& control) {
-        SphereRenderOptions options;
-        options.width = options.height = exrSide;
-        options.samples = exrSamples;
-        const auto brdf = editing::applyEdits(material->table, edits);
-        const Image picture = renderSphere(*brdf, scene, options, control);
-        io::writeExr(picture, path.toStdString(), {{"material", material->material.name}});
+      [material, edits, scene, overrides, path](const TaskControl& control) {
+        const std::vector<std::shared_ptr<const TracedMaterial>> lookedAt(
+            std::size_t(lookedAtCount(scene)),
+            std::make_shared<const TracedMaterial>(editing::applyEdits(material->table, edits)));
+        const auto materials = bindMaterials(scene, lookedAt);
+        constexpr std::uint64_t seed = 1;
+        const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides), seed);
+        Film film(exrSide, exrSide);
+        tracer.accumulate(film, exrSamples, control);
+        io::writeExr(film.image(), path.toStdString(),
+                     pictureAttributes(scene, tracer.plan(), material->material.name, film.samples, seed));
         return true;
       },
       [this, path](bool) { Q_EMIT exported(path); },

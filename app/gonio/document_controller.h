@@ -7,7 +7,7 @@
 
 #include "app/gonio/background_task.h"
 #include "app/gonio/document.h"
-#include "core/rendering/sphere_scene.h"
+#include "core/rendering/effect_plan.h"
 
 namespace gonio::app {
 
@@ -40,7 +40,7 @@ class DocumentController : public QObject {
   bool save(const QString& path, const nlohmann::json& view);
   void exportMerl(const QString& path);
   /// Renders the edited material on the CPU as linear OpenEXR.
-  void exportExr(const QString& path, const SphereScene& scene);
+  void exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides);
 
   /// Pastes edits, carried over to the open material, in one undo step. The factors that one of curves needs are found
   /// first, and the fit that a model's needs where the model is another one.

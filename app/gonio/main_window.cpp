@@ -26,7 +26,7 @@
 #include "app/gonio/thumbnail.h"
 #include "app/gonio/view_menu.h"
 #include "app/gonio/view_state.h"
-#include "core/io/image_io.h"
+#include "core/rendering/environment_file.h"
 #include "widgets/library/library_view.h"
 #include "widgets/library/material_drag.h"
 #include "widgets/panels/drop_overlay.h"
@@ -49,12 +49,6 @@ LibraryController::LookMaker lookMaker() {
   return [folder = thumbnailCacheFolder()](const QString& id, const TaskControl& control) {
     return materialLook(id, folder, control);
   };
-}
-
-std::shared_ptr<const EnvironmentMap> readEnvironment(const std::string& nameOrPath) {
-  for (const auto& bundled : {studioEnvironment(), skyEnvironment(), furnaceEnvironment()})
-    if (bundled->name() == nameOrPath) return bundled;
-  return std::make_shared<const EnvironmentMap>(io::readImage(nameOrPath), nameOrPath);
 }
 
 }  // namespace
@@ -205,14 +199,12 @@ void MainWindow::setEnvironment(const QString& nameOrPath) {
       {tr("Reading the environment %1").arg(nameOrPath.section('/', -1)), QStringLiteral("environment")},
       [nameOrPath](const TaskControl&) -> std::shared_ptr<const EnvironmentMap> {
         if (nameOrPath.isEmpty()) return nullptr;
-        const auto environment = readEnvironment(nameOrPath.toStdString());
+        const auto environment = openEnvironment(nameOrPath.toStdString());
         widgets::environmentTexels(environment);  // so that the preview need not wait for them
         return environment;
       },
       [this](const std::shared_ptr<const EnvironmentMap>& environment) {
-        SphereScene scene = m_preview->scene();
-        scene.environment = environment;
-        m_preview->setScene(scene);
+        m_preview->setEnvironment(environment);
       },
       [this](const QString& error) { Q_EMIT m_controller.failed(tr("Cannot read the environment"), error); });
 }

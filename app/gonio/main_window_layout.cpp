@@ -35,9 +35,6 @@ void MainWindow::buildCentre() {
   layout->addWidget(m_comparisonBar);
   layout->addWidget(m_preview, 1);
   setCentralWidget(centre);
-  SphereScene scene = m_preview->scene();
-  scene.environment = studioEnvironment();
-  m_preview->setScene(scene);
   m_preview->setToneMap(ToneMap::filmic);
 }
 

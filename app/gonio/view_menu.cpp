@@ -110,7 +110,7 @@ void ViewMenu::addLight(QMenu* menu) {
   });
   light->addSeparator();
   QAction* background = light->addAction(tr("Show &Background"), this, [this](bool shown) {
-    SphereScene scene = m_window.preview().scene();
+    Scene scene = m_window.preview().scene();
     scene.showEnvironment = shown;
     m_window.preview().setScene(scene);
   });

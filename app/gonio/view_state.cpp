@@ -18,17 +18,22 @@ double number(const nlohmann::json& json, const char* key, double fallback, doub
   return std::isfinite(value) ? std::clamp(value, min, max) : fallback;
 }
 
+Direction lightOf(const Scene& scene) {
+  return scene.directionalLights.empty() ? DirectionalLight{}.toLight : scene.directionalLights.front().toLight;
+}
+
 }  // namespace
 
 nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
-  const SphereScene& scene = preview.scene();
+  const Scene& scene = preview.scene();
+  const Direction toLight = lightOf(scene);
   return {{"yaw", scene.camera.yaw},
           {"pitch", scene.camera.pitch},
           {"distance", scene.camera.distance},
           {"fieldOfView", scene.camera.fieldOfView},
-          {"lightX", scene.light.toLight.x},
-          {"lightY", scene.light.toLight.y},
-          {"lightZ", scene.light.toLight.z},
+          {"lightX", toLight.x},
+          {"lightY", toLight.y},
+          {"lightZ", toLight.z},
           {"environment", scene.environment ? scene.environment->name() : std::string()},
           {"environmentRotation", scene.environmentRotation},
           {"showEnvironment", scene.showEnvironment},
@@ -38,16 +43,17 @@ nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
 
 void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view) {
   constexpr double steepest = 1.5, farthest = 1000;
-  SphereScene scene = preview.scene();
+  Scene scene = preview.scene();
   scene.camera.yaw = number(view, "yaw", scene.camera.yaw, -100, 100);
   scene.camera.pitch = number(view, "pitch", scene.camera.pitch, -steepest, steepest);
   scene.camera.distance = number(view, "distance", scene.camera.distance, 1.05, farthest);
   scene.camera.fieldOfView = number(view, "fieldOfView", scene.camera.fieldOfView, 0, 2.5);
   scene.environmentRotation = number(view, "environmentRotation", scene.environmentRotation, -100, 100);
-  const Direction toLight(number(view, "lightX", scene.light.toLight.x, -1, 1),
-                          number(view, "lightY", scene.light.toLight.y, -1, 1),
-                          number(view, "lightZ", scene.light.toLight.z, -1, 1));
-  if (glm::length(toLight) > 1e-3) scene.light.toLight = glm::normalize(toLight);
+  const Direction before = lightOf(scene);
+  const Direction toLight(number(view, "lightX", before.x, -1, 1), number(view, "lightY", before.y, -1, 1),
+                          number(view, "lightZ", before.z, -1, 1));
+  if (glm::length(toLight) > 1e-3 && !scene.directionalLights.empty())
+    scene.directionalLights.front().toLight = glm::normalize(toLight);
   if (view.is_object() && view.contains("showEnvironment") && view["showEnvironment"].is_boolean())
     scene.showEnvironment = view["showEnvironment"].get<bool>();
   preview.setScene(scene);

@@ -5,7 +5,7 @@
 #include <QString>
 #include <nlohmann/json.hpp>
 
-#include "core/rendering/sphere_scene.h"
+#include "core/rendering/scene.h"
 #include "core/rendering/tone_map.h"
 
 namespace gonio::widgets {

@@ -57,13 +57,6 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
-std::string simulatedEffects(const EffectPlan& plan) {
-  std::vector<std::string> ids;
-  for (std::size_t i = 0; i < effectCount; ++i)
-    if (plan.decisions[i].simulated) ids.push_back(effectId(Effect(i)));
-  return joined(ids);
-}
-
 struct Rendered {
   Film film;
   double seconds = 0;
@@ -104,12 +97,7 @@ int render(const Options& options, const Tool& tool) {
   if (!options.out.empty()) {
     const Rendered rendered = renderPicture(tracer, size, tool);
     writePicture(rendered.film.image(), *options.picture, options.out,
-                 {{"samples", std::to_string(size.samples)},
-                  {"scene", scene.name},
-                  {"effects", simulatedEffects(tracer.plan())},
-                  {"reflections", std::to_string(tracer.plan().reflections)},
-                  {"material", joined(options.materials)},
-                  {"seed", std::to_string(size.seed)}});
+                 pictureAttributes(scene, tracer.plan(), joined(options.materials), size.samples, size.seed));
     const RayCounters& rays = rendered.film.counters;
     const Fireflies fireflies = rendered.film.fireflies();
     json.update({{"seconds", rendered.seconds},

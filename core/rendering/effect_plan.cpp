@@ -260,6 +260,19 @@ EffectPlan planEffects(const Scene& scene, Materials materials, const EffectOver
   return plan;
 }
 
+std::map<std::string, std::string> pictureAttributes(const Scene& scene, const EffectPlan& plan,
+                                                     const std::string& material, int samples, std::uint64_t seed) {
+  std::string effects;
+  for (std::size_t i = 0; i < effectCount; ++i)
+    if (plan.decisions[i].simulated) effects += (effects.empty() ? "" : ", ") + std::string(effectId(Effect(i)));
+  return {{"samples", std::to_string(samples)},
+          {"scene", scene.name},
+          {"effects", effects},
+          {"reflections", std::to_string(plan.reflections)},
+          {"material", material},
+          {"seed", std::to_string(seed)}};
+}
+
 EffectOverrides everyEffect() {
   EffectOverrides all;
   all.fill(true);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 
@@ -71,6 +73,10 @@ struct EffectThresholds {
 /// @param materials of bindMaterials().
 EffectPlan planEffects(const Scene& scene, std::span<const std::shared_ptr<const TracedMaterial>> materials,
                        const EffectOverrides& overrides = {}, const EffectThresholds& thresholds = {});
+
+/// What a picture file says of how it was made: samples, scene, effects, reflections, material, seed.
+std::map<std::string, std::string> pictureAttributes(const Scene& scene, const EffectPlan& plan,
+                                                     const std::string& material, int samples, std::uint64_t seed);
 
 /// Every effect forced on: no analysis is trusted.
 EffectOverrides everyEffect();

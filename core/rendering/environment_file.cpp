@@ -20,8 +20,7 @@ std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrP
   if (std::error_code unreadable; !std::filesystem::exists(path, unreadable))
     throw Error(path.string() + ": found neither an environment of this name (studio, sky, furnace) nor a file");
   Image image = io::readImage(path);
-  return namingFile(path,
-                    [&] { return std::make_shared<const EnvironmentMap>(std::move(image), path.stem().string()); });
+  return namingFile(path, [&] { return std::make_shared<const EnvironmentMap>(std::move(image), path.string()); });
 }
 
 }  // namespace gonio

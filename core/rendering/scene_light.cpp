@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 
 namespace gonio {
@@ -133,7 +134,7 @@ std::string lightName(const Scene& scene, const SceneLight& light) {
     case SceneLight::Kind::environment:
       break;
   }
-  return "the environment '" + scene.environment->name() + "'";
+  return "the environment '" + std::filesystem::path(scene.environment->name()).stem().string() + "'";
 }
 
 bool canReach(const Scene& scene, const SceneLight& light, const SceneObject& receiver) {

@@ -18,6 +18,7 @@ struct OrbitCamera {
   double distance = 4;        ///< of the eye from the target; > 1 for the sphere
   double fieldOfView = 0.55;  ///< of the picture's smaller side, rad; 0 is an orthographic view that shows |y| <= 1.15
   Direction target{0};        ///< world
+  bool operator==(const OrbitCamera&) const = default;
 };
 
 /// The camera's rays, for the CPU and the shader alike. A picture position (x, y) in [-1, 1], y up, with the extent e

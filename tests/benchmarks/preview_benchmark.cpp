@@ -15,6 +15,7 @@
 #include "widgets/interpolation/prepared_blend.h"
 #include "widgets/preview/preview_renderer.h"
 #include "widgets/preview/textures.h"
+#include "tests/support/sphere_preview.h"
 
 namespace {
 
@@ -55,7 +56,7 @@ void runFrames(benchmark::State& state, bool environment, bool edited) {
   PreviewFixture& fixture = PreviewFixture::instance();
   SphereScene scene;
   if (environment) scene.environment = studioEnvironment();
-  fixture.renderer.setScene(scene);
+  tests::showSphere(fixture.renderer, scene);
   fixture.renderer.setEdit({});
   const auto roughness = *fixture.edit.model->spec().find("roughness");
   double value = 0.1;
@@ -85,7 +86,7 @@ void runFactorDrag(benchmark::State& state, bool environment) {
           .factors;
   SphereScene scene;
   if (environment) scene.environment = studioEnvironment();
-  fixture.renderer.setScene(scene);
+  tests::showSphere(fixture.renderer, scene);
   fixture.renderer.setEdit({});
   editing::FactorEdit edit{.original = std::make_shared<const factorization::PdvFactors>(factors), .edited = {}};
   double factor = 1;
@@ -118,7 +119,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
   const auto blend = widgets::prepareBlend(space, {materials.begin(), materials.begin() + std::ptrdiff_t(count)});
   SphereScene scene;
   if (environment) scene.environment = studioEnvironment();
-  fixture.renderer.setScene(scene);
+  tests::showSphere(fixture.renderer, scene);
   const SamplingLobe lobe = fixture.renderer.subject().lobe;
   std::vector<double> weights(count);
   // Textures and shaders are there when the hand begins.

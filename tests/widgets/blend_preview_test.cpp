@@ -10,6 +10,7 @@
 #include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
 #include "widgets/preview/preview_renderer.h"
+#include "tests/support/sphere_preview.h"
 
 using namespace gonio;
 using editing::InterpolationSpace;
@@ -48,7 +49,7 @@ class BlendPreviewTest : public QObject {
 
   Image drawn(const widgets::PreviewSubject& subject, const SphereScene& scene, int samples) {
     m_renderer->setSubject(subject);
-    m_renderer->setScene(scene);
+    tests::showSphere(*m_renderer, scene);
     m_renderer->setSize({side, side});
     for (int i = 0; i < samples / 64; ++i) m_renderer->accumulate(64);
     return m_renderer->readPicture();

@@ -8,8 +8,11 @@
 #include "core/factorization/pdv_operations.h"
 #include "core/metrics/image_metrics.h"
 #include "core/models/model.h"
+#include "core/rendering/path_tracer.h"
+#include "core/rendering/scene_file.h"
 #include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
+#include "tests/support/sphere_preview.h"
 
 using namespace gonio;
 
@@ -30,7 +33,7 @@ double agreement(widgets::PreviewRenderer& renderer, widgets::PreviewSubject sub
   const std::shared_ptr<const Brdf> brdf = widgets::subjectBrdf(subject);
   subject.lobe = estimateSamplingLobe(subject.table ? *subject.table : *brdf);
   renderer.setSubject(subject);
-  renderer.setScene(scene);
+  tests::showSphere(renderer, scene);
   renderer.setSize({side, side});
   const int samples = 512;
   for (int i = 0; i < samples / 64; ++i) renderer.accumulate(64);
@@ -76,6 +79,30 @@ class PreviewRendererTest : public QObject {
       const double snr = agreement(*renderer_, table, {}, scene);
       qInfo("roughness %g: %.1f dB", roughness, snr);
       QVERIFY2(snr > 30, qPrintable(QString("roughness %1: %2 dB").arg(roughness).arg(snr)));
+    }
+  }
+
+  /// Scenes of spheres and rectangles: the shader's shadows, lamps and reflections are those of the reference renderer,
+  /// followed as far as the shader follows them.
+  void scenesAreThoseOfThePathTracer() {
+    const auto table = bakedModel("ggx", {{"roughness", 0.3}, {"f0", 0.6}});
+    const auto material = std::make_shared<const TracedMaterial>(table);
+    for (const std::string& name : bundledSceneNames()) {
+      const Scene scene = openScene(name, 2);
+      if (!widgets::SceneUniforms::canDraw(scene)) continue;
+      EffectPlan plan = widgets::previewPlan(scene, material);
+      plan.reflections = std::min(plan.reflections, widgets::SceneUniforms::mostReflections);
+      renderer_->setTable(table, estimateSamplingLobe(*table));
+      renderer_->setScene(scene, plan);
+      renderer_->setSize({side / 2, side / 2});  // so that each target is a new one: none may unbind a texture
+      renderer_->setSize({side, side});
+      for (int i = 0; i < 16; ++i) renderer_->accumulate(64);
+      Film film(side, side);
+      const std::vector lookedAt(2, material);
+      PathTracer(scene, bindMaterials(scene, lookedAt), plan, 7).accumulate(film, 512);
+      const double snr = metrics::signalToNoiseRatio(film.image(), renderer_->readPicture());
+      qInfo("%s: %.1f dB", name.c_str(), snr);
+      QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name.c_str()).arg(snr)));
     }
   }
 
@@ -139,7 +166,7 @@ class PreviewRendererTest : public QObject {
       return renderer_->readPicture().pixels;
     };
     renderer_->setSubject({.table = table, .lobe = {}});
-    renderer_->setScene({});
+    tests::showSphere(*renderer_, {});
     renderer_->setSize({side, side});
     const auto expected = shown(0.5);
     QVERIFY(shown(2) != expected);
@@ -190,7 +217,7 @@ class PreviewRendererTest : public QObject {
     widgets::PreviewSubject subject{.table = nullptr, .lobe = {}};
     subject.model = &models::findModel("ggx");
     subject.parameters = models::defaultParameters(subject.model->spec());
-    renderer_->setScene({});
+    tests::showSphere(*renderer_, {});
     renderer_->setSize({side, side});
     renderer_->setSubject(subject);
     renderer_->accumulate(8);
@@ -212,7 +239,7 @@ class PreviewRendererTest : public QObject {
     QCOMPARE(resources->table(table), texture);
     for (widgets::PreviewRenderer* picture : {&first, &second}) {
       picture->setTable(table, {});
-      picture->setScene({});
+      tests::showSphere(*picture, {});
       picture->setSize({side, side});
     }
     first.accumulate(4);
@@ -234,7 +261,7 @@ class PreviewRendererTest : public QObject {
     editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
     edit.edited = edit.fitted;
     renderer_->setTable(table, {});
-    renderer_->setScene({});
+    tests::showSphere(*renderer_, {});
     renderer_->setSize({side, side});
     renderer_->setEdit({});
     renderer_->accumulate(8);
@@ -253,7 +280,7 @@ class PreviewRendererTest : public QObject {
     for (std::size_t i = 0; i < holes.size(); ++i) holes[i] = i % 2 == 0;  // every second phi_d
     const auto full = std::make_shared<const TabulatedBrdf>(grid, values, all);
     const auto sparse = std::make_shared<const TabulatedBrdf>(grid, values, holes);
-    renderer_->setScene({});
+    tests::showSphere(*renderer_, {});
     renderer_->setEdit({});
     renderer_->setSize({side, side});
     renderer_->setTable(full, {});

@@ -7,6 +7,7 @@
 
 #include "core/metrics/image_metrics.h"
 #include "core/models/model.h"
+#include "core/rendering/scene_file.h"
 #include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
 #include "widgets/preview/false_colour_legend.h"
@@ -38,6 +39,7 @@ class PreviewWidgetTest : public QObject {
   void init() {
     widget_ = std::make_unique<PreviewWidget>();
     widget_->resize(220, 220);
+    widget_->showScene(openScene("sphere-distant-light"));
     widget_->show();
     QVERIFY(QTest::qWaitForWindowExposed(widget_.get()));
   }
@@ -48,6 +50,38 @@ class PreviewWidgetTest : public QObject {
     QVERIFY(!widget_->converged());
     const QImage picture = widget_->grabPicture();
     QCOMPARE(picture.pixel(2, 2), picture.pixel(110, 4));
+  }
+
+  /// A mesh is traced in the background: coarse first, then to the end; the plan says what it calls for.
+  void aMeshIsTraced() {
+    QSignalSpy planned(widget_.get(), &PreviewWidget::planChanged);
+    widget_->showScene(openScene("bowl"));
+    QVERIFY(widget_->isTraced() && planned.count() > 0);
+    QVERIFY(widget_->plan().simulates(Effect::selfShadowing) && !widget_->plan().simulates(Effect::castShadows));
+    widget_->setMaterial(table_, {});
+    QSignalSpy rendered(widget_.get(), &PreviewWidget::frameRendered);
+    QTRY_VERIFY_WITH_TIMEOUT(!rendered.isEmpty() && rendered.last()[1].toInt() >= 16, 20000);
+    const Image picture = widget_->linearPicture();
+    QCOMPARE(picture.width, widget_->width());
+    QVERIFY(picture.at(110, 110).x > 0.02f && picture.at(4, 4).x == 0);
+    widget_->showScene(openScene("sphere"));
+    QVERIFY(!widget_->isTraced());
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
+  }
+
+  /// What the user forces off is gone from the picture and the plan; resetting brings it back.
+  void aForcedEffectChangesThePicture() {
+    widget_->showScene(openScene("sphere-point-light"));
+    widget_->setMaterial(table_, {});
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
+    const auto shadowed = [&] { return luminance(Rgb(widget_->linearPicture().at(180, 170))); };
+    const double inShadow = shadowed();
+    EffectOverrides overrides;
+    overrides[std::size_t(Effect::castShadows)] = false;
+    widget_->setOverrides(overrides);
+    QVERIFY(!widget_->plan().simulates(Effect::castShadows) && widget_->plan()[Effect::castShadows].calledFor);
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
+    QVERIFY2(shadowed() > 2 * inShadow, qPrintable(QString("%1 against %2").arg(shadowed()).arg(inShadow)));
   }
 
   void controlClickPicksTheViewersAngle() {
@@ -83,12 +117,12 @@ class PreviewWidgetTest : public QObject {
   void dragMovesTheDirectionalLight() {
     widget_->setMaterial(table_, {});
     QSignalSpy changes(widget_.get(), &PreviewWidget::sceneChanged);
-    const Direction before = widget_->scene().light.toLight;
+    const Direction before = widget_->scene().directionalLights.front().toLight;
     QTest::mousePress(widget_.get(), Qt::LeftButton, {}, {60, 110});
     QTest::mouseRelease(widget_.get(), Qt::LeftButton, {}, {60, 110});
     QVERIFY(changes.count() >= 1);
-    QVERIFY(widget_->scene().light.toLight != before);
-    QVERIFY(widget_->scene().light.toLight.x < 0);
+    QVERIFY(widget_->scene().directionalLights.front().toLight != before);
+    QVERIFY(widget_->scene().directionalLights.front().toLight.x < 0);
   }
 
   void keyboardOrbitsZoomsAndResets() {
@@ -115,7 +149,7 @@ class PreviewWidgetTest : public QObject {
     SphereScene scene;
     scene.environment = studioEnvironment();
     widget_->setMaterial(rough, estimateSamplingLobe(*rough));
-    widget_->setScene(scene);
+    widget_->setScene(sceneOf(scene));
     widget_->setEdit(edit);
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const Image shown = widget_->linearPicture();

@@ -5,12 +5,15 @@
 #include <QLabel>
 #include <array>
 
+#include "core/rendering/effect_plan.h"
 #include "widgets/preview/preview_comparison.h"
 
 namespace gonio::widgets {
 
 /// "1 sample", "64 samples".
 QString samplesText(int samples);
+/// What is simulated, in short: "environment, shadows, 6 reflections".
+QString effectsText(const EffectPlan& plan);
 
 class FalseColourLegend;
 class SplitBar;

@@ -17,7 +17,7 @@ namespace gonio::widgets {
 
 namespace {
 
-constexpr int maxSamples = 64;  // of sphere.frag
+constexpr int maxSamples = 64;  // of scene.frag
 QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d.z)}; }
 
 }  // namespace
@@ -65,9 +65,13 @@ void PreviewRenderer::setLobe(const SamplingLobe& lobe) {
   restart();
 }
 
-void PreviewRenderer::setScene(const SphereScene& scene) {
+void PreviewRenderer::setScene(const Scene& scene, const EffectPlan& plan) {
+  SceneUniforms uniforms(scene, plan);
+  const bool same = scene.camera == scene_.camera && scene.environment == scene_.environment &&
+                    scene.environmentRotation == scene_.environmentRotation && uniforms == sceneUniforms_;
   scene_ = scene;
-  restart();
+  sceneUniforms_ = std::move(uniforms);
+  if (!same) restart();
 }
 
 void PreviewRenderer::setSize(const QSize& size) {
@@ -77,10 +81,8 @@ void PreviewRenderer::setSize(const QSize& size) {
   restart();
 }
 
-QOpenGLShaderProgram& PreviewRenderer::sphereProgram() {
-  QStringList definitions, preamble;
-  if (scene_.environment) definitions << "LIGHT_ENVIRONMENT";
-  if (scene_.environment && scene_.showEnvironment) definitions << "SHOW_ENVIRONMENT";
+QOpenGLShaderProgram& PreviewRenderer::sceneProgram() {
+  QStringList definitions = sceneUniforms_.definitions(), preamble;
   const bool edited = subject_.hasActiveEdit();
   const models::Model* model = edited ? subject_.edit->model : subject_.blend ? nullptr : subject_.model;
   if (model) {
@@ -89,7 +91,7 @@ QOpenGLShaderProgram& PreviewRenderer::sphereProgram() {
   }
   if (subject_.blend) BlendTextures::addVariant(*subject_.blend, definitions, preamble);
   if (subject_.hasActiveFactors()) definitions << FactorTexture::definitions(*subject_.factors);
-  return resources_->program("preview/sphere.frag", definitions, preamble);
+  return resources_->program("preview/scene.frag", definitions, preamble);
 }
 
 void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
@@ -106,10 +108,7 @@ void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
   program.setUniformValue("viewExtent", QVector2D(float(extent.x), float(extent.y)));
   program.setUniformValue("orthographic", camera.orthographic);
   program.setUniformValue("pictureSize", QVector2D(float(size_.width()), float(size_.height())));
-  if (!scene_.environment) {
-    program.setUniformValue("toLight", toVector(scene_.light.toLight));
-    program.setUniformValue("irradiance", toVector(scene_.light.irradiance));
-  }
+  sceneUniforms_.set(program);
 }
 
 void PreviewRenderer::setModelUniforms(QOpenGLShaderProgram& program) {
@@ -163,23 +162,26 @@ void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
     program.setUniformValue("phiPeriod", float(tableTexture_->phiPeriod));
   }
   if (subject_.blend) blendTextures_.bind(*this, program, *resources_, *subject_.blend);
-  if (!scene_.environment) return;
+  program.setUniformValue("lobeRoughness", float(subject_.lobe.roughness));
+  program.setUniformValue("lobeSpecularShare", float(subject_.lobe.specularShare));
+  if (!sceneUniforms_.usesEnvironment()) return;
   resources_->bindEnvironment(scene_.environment);
   program.setUniformValue("environment", environmentUnit);
   program.setUniformValue("lightPool", lightPoolUnit);
   program.setUniformValue("lightPoolRadiance", lightPoolRadianceUnit);
   program.setUniformValue("environmentTurn", QVector2D(float(std::cos(scene_.environmentRotation)),
                                                        float(std::sin(scene_.environmentRotation))));
-  program.setUniformValue("lobeRoughness", float(subject_.lobe.roughness));
-  program.setUniformValue("lobeSpecularShare", float(subject_.lobe.specularShare));
+}
+
+/// Unbinds the texture of the active unit: comes before textures are bound.
+void PreviewRenderer::createTarget() {
+  if (accumulation_) return;
+  accumulation_ = std::make_unique<QOpenGLFramebufferObject>(size_, QOpenGLFramebufferObject::NoAttachment,
+                                                             GL_TEXTURE_2D, GL_RGBA32F);
+  samples_ = 0;
 }
 
 void PreviewRenderer::prepareTarget() {
-  if (!accumulation_) {
-    accumulation_ = std::make_unique<QOpenGLFramebufferObject>(size_, QOpenGLFramebufferObject::NoAttachment,
-                                                               GL_TEXTURE_2D, GL_RGBA32F);
-    samples_ = 0;
-  }
   accumulation_->bind();
   glViewport(0, 0, size_.width(), size_.height());
   glDisable(GL_DEPTH_TEST);
@@ -195,14 +197,14 @@ void PreviewRenderer::prepareTarget() {
 void PreviewRenderer::accumulate(int count) {
   if (!hasMaterial() || count <= 0) return;
   count = std::min(count, maxSamples);
-  QOpenGLShaderProgram& program = sphereProgram();
+  QOpenGLShaderProgram& program = sceneProgram();
   program.bind();
+  createTarget();
   bindTextures(program);
   setCameraUniforms(program);
   setModelUniforms(program);
-  // Creating the target unbinds the texture of the active unit: the factors come after it.
-  prepareTarget();
   setFactorUniforms(program);
+  prepareTarget();
   setSampleUniforms(program, count);
   resources_->drawFullscreen();
   glDisable(GL_BLEND);
@@ -210,6 +212,22 @@ void PreviewRenderer::accumulate(int count) {
   accumulation_->release();
   glFinish();
   samples_ += count;
+}
+
+void PreviewRenderer::showTraced(const Film& film) {
+  setSize({film.width, film.height});
+  createTarget();
+  std::vector<glm::vec4> texels;
+  texels.reserve(film.radiance.size());
+  for (int y = film.height - 1; y >= 0; --y)
+    for (int x = 0; x < film.width; ++x) {
+      const std::size_t index = std::size_t(y) * std::size_t(film.width) + std::size_t(x);
+      texels.emplace_back(film.radiance[index], film.coverage[index]);
+    }
+  glActiveTexture(GL_TEXTURE0 + accumulationUnit);
+  glBindTexture(GL_TEXTURE_2D, accumulation_->texture());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, film.width, film.height, GL_RGBA, GL_FLOAT, texels.data());
+  samples_ = film.samples;
 }
 
 Image PreviewRenderer::readPicture() {

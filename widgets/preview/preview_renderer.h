@@ -5,16 +5,17 @@
 #include <QOpenGLFramebufferObject>
 #include <QSize>
 
-#include "core/rendering/sphere_scene.h"
+#include "core/rendering/film.h"
 #include "widgets/preview/blend_textures.h"
 #include "widgets/preview/factor_texture.h"
 #include "widgets/preview/preview_resources.h"
 #include "widgets/preview/preview_subject.h"
+#include "widgets/preview/scene_uniforms.h"
 
 namespace gonio::widgets {
 
-/// Draws one subject on the sphere with OpenGL 4.1 core into an accumulation buffer: the twin of
-/// core/rendering/sphere_renderer.h. Knows no widget: tests drive it with an offscreen surface. The shader of a frame
+/// Draws one subject in a scene with OpenGL 4.1 core into an accumulation buffer: the twin of
+/// core/rendering/path_tracer.h. Knows no widget: tests drive it with an offscreen surface. The shader of a frame
 /// contains only what the scene and the subject call for. The setters need no context; what reads or draws needs the
 /// one of initialize().
 class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
@@ -39,7 +40,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   /// Density of the reflected samples under an environment. An edit that sharpens a highlight needs a new one, else the
   /// mirror is dark with sparkles.
   void setLobe(const SamplingLobe& lobe);
-  void setScene(const SphereScene& scene);
+  /// A scene of which SceneUniforms::canDraw() says yes, and the plan of its effects.
+  void setScene(const Scene& scene, const EffectPlan& plan);
   /// Size of the accumulated picture in pixels.
   void setSize(const QSize& size);
 
@@ -52,6 +54,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   /// Adds `count` samples to every pixel and waits for the result, so that its time can be taken.
   /// @throws Error with the compiler's log when a shader does not compile.
   void accumulate(int count);
+  /// Shows a picture that was traced elsewhere; its size becomes the picture's.
+  void showTraced(const Film& film);
 
   /// RGBA32F: sum over samples() of linear radiance, with the coverage in alpha. 0 before the first frame.
   GLuint accumulationTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->texture() : 0; }
@@ -59,12 +63,13 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   Image readPicture();
 
  private:
-  QOpenGLShaderProgram& sphereProgram();
+  QOpenGLShaderProgram& sceneProgram();
   void setCameraUniforms(QOpenGLShaderProgram& program);
   void setFactorUniforms(QOpenGLShaderProgram& program);
   void setModelUniforms(QOpenGLShaderProgram& program);
   void setSampleUniforms(QOpenGLShaderProgram& program, int count);
   void bindTextures(QOpenGLShaderProgram& program);
+  void createTarget();
   void prepareTarget();
 
   std::shared_ptr<PreviewResources> resources_;
@@ -74,7 +79,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   std::unique_ptr<QOpenGLFramebufferObject> accumulation_;
   PreviewSubject subject_;
   std::shared_ptr<const TabulatedBrdf> uploadedTable_;
-  SphereScene scene_;
+  Scene scene_;
+  SceneUniforms sceneUniforms_;
   QSize size_{1, 1};
   int samples_ = 0;
 };

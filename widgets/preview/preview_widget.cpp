@@ -5,6 +5,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 
+#include "core/rendering/scene_file.h"
 #include "core/support/error.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/split_bar.h"
@@ -33,13 +34,17 @@ PreviewWidget::PreviewWidget(QWidget* parent)
   setAccessibleDescription(tr("The material on a sphere. Drag to orbit, wheel to zoom."));
   frameTimer_.setSingleShot(true);
   connect(&frameTimer_, &QTimer::timeout, this, [this] { update(); });
-  connect(&first_.estimator, &LobeEstimator::estimated, this, [this](const auto& lobe) { adoptLobe(first_, lobe); });
-  connect(&second_.estimator, &LobeEstimator::estimated, this, [this](const auto& lobe) { adoptLobe(second_, lobe); });
+  connect(&first_.estimator, &MaterialEstimator::estimated, this,
+          [this](const auto& estimate) { adopt(first_, estimate); });
+  connect(&second_.estimator, &MaterialEstimator::estimated, this,
+          [this](const auto& estimate) { adopt(second_, estimate); });
+  for (Side* side : {&first_, &second_}) connect(&side->tracer, &SceneTracer::advanced, this, [this] { update(); });
   connect(overlay_->splitBar(), &SplitBar::moved, this, [this](double share) {
     comparison_.split = share;
     update();
     Q_EMIT splitMoved(share);
   });
+  showScene(openScene(bundledSceneNames().front()));
   setMaterial(nullptr, {});
 }
 
@@ -87,21 +92,35 @@ void PreviewWidget::changeSubject(Side& side, const PreviewSubject& subject, con
   const bool wasPlain = side.subject.isMeasured();
   side.subject = subject;
   PreviewSubject drawn = subject;
-  if (!subject.isMeasured()) {
-    // The lobe of the step before serves until the new one is known.
-    if (!wasPlain) drawn.lobe = side.picture.subject().lobe;
-    side.estimator.request(subject);
-  } else {
-    side.estimator.cancel();
-  }
+  // The lobe of the step before serves until the new one is known.
+  if (!subject.isMeasured() && !wasPlain) drawn.lobe = side.picture.subject().lobe;
   side.picture.setSubject(drawn);
+  side.tracer.stop();
+  if (subject.isEmpty()) side.material.reset();
+  side.estimator.request(subject);
   changed();
 }
 
-void PreviewWidget::adoptLobe(Side& side, const SamplingLobe& lobe) {
-  if (similarLobes(lobe, side.picture.subject().lobe)) return;
-  side.picture.setLobe(lobe);
+void PreviewWidget::adopt(Side& side, const MaterialEstimate& estimate) {
+  side.material = estimate.material;
+  if (!similarLobes(estimate.lobe, side.picture.subject().lobe)) side.picture.setLobe(estimate.lobe);
+  plan(side);
+  trace(side);
   update();
+}
+
+/// What the side's picture simulates; its picture starts anew only where that changes.
+void PreviewWidget::plan(Side& side) {
+  static const std::shared_ptr<const TracedMaterial> grey = diffuseMaterial(Rgb(0.5));
+  side.plan = previewPlan(scene_, side.material ? side.material : grey, overrides_);
+  if (!isTraced()) side.picture.setScene(scene_, side.plan);
+  if (&side == &first_) Q_EMIT planChanged(side.plan);
+}
+
+void PreviewWidget::trace(Side& side) {
+  if (!isTraced() || !side.material || side.subject.isEmpty()) return side.tracer.stop();
+  if (&side == &second_ && !isComparing()) return;
+  side.tracer.trace(scene_, side.material, side.plan, pictureSize(), wantedSamples());
 }
 
 void PreviewWidget::setComparison(const PreviewComparison& comparison) {
@@ -109,6 +128,7 @@ void PreviewWidget::setComparison(const PreviewComparison& comparison) {
   if (comparison.difference != comparison_.difference || comparison.range != comparison_.range) range_ = 0;
   comparison_ = comparison;
   showOverlay();
+  for (Side* side : {&first_, &second_}) trace(*side);
   changed();
 }
 
@@ -122,12 +142,37 @@ void PreviewWidget::setFlickering(bool flickering) {
   update();
 }
 
-void PreviewWidget::setScene(const SphereScene& scene) {
+void PreviewWidget::showScene(const Scene& scene) {
+  home_ = scene;
+  budget_.reset();
+  setScene(scene);
+}
+
+void PreviewWidget::setScene(const Scene& scene) {
   scene_ = scene;
-  first_.picture.setScene(scene_);
-  second_.picture.setScene(scene_);
+  for (Side* side : {&first_, &second_}) {
+    plan(*side);
+    trace(*side);
+  }
   changed();
   Q_EMIT sceneChanged(scene_);
+}
+
+void PreviewWidget::setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
+  Scene scene = scene_;
+  scene.environment = environment;
+  const std::vector<DirectionalLight>& own = home_.directionalLights;
+  if (!environment)
+    scene.directionalLights = own.empty() ? std::vector{DirectionalLight{}} : own;
+  else
+    scene.directionalLights = home_.environment ? own : std::vector<DirectionalLight>{};
+  setScene(scene);
+}
+
+void PreviewWidget::setOverrides(const EffectOverrides& overrides) {
+  if (overrides == overrides_) return;
+  overrides_ = overrides;
+  setScene(scene_);
 }
 
 void PreviewWidget::setExposure(double stops) {
@@ -150,11 +195,15 @@ void PreviewWidget::setPicking(bool picking) {
 }
 
 bool PreviewWidget::needsFrames(const Side& side) const {
+  if (isTraced()) return false;
   return side.picture.size() != pictureSize() || side.picture.samples() < wantedSamples();
 }
 
 bool PreviewWidget::converged() const {
-  const auto done = [this](const Side& side) { return !needsFrames(side) && !side.estimator.isBusy(); };
+  const auto done = [this](const Side& side) {
+    if (isTraced()) return side.shown && side.shown->samples >= wantedSamples() && !side.estimator.isBusy();
+    return !needsFrames(side) && !side.estimator.isBusy();
+  };
   return hasMaterial() && done(first_) && (!isComparing() || done(second_));
 }
 
@@ -168,8 +217,11 @@ Image PreviewWidget::linearPicture() {
 }
 
 int PreviewWidget::wantedSamples() const {
-  // One light has no noise: its samples smooth the edge alone.
-  return scene_.environment ? 512 : 64;
+  // Light without a size that is reflected once has no noise: its samples smooth the edge alone.
+  const EffectPlan& simulated = first_.plan;
+  const bool noisy = simulated.simulates(Effect::environmentLight) || simulated.simulates(Effect::areaLightSampling) ||
+                     simulated.reflections > 1;
+  return noisy ? 512 : 64;
 }
 
 QSize PreviewWidget::pixelSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1}); }
@@ -186,8 +238,10 @@ void PreviewWidget::changed() {
 }
 
 void PreviewWidget::restart() {
-  first_.picture.restart();
-  second_.picture.restart();
+  for (Side* side : {&first_, &second_}) {
+    side->picture.restart();
+    trace(*side);
+  }
   changed();
 }
 
@@ -233,6 +287,19 @@ void PreviewWidget::renderFrame() {
   if (needsFrames(first_) || (isComparing() && needsFrames(second_))) frameTimer_.start(frame.scale < 1 ? restMs : 0);
 }
 
+/// Takes over what the tracers have reached.
+void PreviewWidget::showTraced() {
+  for (Side* side : {&first_, &second_}) {
+    if (side->tracer.film() == side->shown || !side->tracer.film()) continue;
+    side->shown = side->tracer.film();
+    side->picture.showTraced(*side->shown);
+    if (side != &first_) continue;
+    updateStatus(side->tracer.millisecondsOfSample());
+    Q_EMIT frameRendered(side->tracer.millisecondsOfSample(), side->shown->samples);
+  }
+  updateRange();
+}
+
 void PreviewWidget::updateRange() {
   if (!isComparing() || comparison_.mode != CompareMode::difference) return;
   const int samples = std::min(first_.picture.samples(), second_.picture.samples());
@@ -254,6 +321,7 @@ void PreviewWidget::updateRange() {
 void PreviewWidget::paintGL() {
   if (!failure_.isEmpty()) return;
   try {
+    if (isTraced()) showTraced();
     if (hasMaterial() && (needsFrames(first_) || (isComparing() && needsFrames(second_)))) renderFrame();
     if (range_ == 0) updateRange();
     context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
@@ -275,15 +343,14 @@ void PreviewWidget::showOverlay() {
 }
 
 void PreviewWidget::updateStatus(double milliseconds) {
-  const QString light =
-      scene_.environment ? QString::fromStdString(scene_.environment->name()) : tr("directional light");
   const QString curve = QString::fromUtf8(toneMapName(settings_.toneMap).data());
-  overlay_->setStatus(tr("%1 | exposure %2 | %3 | %4 ms | %5")
-                          .arg(light)
+  overlay_->setStatus(tr("%1 | exposure %2 | %3 | %4 ms%5 | %6 | %7")
+                          .arg(QString::fromStdString(scene_.name))
                           .arg(settings_.exposure, 0, 'f', 1)
                           .arg(curve)
                           .arg(milliseconds, 0, 'f', 1)
-                          .arg(samplesText(first_.picture.samples())));
+                          .arg(isTraced() ? tr(" a sample, on the CPU") : QString())
+                          .arg(samplesText(first_.picture.samples()), effectsText(first_.plan)));
 }
 
 }  // namespace gonio::widgets

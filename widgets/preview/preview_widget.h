@@ -9,16 +9,18 @@
 #include <optional>
 
 #include "widgets/preview/frame_budget.h"
-#include "widgets/preview/lobe_estimator.h"
+#include "widgets/preview/material_estimator.h"
 #include "widgets/preview/preview_display.h"
+#include "widgets/preview/scene_tracer.h"
 
 namespace gonio::widgets {
 
 class PreviewOverlay;
 
-/// The preview viewport: a material on a sphere, converging while nothing changes, restarting when something does; or
-/// two subjects against each other, in one scene.
-/// Left drag orbits (with a directional light: moves the light), middle or right drag orbits always, wheel zooms,
+/// The preview viewport: a material in a scene, converging while nothing changes, restarting when something does; or
+/// two subjects against each other, in one scene. Only the effects that the scene calls for are simulated. Scenes of
+/// spheres and rectangles are drawn by the shader, others traced on the CPU.
+/// Left drag orbits (with one distant light alone: moves the light), middle or right drag orbits always, wheel zooms,
 /// Shift + right drag turns the environment, Ctrl + left (or left alone while picking) picks the angle of the viewer at
 /// a point, F frames, R resets the view.
 class PreviewWidget : public QOpenGLWidget {
@@ -44,8 +46,22 @@ class PreviewWidget : public QOpenGLWidget {
   /// The difference that has the last colour now.
   double differenceRange() const { return range_; }
 
-  void setScene(const SphereScene& scene);
-  const SphereScene& scene() const { return scene_; }
+  /// Another scene, whose view resetView() comes back to.
+  void showScene(const Scene& scene);
+  /// The scene seen or lit otherwise.
+  void setScene(const Scene& scene);
+  const Scene& scene() const { return scene_; }
+  /// Puts an environment into the scene; null: a distant light in its place.
+  void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
+  /// Effects that the user forces on or off.
+  void setOverrides(const EffectOverrides& overrides);
+  const EffectOverrides& overrides() const { return overrides_; }
+  /// Of the first subject; for a grey surface until its material is known.
+  const EffectPlan& plan() const { return first_.plan; }
+  /// Whether the scene is traced on the CPU.
+  bool isTraced() const { return !SceneUniforms::canDraw(scene_); }
+  /// The first subject as rendering takes it; null while it is not known.
+  const std::shared_ptr<const TracedMaterial>& material() const { return first_.material; }
   void setExposure(double stops);
   double exposure() const { return settings_.exposure; }
   void setToneMap(ToneMap toneMap);
@@ -71,7 +87,8 @@ class PreviewWidget : public QOpenGLWidget {
   void setFlickering(bool flickering);
 
  Q_SIGNALS:
-  void sceneChanged(const gonio::SphereScene& scene);
+  void sceneChanged(const gonio::Scene& scene);
+  void planChanged(const gonio::EffectPlan& plan);
   void frameRendered(double milliseconds, int samplesPerPixel);
   void failed(const QString& message);
   /// The user points at the sphere where the viewer stands at this polar angle (rad, [0, pi/2]).
@@ -94,13 +111,20 @@ class PreviewWidget : public QOpenGLWidget {
     PreviewRenderer picture;
     PreviewSubject subject;
     QString name;
-    LobeEstimator estimator;
+    MaterialEstimator estimator;
+    std::shared_ptr<const TracedMaterial> material;
+    EffectPlan plan;
+    SceneTracer tracer;
+    std::shared_ptr<const Film> shown;  ///< of the tracer, as the picture has it
   };
   struct PicturePosition {
     double x, y, aspect;  ///< x, y in [-1, 1], y up
   };
   void changeSubject(Side& side, const PreviewSubject& subject, const QString& name);
-  void adoptLobe(Side& side, const SamplingLobe& lobe);
+  void adopt(Side& side, const MaterialEstimate& estimate);
+  void plan(Side& side);
+  void trace(Side& side);
+  void showTraced();
   void renderFrame();
   void updateRange();
   void restart();
@@ -122,7 +146,8 @@ class PreviewWidget : public QOpenGLWidget {
   PreviewDisplay display_;
   DisplaySettings settings_;
   FrameBudget budget_;
-  SphereScene scene_;
+  Scene scene_, home_;
+  EffectOverrides overrides_;
   PreviewComparison comparison_;
   double range_ = 0;      ///< 0: not found yet
   int rangeSamples_ = 0;  ///< at which the range was found

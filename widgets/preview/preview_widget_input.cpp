@@ -10,17 +10,26 @@
 
 namespace gonio::widgets {
 
+namespace {
+
+/// Whether a drag moves the light: there is one alone, and it is distant.
+bool hasMovableLight(const Scene& scene) { return scene.directionalLights.size() == 1 && lightsOf(scene).size() == 1; }
+
+}  // namespace
+
 void PreviewWidget::frameObject() {
-  SphereScene scene = scene_;
-  scene.camera.distance = OrbitCamera{}.distance;
+  Scene scene = scene_;
+  scene.camera.distance = home_.camera.distance;
+  scene.camera.target = home_.camera.target;
   setScene(scene);
 }
 
 void PreviewWidget::resetView() {
-  SphereScene scene = scene_;
-  scene.camera = OrbitCamera{};
-  scene.light = DirectionalLight{};
-  scene.environmentRotation = 0;
+  Scene scene = scene_;
+  scene.camera = home_.camera;
+  scene.environmentRotation = home_.environmentRotation;
+  if (hasMovableLight(scene))
+    scene.directionalLights = hasMovableLight(home_) ? home_.directionalLights : std::vector{DirectionalLight{}};
   setScene(scene);
 }
 
@@ -41,15 +50,15 @@ bool PreviewWidget::pick(const QMouseEvent& event) {
 void PreviewWidget::mousePressEvent(QMouseEvent* event) {
   lastPosition_ = event->position();
   if (pick(*event)) return;
-  if (event->button() == Qt::LeftButton && !scene_.environment) dragLight(event->position());
+  if (event->button() == Qt::LeftButton && hasMovableLight(scene_)) dragLight(event->position());
 }
 
 void PreviewWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF delta = event->position() - lastPosition_;
   lastPosition_ = event->position();
   if (pick(*event)) return;
-  SphereScene scene = scene_;
-  if (event->buttons() & Qt::LeftButton && !scene.environment) return dragLight(event->position());
+  Scene scene = scene_;
+  if (event->buttons() & Qt::LeftButton && hasMovableLight(scene)) return dragLight(event->position());
   if (event->buttons() & Qt::RightButton && event->modifiers() & Qt::ShiftModifier)
     scene.environmentRotation += environmentTurn(delta.x());
   else if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton | Qt::RightButton))
@@ -60,14 +69,14 @@ void PreviewWidget::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void PreviewWidget::dragLight(const QPointF& position) {
-  SphereScene scene = scene_;
+  Scene scene = scene_;
   const PicturePosition at = picturePosition(position);
-  scene.light.toLight = lightTowards(scene.camera, at.x, at.y, at.aspect);
+  scene.directionalLights.front().toLight = lightTowards(scene.camera, at.x, at.y, at.aspect);
   setScene(scene);
 }
 
 void PreviewWidget::wheelEvent(QWheelEvent* event) {
-  SphereScene scene = scene_;
+  Scene scene = scene_;
   scene.camera = zoomed(scene.camera, event->angleDelta().y() / 120.0);
   setScene(scene);
   event->accept();
@@ -75,7 +84,7 @@ void PreviewWidget::wheelEvent(QWheelEvent* event) {
 
 void PreviewWidget::keyPressEvent(QKeyEvent* event) {
   const double step = event->modifiers() & Qt::ShiftModifier ? 2 : 20;  // pixels of a drag
-  SphereScene scene = scene_;
+  Scene scene = scene_;
   switch (event->key()) {
     case Qt::Key_F:
       return frameObject();

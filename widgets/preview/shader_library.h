@@ -8,7 +8,7 @@
 
 namespace gonio::widgets {
 
-/// Text of a shader of the tree, e.g. "preview/sphere.frag", with its #include "file" lines replaced by those files
+/// Text of a shader of the tree, e.g. "preview/scene.frag", with its #include "file" lines replaced by those files
 /// (each once). Read from the program's resources, or from the folder named by GONIO_SHADER_DIR while developing.
 /// @throws gonio::Error naming the missing file.
 QByteArray shaderText(const QString& name);

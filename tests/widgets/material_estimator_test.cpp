@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/lobe_estimator.h"
+#include "widgets/preview/material_estimator.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 using namespace gonio;
-using widgets::LobeEstimator;
+using widgets::MaterialEstimator;
 
 namespace {
 
@@ -20,26 +20,27 @@ widgets::PreviewSubject ggx(double roughness) {
 
 }  // namespace
 
-class LobeEstimatorTest : public QObject {
+class MaterialEstimatorTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   /// Of many requests the last one is told, once: what came between is left out.
   void theNewestRequestWins() {
-    LobeEstimator estimator;
-    QSignalSpy told(&estimator, &LobeEstimator::estimated);
+    MaterialEstimator estimator;
+    QSignalSpy told(&estimator, &MaterialEstimator::estimated);
     for (const double roughness : {0.9, 0.5, 0.3, 0.05}) estimator.request(ggx(roughness));
     QVERIFY(estimator.isBusy());
     QTRY_VERIFY(!estimator.isBusy());
     QCOMPARE(told.count(), 1);
-    const auto lobe = told.front().front().value<SamplingLobe>();
+    const auto estimate = told.front().front().value<widgets::MaterialEstimate>();
+    const SamplingLobe lobe = estimate.lobe;
     QVERIFY(widgets::similarLobes(lobe, estimateSamplingLobe(*widgets::subjectBrdf(ggx(0.05)))));
     QVERIFY(!widgets::similarLobes(lobe, estimateSamplingLobe(*widgets::subjectBrdf(ggx(0.9)))));
   }
 
   void cancelledRequestsAreNotTold() {
-    LobeEstimator estimator;
-    QSignalSpy told(&estimator, &LobeEstimator::estimated);
+    MaterialEstimator estimator;
+    QSignalSpy told(&estimator, &MaterialEstimator::estimated);
     estimator.request(ggx(0.3));
     estimator.cancel();
     QTRY_VERIFY(!estimator.isBusy());
@@ -51,11 +52,11 @@ class LobeEstimatorTest : public QObject {
   /// Destroyed while it works: it waits and tells nothing.
   void mayBeDestroyedWhileBusy() {
     for (int i = 0; i < 20; ++i) {
-      LobeEstimator estimator;
+      MaterialEstimator estimator;
       estimator.request(ggx(0.3));
     }
   }
 };
 
-QTEST_GUILESS_MAIN(LobeEstimatorTest)
-#include "lobe_estimator_test.moc"
+QTEST_GUILESS_MAIN(MaterialEstimatorTest)
+#include "material_estimator_test.moc"

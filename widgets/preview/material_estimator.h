@@ -6,18 +6,25 @@
 #include <QObject>
 #include <optional>
 
+#include "core/rendering/traced_material.h"
 #include "widgets/preview/preview_subject.h"
 
 namespace gonio::widgets {
 
-/// Estimates the sampling lobe of a subject in another thread: 1 to 10 ms; some 100 for a blend of codes over different
-/// dictionaries. While one estimate runs, of all further requests the newest alone is kept.
-class LobeEstimator : public QObject {
+/// What rendering wants to know of a subject.
+struct MaterialEstimate {
+  SamplingLobe lobe;
+  std::shared_ptr<const TracedMaterial> material;
+};
+
+/// Estimates how a subject is sampled and what it reflects in another thread: some 10 ms; some 100 for a blend of codes
+/// over different dictionaries. While one estimate runs, of all further requests the newest alone is kept.
+class MaterialEstimator : public QObject {
   Q_OBJECT
 
  public:
-  explicit LobeEstimator(QObject* parent = nullptr);
-  ~LobeEstimator() override;
+  explicit MaterialEstimator(QObject* parent = nullptr);
+  ~MaterialEstimator() override;
 
   void request(const PreviewSubject& subject);
   /// Forgets what was requested: nothing is told any more.
@@ -25,13 +32,13 @@ class LobeEstimator : public QObject {
   bool isBusy() const { return m_busy; }
 
  Q_SIGNALS:
-  void estimated(const gonio::SamplingLobe& lobe);
+  void estimated(const gonio::widgets::MaterialEstimate& estimate);
 
  private:
   void start(const PreviewSubject& subject);
   void finish();
 
-  QFutureWatcher<SamplingLobe> m_watcher;
+  QFutureWatcher<MaterialEstimate> m_watcher;
   std::optional<PreviewSubject> m_next;
   bool m_busy = false, m_wanted = false;
 };

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+// Ray-casts a scene of spheres and rectangles and adds the radiance of `sampleCount` samples a pixel; alpha adds the
+// coverage. Twin of core/rendering/path_tracer.h. Assembled by widgets/preview/scene_uniforms and preview_renderer: a
+// variant holds only what its scene calls for.
+//   SPHERES, RECTANGLES  how many objects of a kind
+//   DIFFUSE_OBJECTS      some are Lambertian, others are looked at
+//   LIGHT_ENVIRONMENT    environment light by multiple importance sampling
+//   SHOW_ENVIRONMENT     the environment behind the objects
+//   DISTANT_LIGHTS, POINT_LIGHTS  how many
+//   LAMPS                how many rectangles emit: the last ones
+//   LIGHT_LAMPS          they light the objects
+//   DRAW_LAMPS           by places drawn on them (else only drawn directions find them)
+//   SHOW_LAMPS           the camera sees their fronts
+//   SHADOWS              some object may stand in the light of another
+//   INTERREFLECTION      light is followed over `reflections` of them (else one)
+//   EDIT_MODEL           measured + strength (model(edited) - model(fitted)), with EVALUATE_MODEL and MODEL_PARAMETERS
+//   EDIT_FACTORS         the table changed by its factor curves, before EDIT_MODEL; KEEP_DETAIL: by their difference
+//   MODEL_ALONE          the model and no table, with EVALUATE_MODEL and MODEL_PARAMETERS
+//   BLEND_TABLES         several tables mixed (preview/blend.glsl), and nothing else
+#include "math.glsl"
+#include "preview/material.glsl"
+#include "preview/scene_shapes.glsl"
+#if defined(LIGHT_ENVIRONMENT) || defined(LIGHT_LAMPS) || defined(INTERREFLECTION)
+#define DRAW_DIRECTIONS
+#include "preview/sampling_lobe.glsl"
+#endif
+#if defined(LIGHT_ENVIRONMENT) || defined(SHOW_ENVIRONMENT)
+#include "preview/environment.glsl"
+#endif
+
+in vec2 position;
+out vec4 accumulated;
+
+const int maxSamples = 64;
+uniform int sampleCount;
+uniform vec4 sampleNumbers[maxSamples];  // three numbers for the lobe, the index of the sample
+uniform vec2 pixelOffsets[maxSamples];   // of the camera ray, in pixels about the centre
+uniform vec2 pictureSize;
+
+uniform vec3 eye;
+uniform mat3 cameraAxes;    // columns: right, up, forward
+uniform vec2 viewExtent;    // half size of the view at distance 1 (perspective), or in the world (orthographic)
+uniform bool orthographic;
+
+#if DISTANT_LIGHTS > 0
+uniform vec3 distantDirections[DISTANT_LIGHTS], distantIrradiances[DISTANT_LIGHTS];
+#endif
+#if POINT_LIGHTS > 0
+uniform vec3 pointPositions[POINT_LIGHTS], pointIntensities[POINT_LIGHTS];
+#endif
+
+// PCG hash (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering").
+uvec3 hashed(uvec3 v) {
+  v = v * 1664525u + 1013904223u;
+  v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
+  v ^= v >> 16u;
+  v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
+  return v;
+}
+
+vec3 numbersOf(uvec3 hash) { return vec3(hash >> 8u) / 16777216.0; }
+
+#ifdef INTERREFLECTION
+uniform int reflections;
+#else
+const int reflections = 1;
+#endif
+
+struct Surface {
+  int object;
+  vec3 position;
+  mat3 frame;
+  vec3 wo;  // local
+};
+
+vec3 reflectance(Surface surface, vec3 wi) {
+#ifdef DIFFUSE_OBJECTS
+  vec4 colour = objectColours[surface.object];
+  if (colour.w == diffuse) return surface.wo.z > 0.0 ? colour.rgb / pi : vec3(0.0);
+#endif
+  return evaluateBrdf(wi, surface.wo);
+}
+
+#ifdef DRAW_DIRECTIONS
+bool isDiffuse(Surface surface) {
+#ifdef DIFFUSE_OBJECTS
+  return objectColours[surface.object].w == diffuse;
+#else
+  return false;
+#endif
+}
+
+float drawnDensity(Surface surface, vec3 wi) {
+  return isDiffuse(surface) ? max(0.0, wi.z) / pi : lobeDensity(wi, surface.wo);
+}
+
+vec3 drawDirection(Surface surface, vec3 u) {
+  if (!isDiffuse(surface)) return sampleLobe(surface.wo, u);
+  float r = sqrt(u.y);
+  return vec3(r * cos(2.0 * pi * u.z), r * sin(2.0 * pi * u.z), sqrt(max(0.0, 1.0 - u.y)));
+}
+#endif
+
+const int firstLamp = OBJECTS - LAMPS;
+
+#ifdef LIGHT_LAMPS
+
+// Density of a place drawn on the lamp, seen along a direction at a distance, 1/sr; 0 behind it.
+float lampDensity(int lamp, vec3 direction, float t) {
+  int i = lamp - SPHERES;
+  vec3 normal = cross(rectangleSides[2 * i], rectangleSides[2 * i + 1]);
+  float cosineArea = -4.0 * dot(normal, direction);
+  return cosineArea > 0.0 ? t * t / cosineArea : 0.0;
+}
+
+vec3 lampLight(Surface surface, int lamp, vec2 u) {
+  int i = lamp - SPHERES;
+  vec3 place = rectangleCentres[i] + (2.0 * u.x - 1.0) * rectangleSides[2 * i] + (2.0 * u.y - 1.0) * rectangleSides[2 * i + 1];
+  vec3 way = place - surface.position;
+  float t = length(way);
+  vec3 direction = way / t;
+  vec3 wi = direction * surface.frame;
+  float density = lampDensity(lamp, direction, t);
+  if (wi.z <= 0.0 || density <= 0.0 || isBlocked(surface.object, surface.position, direction, t * 0.9999)) return vec3(0.0);
+  return reflectance(surface, wi) * objectColours[lamp].rgb * (wi.z / (density + drawnDensity(surface, wi)));
+}
+#endif
+
+// Light of lamps without a size, and of places drawn on those that have one and in the environment. Where drawn
+// directions find the same light, both weigh 1 / (sum of the densities): the balance heuristic (Veach 1997).
+vec3 drawnLights(Surface surface, int index, uvec3 hash) {
+  vec3 sum = vec3(0.0);
+#if DISTANT_LIGHTS > 0
+  for (int i = 0; i < DISTANT_LIGHTS; ++i) {
+    vec3 wi = distantDirections[i] * surface.frame;
+    if (wi.z > 0.0 && !isBlocked(surface.object, surface.position, distantDirections[i], never))
+      sum += reflectance(surface, wi) * distantIrradiances[i] * wi.z;
+  }
+#endif
+#if POINT_LIGHTS > 0
+  for (int i = 0; i < POINT_LIGHTS; ++i) {
+    vec3 way = pointPositions[i] - surface.position;
+    float t = length(way);
+    vec3 wi = (way / t) * surface.frame;
+    if (wi.z > 0.0 && !isBlocked(surface.object, surface.position, way / t, t))
+      sum += reflectance(surface, wi) * pointIntensities[i] * (wi.z / (t * t));
+  }
+#endif
+#ifdef DRAW_LAMPS
+  for (int i = firstLamp; i < OBJECTS; ++i) sum += lampLight(surface, i, numbersOf(hashed(hash + uint(i))).xy);
+#endif
+#ifdef LIGHT_ENVIRONMENT
+  Light light = drawnLight(index);
+  vec3 wi = light.direction * surface.frame;
+  if (wi.z > 0.0 && !isBlocked(surface.object, surface.position, light.direction, never))
+    sum += reflectance(surface, wi) * light.radiance * (wi.z / (light.density + drawnDensity(surface, wi)));
+#endif
+  return sum;
+}
+
+vec3 reflected(Surface surface, vec4 numbers, uvec3 hash) {
+  vec3 sum = vec3(0.0);
+#ifdef DRAW_DIRECTIONS
+  vec3 throughput = vec3(1.0);
+  // Each pixel turns the shared numbers by its own amount: noise that fades, where bands would look like the material.
+  vec3 u = fract(numbers.xyz + numbersOf(hash));
+  int index = int(numbers.w) + int(hash.x >> 16u);
+  hash.z += uint(numbers.w);
+  for (int reflection = 1; reflection <= reflections; ++reflection) {
+    hash = hashed(hash);
+    if (surface.wo.z <= 0.0) break;
+    sum += throughput * drawnLights(surface, index, hash);
+    vec3 wi = drawDirection(surface, u);
+    float density = drawnDensity(surface, wi);
+    if (wi.z <= 0.0 || density <= 0.0) break;
+    vec3 direction = surface.frame * wi;
+    vec3 value = throughput * reflectance(surface, wi) * wi.z;
+    float t = never;
+    int met = -1;
+#if defined(SHADOWS) || defined(LIGHT_LAMPS) || defined(INTERREFLECTION)
+    met = firstObject(surface.object, surface.position, direction, t);
+#endif
+#ifdef LIGHT_ENVIRONMENT
+#ifdef SHADOWS
+    bool open = met < 0;
+#else
+    const bool open = true;
+#endif
+    if (open) {
+      Light light = environmentLight(direction);
+      sum += value * light.radiance / (light.density + density);
+    }
+#endif
+    if (met < 0) break;
+    if (met >= firstLamp) {
+#ifdef LIGHT_LAMPS
+      float other = lampDensity(met, direction, t);
+#ifdef DRAW_LAMPS
+      if (other > 0.0) sum += value * objectColours[met].rgb / (other + density);
+#else
+      if (other > 0.0) sum += value * objectColours[met].rgb / density;
+#endif
+#endif
+      break;
+    }
+    throughput = value / density;
+    uvec3 next = hashed(hash ^ 0x9E3779B9u);
+    u = numbersOf(next);
+    index = int(next.x >> 8u);
+    if (reflection > 1) {
+      float kept = min(0.95, max(throughput.r, max(throughput.g, throughput.b)));
+      if (numbersOf(hashed(next)).x >= kept) break;
+      throughput /= kept;
+    }
+    vec3 place = surface.position + t * direction;
+    mat3 frame = objectFrame(met, objectNormal(met, place));
+    surface = Surface(met, place, frame, -direction * frame);
+  }
+#else
+  if (surface.wo.z > 0.0) sum = drawnLights(surface, 0, hash);
+#endif
+  return sum;
+}
+
+void main() {
+  uvec3 hash = hashed(uvec3(uvec2(gl_FragCoord.xy), 0x9E3779B9u));
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < sampleCount; ++i) {
+    vec2 at = ((position * pictureSize + pixelOffsets[i]) / pictureSize * 2.0 - 1.0) * viewExtent;
+    vec3 origin = eye + (orthographic ? cameraAxes * vec3(at, 0.0) : vec3(0.0));
+    vec3 direction = orthographic ? cameraAxes[2] : normalize(cameraAxes * vec3(at, 1.0));
+    float t;
+    int met = firstObject(-1, origin, direction, t);
+    if (met >= 0) {
+      vec3 place = origin + t * direction;
+      vec3 normal = objectNormal(met, place);
+      sum.a += 1.0;
+#if LAMPS > 0
+      if (met >= firstLamp) {
+#ifdef SHOW_LAMPS
+        if (dot(normal, direction) < 0.0) sum.rgb += objectColours[met].rgb;
+#endif
+        continue;
+      }
+#endif
+      mat3 frame = objectFrame(met, normal);
+      sum.rgb += reflected(Surface(met, place, frame, -direction * frame), sampleNumbers[i], hash);
+    }
+#ifdef SHOW_ENVIRONMENT
+    else {
+      sum += vec4(environmentRadiance(direction), 1.0);
+    }
+#endif
+  }
+  accumulated = sum;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/scene_tracer.h"
+
+#include <QtConcurrentRun>
+#include <algorithm>
+#include <chrono>
+
+namespace gonio::widgets {
+
+namespace {
+
+/// Sizes of the pictures before the full one, as shares of its sides.
+constexpr int coarseDivisors[] = {4, 2};
+
+using Told = std::function<void(std::shared_ptr<const Film>, double milliseconds)>;
+
+void traceProgressively(const PathTracer& tracer, const QSize& size, int samples, const TaskControl& control,
+                        const Told& tell) {
+  const auto pass = [&](Film& film, int count) {
+    const auto start = std::chrono::steady_clock::now();
+    tracer.accumulate(film, count, control);
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    tell(std::make_shared<const Film>(film), elapsed.count() / count);
+  };
+  for (const int divisor : coarseDivisors) {
+    Film coarse(std::max(1, size.width() / divisor), std::max(1, size.height() / divisor));
+    pass(coarse, 1);
+  }
+  Film film(size.width(), size.height());
+  while (film.samples < samples) pass(film, std::min(std::max(1, film.samples), samples - film.samples));
+}
+
+}  // namespace
+
+SceneTracer::SceneTracer(QObject* parent) : QObject(parent) {}
+
+SceneTracer::~SceneTracer() {
+  stop();
+  m_future.waitForFinished();
+}
+
+void SceneTracer::stop() {
+  m_stop.request_stop();
+  ++m_request;
+}
+
+void SceneTracer::trace(const Scene& scene, std::shared_ptr<const TracedMaterial> material, const EffectPlan& plan,
+                        const QSize& size, int samples) {
+  stop();
+  m_stop = std::stop_source();
+  const Told tell = [this, request = m_request](std::shared_ptr<const Film> film, double milliseconds) {
+    QMetaObject::invokeMethod(
+        this, [this, request, film, milliseconds] { adopt(request, film, milliseconds); }, Qt::QueuedConnection);
+  };
+  m_future = QtConcurrent::run([=, before = m_future, control = TaskControl{m_stop.get_token(), {}}]() mutable {
+    before.waitForFinished();  // it was told to stop: two at once would take each other's cores
+    try {
+      const std::vector<std::shared_ptr<const TracedMaterial>> lookedAt(std::size_t(lookedAtCount(scene)), material);
+      traceProgressively(PathTracer(scene, bindMaterials(scene, lookedAt), plan), size, samples, control, tell);
+    } catch (const Cancelled&) {
+      return;  // another picture is wanted
+    }
+  });
+}
+
+void SceneTracer::adopt(int request, std::shared_ptr<const Film> film, double milliseconds) {
+  if (request != m_request) return;
+  m_film = std::move(film);
+  m_milliseconds = milliseconds;
+  Q_EMIT advanced();
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_scene_tracer.cpp"

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QFuture>
+#include <QObject>
+#include <QSize>
+#include <stop_token>
+
+#include "core/rendering/path_tracer.h"
+
+namespace gonio::widgets {
+
+/// Traces scenes that the shader cannot draw (meshes) in another thread: a coarse picture first, then full size with
+/// ever more samples. The newest request alone is worked on.
+class SceneTracer : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SceneTracer(QObject* parent = nullptr);
+  ~SceneTracer() override;
+
+  /// Every material that is looked at is `material`. The picture before stays until the first new one is there.
+  void trace(const Scene& scene, std::shared_ptr<const TracedMaterial> material, const EffectPlan& plan,
+             const QSize& size, int samples);
+  void stop();
+
+  /// The picture reached so far; null before the first. Smaller than asked for while it is coarse.
+  const std::shared_ptr<const Film>& film() const { return m_film; }
+  /// Of the last pass, a sample a pixel at full size.
+  double millisecondsOfSample() const { return m_milliseconds; }
+
+ Q_SIGNALS:
+  void advanced();
+
+ private:
+  void adopt(int request, std::shared_ptr<const Film> film, double milliseconds);
+
+  std::shared_ptr<const Film> m_film;
+  std::stop_source m_stop;
+  QFuture<void> m_future;
+  double m_milliseconds = 0;
+  int m_request = 0;
+};
+
+}  // namespace gonio::widgets

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QOpenGLShaderProgram>
+#include <QStringList>
+
+#include "core/rendering/effect_plan.h"
+
+namespace gonio::widgets {
+
+/// A scene as preview/scene.frag draws it: spheres and rectangles alone, the lamps last. Every material that is looked
+/// at is the preview's subject.
+class SceneUniforms {
+ public:
+  /// Reflections that the shader follows at most: what a driver compiles and a frame bears.
+  static constexpr int mostReflections = 8;
+  static constexpr std::size_t mostObjects = 24, mostLights = 8;
+
+  /// Whether the shader can draw the scene; others are traced on the CPU.
+  static bool canDraw(const Scene& scene);
+
+  SceneUniforms() = default;
+  SceneUniforms(const Scene& scene, const EffectPlan& plan);
+
+  /// What the variant of the shader contains.
+  QStringList definitions() const;
+  void set(QOpenGLShaderProgram& program) const;
+  /// Whether the shader looks the environment up.
+  bool usesEnvironment() const { return lightEnvironment_ || showEnvironment_; }
+  int reflections() const { return reflections_; }
+  bool operator==(const SceneUniforms&) const = default;
+
+ private:
+  void addObjects(const Scene& scene, const EffectPlan& plan);
+  void addLights(const Scene& scene, const EffectPlan& plan);
+
+  std::vector<glm::vec4> spheres_, colours_;
+  std::vector<glm::vec3> centres_, sides_;
+  std::vector<int> blockers_;  ///< bits by object; empty: no shadow is simulated
+  std::vector<glm::vec3> distantDirections_, distantIrradiances_, pointPositions_, pointIntensities_;
+  int lamps_ = 0, reflections_ = 1;
+  bool diffuse_ = false, showLamps_ = false, lightLamps_ = false, drawLamps_ = false, lightEnvironment_ = false,
+       showEnvironment_ = false;
+};
+
+/// The plan of a scene in which every material that is looked at is this one.
+EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const TracedMaterial>& material,
+                       const EffectOverrides& overrides = {});
+
+}  // namespace gonio::widgets
