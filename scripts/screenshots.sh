@@ -18,7 +18,7 @@ picture() {
   shift 3
   XDG_CONFIG_HOME=$settings XDG_DATA_HOME=$settings LIBGL_ALWAYS_SOFTWARE=1 \
     xvfb-run -a -s "-screen 0 1600x1000x24" \
-    "$editor" "$file" "$@" --theme "$theme" --size 1500x940 --wait 150 --screenshot "$folder/$name.png"
+    "$editor" "$file" "$@" --theme "$theme" --size 1500x940 --wait 400 --screenshot "$folder/$name.png"
   echo "$folder/$name.png"
 }
 picture editor-chrome dark library:sgd/nickel
@@ -31,4 +31,5 @@ picture factors-widened dark library:sgd/gold-metallic-paint --factors --widen 1
 picture factors-swapped dark library:sgd/gold-metallic-paint --factors --take-f1 library:sgd/green-metallic-paint
 picture interpolation light library:sgd/gold-metallic-paint \
   --interpolate library:sgd/gold-metallic-paint,library:sgd/blue-metallic-paint2
+picture editor-study light library:sgd/gold-metallic-paint --study "PDV factors, two curves, 1 term"
 picture editor-representation dark library:sgd/brass --encoded 64 --compare split

@@ -8,6 +8,7 @@
 #include "app/gonio/flicker_key.h"
 #include "app/gonio/main_window.h"
 #include "app/gonio/reference_dialog.h"
+#include "app/gonio/study_panel.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
@@ -27,6 +28,15 @@ AnalyseMenu::AnalyseMenu(MainWindow& window) : QObject(&window), m_window(window
   menu->addAction(tr("Compare with &Another Material..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C), this,
                   &AnalyseMenu::chooseReference);
   connect(&comparison, &ComparisonController::referenceWanted, this, &AnalyseMenu::chooseReference);
+  QAction* study =
+      menu->addAction(tr("&Measure Representations"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_M), this, [&window] {
+        window.showDock(QStringLiteral("study"));
+        window.study().measure();
+      });
+  study->setToolTip(tr("Accuracy against time: every way to keep the material, its error and what it costs"));
+  const auto enable = [&window, study] { study->setEnabled(window.document().material() != nullptr); };
+  connect(&window.document(), &Document::materialChanged, this, enable);
+  enable();
   new FlickerKey(&window, [&window](bool held) { window.preview().setFlickering(held); });
 }
 

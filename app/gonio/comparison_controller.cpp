@@ -76,7 +76,7 @@ bool ComparisonController::isEdited() const {
 }
 
 void ComparisonController::chooseUsualSides() {
-  m_sides = {isEdited() || m_standIn || code() ? ComparedSubject::edited : ComparedSubject::fit,
+  m_sides = {isEdited() || standIn() || code() ? ComparedSubject::edited : ComparedSubject::fit,
              ComparedSubject::measured};
 }
 
@@ -86,12 +86,24 @@ void ComparisonController::setSides(ComparedSubject first, ComparedSubject secon
   refresh();
 }
 
-void ComparisonController::setStandIn(std::optional<widgets::PreviewSubject> subject, const QString& name) {
-  if (!subject && !m_standIn) return;
-  const bool comesOrGoes = subject.has_value() != m_standIn.has_value();
-  m_standIn = std::move(subject);
-  m_standInName = name;
-  if (comesOrGoes && !m_sidesChosen) chooseUsualSides();
+std::optional<StandIn> ComparisonController::standIn() const {
+  for (std::size_t kind = 0; kind < m_standIns.size(); ++kind)
+    if (m_standIns[kind].subject) return StandIn(kind);
+  return std::nullopt;
+}
+
+QString ComparisonController::standInName() const {
+  const auto kind = standIn();
+  return kind ? m_standIns[std::size_t(*kind)].name : QString();
+}
+
+void ComparisonController::setStandIn(StandIn kind, std::optional<widgets::PreviewSubject> subject,
+                                      const QString& name) {
+  Replacement& replacement = m_standIns[std::size_t(kind)];
+  if (!subject && !replacement.subject) return;
+  const bool stoodIn = standIn().has_value();
+  replacement = {std::move(subject), name};
+  if (standIn().has_value() != stoodIn && !m_sidesChosen) chooseUsualSides();
   refresh();
 }
 
@@ -107,7 +119,8 @@ const MaterialCode* ComparisonController::code() const {
 }
 
 widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) const {
-  if (side == ComparedSubject::edited && m_standIn) return *m_standIn;
+  if (const auto kind = standIn(); side == ComparedSubject::edited && kind)
+    return *m_standIns[std::size_t(*kind)].subject;
   const LoadedMaterialPtr& material = side == ComparedSubject::reference ? m_reference : m_document.material();
   if (!material) return {.table = nullptr, .lobe = {}};
   widgets::PreviewSubject subject{.table = material->table, .lobe = material->lobe};
@@ -131,7 +144,8 @@ widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) cons
 
 QString ComparisonController::name(ComparedSubject side) const {
   const LoadedMaterialPtr& material = m_document.material();
-  if (side == ComparedSubject::edited && m_standIn) return tr("Blend");
+  if (const auto kind = standIn(); side == ComparedSubject::edited && kind)
+    return *kind == StandIn::blend ? tr("Blend") : standInName();
   if (side == ComparedSubject::reference)
     return m_reference ? QString::fromStdString(m_reference->material.name) : QString();
   if (!material) return {};

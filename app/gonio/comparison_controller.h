@@ -19,6 +19,12 @@ class PreviewWidget;
 
 namespace gonio::app {
 
+/// What may take the place of the edited material in the preview; the first that is there does.
+enum class StandIn {
+  representation,  ///< of the material, while the user looks at it
+  blend            ///< under the hand
+};
+
 /// Decides what the preview shows: the edited material, or two of the document's sides and another material against
 /// each other. It keeps the preview, the bar and the document together. What is compared is no part of the document.
 class ComparisonController : public QObject {
@@ -45,10 +51,11 @@ class ComparisonController : public QObject {
   const MaterialCode* code() const;
 
   widgets::PreviewSubject subject(widgets::ComparedSubject side) const;
-  /// Shows something else in the place of the edited material, until it is taken back: a blend under the hand.
-  void setStandIn(std::optional<widgets::PreviewSubject> subject, const QString& name);
-  const std::optional<widgets::PreviewSubject>& standIn() const { return m_standIn; }
-  QString standInName() const { return m_standInName; }
+  /// Shows something else in the place of the edited material, until it is taken back.
+  void setStandIn(StandIn kind, std::optional<widgets::PreviewSubject> subject, const QString& name);
+  /// Of those that are there, the one that is shown; nothing: the edited material.
+  std::optional<StandIn> standIn() const;
+  QString standInName() const;
 
   /// sourceKind(), "Fit: GGX", "Edited", "Encoded", the name of the reference; empty while it is not there.
   QString name(widgets::ComparedSubject side) const;
@@ -75,8 +82,11 @@ class ComparisonController : public QObject {
   std::array<widgets::ComparedSubject, 2> m_sides{widgets::ComparedSubject::edited, widgets::ComparedSubject::measured};
   bool m_sidesChosen = false;  ///< by the user; otherwise those that tell most
   LoadedMaterialPtr m_reference;
-  std::optional<widgets::PreviewSubject> m_standIn;
-  QString m_standInName;
+  struct Replacement {
+    std::optional<widgets::PreviewSubject> subject;
+    QString name;
+  };
+  std::array<Replacement, 2> m_standIns;  ///< by StandIn
   std::shared_ptr<const MaterialCode> m_code;
 };
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "app/gonio/comparison_numbers.h"
-#include "core/rendering/tone_map.h"
+#include "app/gonio/thumbnail.h"
 #include "widgets/panels/model_panel.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -20,10 +20,8 @@ constexpr int thumbnailSide = 96;
 
 QIcon thumbnailOf(const Image& picture) {
   if (picture.width == 0) return {};
-  const std::vector<std::uint8_t> bytes = toDisplayBytes(picture, 0, ToneMap::filmic);
-  const QImage image(bytes.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBA8888);
-  const QPixmap pixmap =
-      QPixmap::fromImage(image.scaled(thumbnailSide, thumbnailSide, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  const QPixmap pixmap = QPixmap::fromImage(
+      displayedImage(picture).scaled(thumbnailSide, thumbnailSide, Qt::KeepAspectRatio, Qt::SmoothTransformation));
   QIcon icon(pixmap);
   icon.addPixmap(pixmap, QIcon::Selected);  // a tinted one would be another material
   return icon;

@@ -14,6 +14,7 @@
 #include "app/gonio/main_window.h"
 #include "app/gonio/representation_panel.h"
 #include "app/gonio/screenshot.h"
+#include "app/gonio/study_panel.h"
 #include "app/gonio/theme.h"
 #include "app/gonio/thumbnail.h"
 #include "widgets/curves/curve_editor.h"
@@ -31,6 +32,7 @@ struct Options {
   QString plot;
   QString compare;
   bool models, factors;
+  QString study;
   double widen;
   QString takeF1;
   QStringList blended;
@@ -63,6 +65,7 @@ Options readOptions(const QApplication& application) {
   QCommandLineOption factors("factors");  // shows the factor curves
   factors.setFlags(QCommandLineOption::HiddenFromHelp);
   parser.addOption(factors);
+  hidden("study", "LABEL");          // measures representations, and shows the one of this name
   hidden("widen", "FACTOR");         // stretches F2
   hidden("take-f1", "FILE");         // takes F1 of another material over
   hidden("interpolate", "A,B,...");  // shows the Interpolation dock with these materials
@@ -79,6 +82,7 @@ Options readOptions(const QApplication& application) {
           parser.value("compare"),
           parser.isSet(models),
           parser.isSet(factors),
+          parser.value("study"),
           parser.value("widen").toDouble(),
           parser.value("take-f1"),
           parser.value("interpolate").split(',', Qt::SkipEmptyParts),
@@ -101,6 +105,18 @@ void editFactors(MainWindow& window, const Options& options) {
     if (!options.takeF1.isEmpty()) window.factors().takeOver(FactorAxis::theta, options.takeF1);
   });
   timer->start(checkMilliseconds);
+}
+
+/// Measures the representations of the material that is opened, and shows one of them.
+void measureRepresentations(MainWindow& window, const QString& label) {
+  window.showDock(QStringLiteral("study"));
+  StudyPanel& study = window.study();
+  QObject::connect(&window.document(), &Document::materialChanged, &study, &StudyPanel::measure, Qt::QueuedConnection);
+  QObject::connect(&study.model(), &StudyModel::dataChanged, &study, [&study, label](const QModelIndex& index) {
+    const int row = index.row();
+    const bool isIt = study.model().representation(row).fullLabel() == label.toStdString();
+    if (isIt && study.model().studied(row) && study.shownName() != label) study.show(row);
+  });
 }
 
 /// Puts the window into the state that a picture is to show.
@@ -127,6 +143,7 @@ void prepare(MainWindow& window, const Options& options) {
     if (i >= interpolation.ends().count()) interpolation.ends().addPlace();
     interpolation.ends().read(int(i), options.blended[i]);
   }
+  if (!options.study.isEmpty()) measureRepresentations(window, options.study);
   if (!options.models) return;
   window.showDock(QStringLiteral("models"));
   // Once, when the material and its first fit are there.

@@ -23,6 +23,7 @@
 #include "app/gonio/interpolation_panel.h"
 #include "app/gonio/material_menu.h"
 #include "app/gonio/representation_panel.h"
+#include "app/gonio/study_panel.h"
 #include "app/gonio/thumbnail.h"
 #include "app/gonio/view_menu.h"
 #include "app/gonio/view_state.h"
@@ -75,6 +76,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_factors(new FactorCurvesPanel(m_document, m_tasks)),
       m_ranking(new FitRankingPanel(m_document, m_controller, m_tasks)),
       m_interpolation(new InterpolationPanel(m_document, m_tasks)),
+      m_study(new StudyPanel(m_document, m_tasks)),
       m_messages(new widgets::MessageBar),
       m_progress(new widgets::ProgressStrip),
       m_dropOverlay(nullptr),
@@ -110,8 +112,12 @@ void MainWindow::connectDocument() {
     m_autosave.setDocumentPath(m_document.path());
     m_autosave.update();
   });
-  connect(m_interpolation, &InterpolationPanel::subjectChanged, this,
-          [this] { m_comparison->setStandIn(m_interpolation->subject(), m_interpolation->description()); });
+  connect(m_interpolation, &InterpolationPanel::subjectChanged, this, [this] {
+    m_comparison->setStandIn(StandIn::blend, m_interpolation->subject(), m_interpolation->description());
+  });
+  connect(m_study, &StudyPanel::subjectChanged, this,
+          [this] { m_comparison->setStandIn(StandIn::representation, m_study->subject(), m_study->shownName()); });
+  connect(m_study, &StudyPanel::taken, this, &MainWindow::takeRepresentation);
   connect(m_inspector->representation(), &RepresentationPanel::shownChanged, this,
           [this] { m_comparison->setCode(m_inspector->representation()->shown()); });
   connect(m_comparison, &ComparisonController::subjectsChanged, this, &MainWindow::showRepresentation);
@@ -144,6 +150,8 @@ void MainWindow::connectController() {
   connect(m_factors, &FactorCurvesPanel::failed, this, &MainWindow::showFailure);
   connect(m_ranking, &FitRankingPanel::failed, this, &MainWindow::showFailure);
   connect(m_interpolation, &InterpolationPanel::failed, this, &MainWindow::showFailure);
+  connect(m_study, &StudyPanel::failed, this, &MainWindow::showFailure);
+  connect(m_study, &StudyPanel::exported, &m_controller, &DocumentController::exported);
   connect(&m_controller, &DocumentController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_controller, &DocumentController::proposalOffered, m_messages, &widgets::MessageBar::showProposal);
   connect(m_messages, &widgets::MessageBar::applied, &m_controller, &DocumentController::applyProposal);
@@ -173,13 +181,15 @@ void MainWindow::showProgress() {
 
 void MainWindow::showRepresentation() {
   const LoadedMaterialPtr& material = m_document.material();
-  const bool blending = m_comparison->standIn().has_value();
-  if (!material && !blending) return m_representation->setText(tr("Nothing open"));
+  const auto standIn = m_comparison->standIn();
+  if (!material && !standIn) return m_representation->setText(tr("Nothing open"));
   if (m_preview->isComparing()) {
     const auto sides = m_comparison->sides();
     return m_representation->setText(tr("%1 | %2").arg(m_comparison->name(sides[0]), m_comparison->name(sides[1])));
   }
-  if (blending) return m_representation->setText(tr("Blend: %1").arg(m_comparison->standInName()));
+  if (standIn == StandIn::blend) return m_representation->setText(tr("Blend: %1").arg(m_comparison->standInName()));
+  if (standIn)
+    return m_representation->setText(tr("In the material's place, without edits: %1").arg(m_comparison->standInName()));
   const MaterialCode* code = m_comparison->code();
   QString text = code ? tr("Code of %1 coefficients").arg(code->encoded.code.coefficients())
                       : tr("%1 table").arg(QString::fromStdString(material->material.source.format));
@@ -188,6 +198,19 @@ void MainWindow::showRepresentation() {
   if (const auto& factors = m_document.factors(); factors && !factors->isIdentity())
     text = tr("%1 + factor edit").arg(text);
   m_representation->setText(text);
+}
+
+void MainWindow::takeRepresentation(const study::Representation& representation) {
+  // What has a place of its own goes there; the rest stays in the preview.
+  if (representation.family == study::RepresentationFamily::fit) {
+    m_study->show(-1);
+    m_controller.chooseModel(models::findModel(representation.id));
+  } else if (representation.family == study::RepresentationFamily::code) {
+    m_study->show(-1);
+    m_inspector->unfoldRepresentation();
+    m_inspector->representation()->setCoefficients(std::size_t(representation.budget));
+    m_inspector->representation()->showEncoded().setChecked(true);
+  }
 }
 
 void MainWindow::open(const QString& path) {

@@ -12,6 +12,7 @@
 #include "app/gonio/library_controller.h"
 #include "app/gonio/plots_panel.h"
 #include "app/gonio/recent_files.h"
+#include "core/study/representation.h"
 
 namespace gonio::widgets {
 class ComparisonBar;
@@ -31,6 +32,7 @@ class ComparisonPanel;
 class FactorCurvesPanel;
 class FitRankingPanel;
 class InterpolationPanel;
+class StudyPanel;
 
 /// The editor's window: library left, preview in the middle, inspector right. It connects the parts; what they do lies
 /// in them. The menus are built by the classes in file_menu.h, edit_menu.h, view_menu.h, analyse_menu.h and
@@ -56,6 +58,7 @@ class MainWindow : public QMainWindow {
   FactorCurvesPanel& factors() { return *m_factors; }
   InterpolationPanel& interpolation() { return *m_interpolation; }
   FitRankingPanel& ranking() { return *m_ranking; }
+  StudyPanel& study() { return *m_study; }
   QList<QDockWidget*> docks() const { return m_docks; }
 
   /// Opens a file after asking what to do with unsaved changes.
@@ -92,6 +95,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showProgress();
   void showRepresentation();
+  void takeRepresentation(const study::Representation& representation);
   bool mayDiscard();
   void restoreSettings();
   void saveSettings();
@@ -113,6 +117,7 @@ class MainWindow : public QMainWindow {
   FactorCurvesPanel* m_factors;
   FitRankingPanel* m_ranking;
   InterpolationPanel* m_interpolation;
+  StudyPanel* m_study;
   widgets::MessageBar* m_messages;
   widgets::ProgressStrip* m_progress;
   widgets::DropOverlay* m_dropOverlay;

@@ -17,7 +17,7 @@ namespace gonio::app {
 namespace {
 
 const QString encodeKey = QStringLiteral("encode");
-constexpr std::array<std::size_t, 13> counts{16, 32, 48, 64, 96, 128, 192, 262, 384, 512, 768, 1024, 2048};
+constexpr std::array<std::size_t, 14> counts{16, 32, 48, 64, 96, 128, 192, 256, 262, 384, 512, 768, 1024, 2048};
 constexpr std::size_t usualCount = 262;
 constexpr int delayMilliseconds = 300;
 

@@ -48,6 +48,11 @@ double meanHue(const QImage& image) {
 
 }  // namespace
 
+QImage displayedImage(const Image& picture) {
+  const std::vector<std::uint8_t> bytes = toDisplayBytes(picture, exposure, ToneMap::filmic);
+  return QImage(bytes.data(), picture.width, picture.height, picture.width * 4, QImage::Format_RGBA8888).copy();
+}
+
 QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control) {
   SphereScene scene = comparisonScene();
   scene.showEnvironment = false;
@@ -56,8 +61,7 @@ QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskContro
   options.samples = samples;
   options.lobe = estimateSamplingLobe(brdf);
   const Image picture = renderSphere(brdf, scene, options, control);
-  const std::vector<std::uint8_t> bytes = toDisplayBytes(picture, exposure, ToneMap::filmic);
-  QImage image = QImage(bytes.data(), pixels, pixels, pixels * 4, QImage::Format_RGBA8888).copy();
+  QImage image = displayedImage(picture);
   image.setText("roughness", QString::number(options.lobe->roughness));
   image.setText("hue", QString::number(meanHue(image)));
   return image;

@@ -5,6 +5,7 @@
 #include <QString>
 
 #include "core/brdf/brdf.h"
+#include "core/math/image.h"
 #include "core/support/task_control.h"
 #include "widgets/library/library_model.h"
 
@@ -23,6 +24,9 @@ QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskContro
 /// Draws the pictures of the bundled materials that ship (resources/thumbnails; scripts/thumbnails.sh). About half a
 /// second each. @return whether all could be written.
 bool drawBundledThumbnails(const QString& folder);
+
+/// A picture that was rendered, as the screen shows it: exposure 0, the film-like tone curve.
+QImage displayedImage(const Image& picture);
 
 /// Under the user's cache folder.
 QString thumbnailCacheFolder();

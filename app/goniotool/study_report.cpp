@@ -93,7 +93,7 @@ void writeStudy(const std::filesystem::path& stem, const StudyTitle& title, std:
       file(".csv"), plots::toCsv(studyCsv("material: " + title.material, records, title.machine, title.pictures)));
   std::vector<std::string> notes = machineLines(title.machine);
   notes.push_back("pictures and frames: " + title.pictures);
-  io::writeFileAtomically(file(".svg"), studySvg(title.material, records, allCostPanels(), notes));
+  io::writeFileAtomically(file(".svg"), studySvg(title.material, records, allCostAxes(), notes));
 }
 
 }  // namespace gonio::tool

@@ -39,7 +39,8 @@ StudiedRepresentation measure(const Representation& representation, const BuiltR
   StudiedRepresentation studied{
       .record = {.representation = representation, .bytes = built.bytes, .encodeSeconds = built.encodeSeconds},
       .brdf = built.brdf,
-      .picture = {}};
+      .picture = {},
+      .tabulated = built.tabulated};
   StudyRecord& record = studied.record;
   record.evaluation = measureEvaluation(*built.brdf, stop);
   record.frameMilliseconds = frameMilliseconds(comparison, *built.brdf, studied.picture, stop);

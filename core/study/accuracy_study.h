@@ -16,6 +16,7 @@ struct StudiedRepresentation {
   StudyRecord record;
   std::shared_ptr<const Brdf> brdf;
   Image picture;  ///< in comparisonScene(), linear RGB
+  std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)> tabulated;  ///< see BuiltRepresentation
 };
 
 struct StudyOptions {

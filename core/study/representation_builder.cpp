@@ -48,6 +48,15 @@ RepresentationBuilder::RepresentationBuilder(StudySubject subject, BuildOptions 
 }
 
 BuiltRepresentation RepresentationBuilder::build(const Representation& representation, const TaskControl& control) {
+  BuiltRepresentation built = make(representation, control);
+  if (!built.tabulated)
+    built.tabulated = [brdf = built.brdf, grid = subject_.table->grid()](const TaskControl& baking) {
+      return bakeTable(*brdf, grid, baking);
+    };
+  return built;
+}
+
+BuiltRepresentation RepresentationBuilder::make(const Representation& representation, const TaskControl& control) {
   switch (representation.family) {
     case RepresentationFamily::table:
       return table(representation);
@@ -67,6 +76,7 @@ BuiltRepresentation RepresentationBuilder::build(const Representation& represent
 
 BuiltRepresentation RepresentationBuilder::table(const Representation& representation) const {
   BuiltRepresentation built{.brdf = subject_.table, .nodes = subject_.table, .bytes = subject_.table->bytes()};
+  built.tabulated = [all = subject_.table](const TaskControl&) { return all; };
   if (representation.id == "table-nearest") built.brdf = std::make_shared<const NearestBrdf>(subject_.table);
   return built;
 }
@@ -116,10 +126,15 @@ BuiltRepresentation RepresentationBuilder::code(const Representation& representa
   const dictionary::SparseCode stored = io::readCode(io::MemorySource(file)).code;
   const dictionary::Ensemble& ensemble = options_.dictionary->ensemble;
   const bool sameNodes = subject_.table->grid() == ensemble.grid;
-  return {.brdf = dictionary::makeCodeBrdf(ensemble, stored),
-          .nodes = sameNodes ? dictionary::decode(ensemble, stored) : nullptr,
-          .bytes = file.size(),
-          .encodeSeconds = encoded.seconds};
+  BuiltRepresentation built{.brdf = dictionary::makeCodeBrdf(ensemble, stored),
+                            .nodes = sameNodes ? dictionary::decode(ensemble, stored) : nullptr,
+                            .bytes = file.size(),
+                            .encodeSeconds = encoded.seconds};
+  if (sameNodes)
+    built.tabulated = [dictionary = options_.dictionary, stored](const TaskControl&) {
+      return dictionary::decode(dictionary->ensemble, stored);
+    };
+  return built;
 }
 
 BuiltRepresentation RepresentationBuilder::components(const Representation& representation,
@@ -136,7 +151,8 @@ BuiltRepresentation RepresentationBuilder::components(const Representation& repr
   return {.brdf = decoded,
           .nodes = decoded,
           .bytes = dictionary::ComponentCode::halfBytes(count),
-          .encodeSeconds = seconds};
+          .encodeSeconds = seconds,
+          .tabulated = [decoded](const TaskControl&) { return decoded; }};
 }
 
 BuiltRepresentation RepresentationBuilder::nonparametric(const TaskControl& control) const {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -36,6 +37,9 @@ struct BuiltRepresentation {
   std::shared_ptr<const TabulatedBrdf> nodes;
   std::size_t bytes = 0;     ///< see StudyRecord
   double encodeSeconds = 0;  ///< see StudyRecord
+  /// Its values at the nodes of the subject's table, computed when they are asked for (a code is decoded in under 50
+  /// ms, other things are sampled). From any thread, also when the builder is gone. @throws Cancelled.
+  std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)> tabulated = {};
 };
 
 /// Makes representations of one material. What several budgets share is computed once: factors are nested; fits share
@@ -51,6 +55,7 @@ class RepresentationBuilder {
   BuiltRepresentation build(const Representation& representation, const TaskControl& control = {});
 
  private:
+  BuiltRepresentation make(const Representation& representation, const TaskControl& control);
   BuiltRepresentation table(const Representation& representation) const;
   BuiltRepresentation fit(const Representation& representation, const TaskControl& control);
   BuiltRepresentation factors(const Representation& representation, const TaskControl& control);

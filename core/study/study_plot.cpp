@@ -52,7 +52,7 @@ std::string labelOf(const Representation& r) {
 
 class PanelPainter {
  public:
-  PanelPainter(SvgDrawing& svg, const glm::dvec2& origin, std::span<const StudyRecord> records, const StudyPanel& panel)
+  PanelPainter(SvgDrawing& svg, const glm::dvec2& origin, std::span<const StudyRecord> records, const StudyAxes& panel)
       : svg_(svg),
         records_(records),
         panel_(panel),
@@ -144,7 +144,7 @@ class PanelPainter {
 
   SvgDrawing& svg_;
   std::span<const StudyRecord> records_;
-  StudyPanel panel_;
+  StudyAxes panel_;
   glm::dvec2 low_, high_;  ///< corners of the axes: bottom left, top right
   StudyAxis costs_, qualities_;
   std::vector<std::optional<glm::dvec2>> places_;
@@ -195,13 +195,13 @@ SeriesLook lookOf(const Representation& r) {
   return {look.marker, look.colour, hollow, named ? r.label : std::string(familyName(r.family))};
 }
 
-std::vector<StudyPanel> allCostPanels() {
-  std::vector<StudyPanel> panels;
+std::vector<StudyAxes> allCostAxes() {
+  std::vector<StudyAxes> panels;
   for (const Cost cost : allCosts) panels.push_back({.cost = cost});
   return panels;
 }
 
-std::string studySvg(const std::string& title, std::span<const StudyRecord> records, std::span<const StudyPanel> panels,
+std::string studySvg(const std::string& title, std::span<const StudyRecord> records, std::span<const StudyAxes> panels,
                      const std::vector<std::string>& notes) {
   const std::size_t columns = std::min<std::size_t>(2, std::max<std::size_t>(1, panels.size()));
   const std::size_t rows = (panels.size() + columns - 1) / columns;

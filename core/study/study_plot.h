@@ -20,18 +20,18 @@ struct SeriesLook {
 SeriesLook lookOf(const Representation& representation);
 
 /// What a plot shows over what.
-struct StudyPanel {
+struct StudyAxes {
   Cost cost = Cost::evaluation;
   Quality quality = {};
 };
 /// The rendered SNR over each cost.
-std::vector<StudyPanel> allCostPanels();
+std::vector<StudyAxes> allCostAxes();
 
 /// Panels side by side, two in a row, as an SVG file: a point a record, budgets of one representation joined by a thin
 /// line, the Pareto front as a thick one with the names of its points, one legend for all. Records without a number
 /// on an axis are left out.
 /// @param notes lines under the plot: machine, build, date.
-std::string studySvg(const std::string& title, std::span<const StudyRecord> records, std::span<const StudyPanel> panels,
+std::string studySvg(const std::string& title, std::span<const StudyRecord> records, std::span<const StudyAxes> panels,
                      const std::vector<std::string>& notes);
 
 }  // namespace gonio::study

@@ -112,13 +112,19 @@ class ComparisonTest : public QObject {
     editor.comparison.toggle();
     QCOMPARE(editor.comparison.sides()[0], ComparedSubject::fit);
     const widgets::PreviewSubject other{.table = lambertMaterial("other", 0.2)->table, .lobe = {}};
-    editor.comparison.setStandIn(other, "blend");
+    editor.comparison.setStandIn(StandIn::blend, other, "blend");
     QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::edited, ComparedSubject::measured}));
     QCOMPARE(editor.preview.overlay()->name(0)->text(), QString("Blend"));
-    editor.comparison.setStandIn({}, {});
+    // A representation that the user looks at goes before a blend.
+    editor.comparison.setStandIn(StandIn::representation, other, "GGX");
+    QCOMPARE(editor.comparison.standIn(), StandIn::representation);
+    QCOMPARE(editor.preview.overlay()->name(0)->text(), QString("GGX"));
+    editor.comparison.setStandIn(StandIn::representation, {}, {});
+    QCOMPARE(editor.comparison.standIn(), StandIn::blend);
+    editor.comparison.setStandIn(StandIn::blend, {}, {});
     QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::fit, ComparedSubject::measured}));
     editor.comparison.setSides(ComparedSubject::measured, ComparedSubject::fit);
-    editor.comparison.setStandIn(other, "blend");
+    editor.comparison.setStandIn(StandIn::blend, other, "blend");
     QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::measured, ComparedSubject::fit}));
   }
 

@@ -3,6 +3,7 @@
 #include "core/study/accuracy_study.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "core/factorization/pdv_factors.h"
@@ -78,6 +79,7 @@ class AccuracyStudyTest : public QObject {
       told.push_back(studied.record.representation.fullLabel());
       const Image picture = comparison.render(*studied.brdf);
       QVERIFY(picture.pixels == studied.picture.pixels);
+      QVERIFY(studied.tabulated({})->grid() == smallGrid);
       const double snr = comparison.signalToNoiseRatio(picture);
       QCOMPARE(studied.record.renderedSnr, snr);
     };
@@ -130,6 +132,7 @@ class AccuracyStudyTest : public QObject {
     for (const Representation& representation : all) {
       const BuiltRepresentation built = builder.build(representation);
       errors.push_back(metrics::brdfError(metrics::BrdfMetric::log, *table, *built.nodes));
+      QVERIFY(std::ranges::equal(built.tabulated({})->values(), built.nodes->values()));
       // What is evaluated is what the nodes hold.
       const std::size_t cell = grid.index(4, 3, 8);
       const DirectionPair pair = grid.directions(cell);

@@ -132,7 +132,7 @@ class StudyReportTest : public QObject {
   /// A marker with its numbers for each record that has some, in every panel; well-formed, whatever the names hold.
   void svgShowsEachRecord() {
     const auto records = someRecords();
-    const auto panels = allCostPanels();
+    const auto panels = allCostAxes();
     QCOMPARE(panels.size(), std::size(allCosts));
     const std::string svg = studySvg("A <material> & \"more\"", records, panels, machineLines(machine));
     QXmlStreamReader reader(QString::fromStdString(svg));
@@ -154,7 +154,7 @@ class StudyReportTest : public QObject {
     QVERIFY(texts.contains("Abacus <10 & \"more\">, 2 cores, 1 thread"));
     // Nothing to show is no error.
     studySvg("", {}, panels, {});
-    studySvg("", records, std::vector<StudyPanel>{{.quality = metrics::BrdfMetric::lab}}, {});
+    studySvg("", records, std::vector<StudyAxes>{{.quality = metrics::BrdfMetric::lab}}, {});
   }
 
   /// No two series are told apart by colour alone.
