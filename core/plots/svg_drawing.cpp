@@ -138,6 +138,7 @@ void SvgDrawing::text(const glm::dvec2& at, std::string_view words, const TextSt
   body_ += "<text x=\"" + number(at.x) + "\" y=\"" + number(at.y) + "\" font-size=\"" + number(style.size) +
            "\" text-anchor=\"" + anchors[int(style.anchor)] + "\" fill=\"" + std::string(style.colour) + "\"";
   if (style.bold) body_ += " font-weight=\"bold\"";
+  if (style.halo) body_ += " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"";
   if (style.upward) body_ += " transform=\"rotate(-90 " + number(at.x) + " " + number(at.y) + ")\"";
   body_ += ">" + escaped(words) + "</text>\n";
 }

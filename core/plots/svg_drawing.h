@@ -37,6 +37,7 @@ class SvgDrawing {
     Anchor anchor = Anchor::start;
     bool bold = false;
     bool upward = false;  ///< turned by 90 degrees, read from below
+    bool halo = false;    ///< white about the letters, where they cross lines
     std::string_view colour = "#222222";
   };
   /// @param at on the base line, where the anchor says.

@@ -122,21 +122,28 @@ class PanelPainter {
     svg_.polyline(steps, frontStroke);
   }
 
-  /// Beside its point, on the first side that is free; nowhere where none is.
+  /// Beside its point, on the first side that is free; nowhere where none is. The steps of the front come from below
+  /// and leave to the right.
   void paintLabel(std::size_t i) {
     const std::string text = labelOf(records_[i].representation);
     const glm::dvec2 at = *places_[i];
-    const double width = 0.56 * labelSize * double(text.size()), gap = 2 * markerSize;
+    const double width = 0.6 * labelSize * double(text.size()), gap = 2 * markerSize;
     const struct {
-      double x, y;  ///< of the label's left end on the base line
-    } sides[] = {{at.x + gap, at.y + 4},         {at.x - gap - width, at.y + 4},
-                 {at.x - width / 2, at.y - gap}, {at.x - width / 2, at.y + gap + labelSize},
-                 {at.x + gap, at.y - gap},       {at.x - gap - width, at.y + gap + labelSize}};
-    for (const auto& [x, y] : sides) {
-      const Box box{{x, y - labelSize}, {x + width, y + 2}};
+      double x, y;  ///< on the base line
+      Anchor anchor;
+    } sides[] = {{at.x - gap, at.y + 4, Anchor::end},
+                 {at.x - gap, at.y - gap, Anchor::end},
+                 {at.x, at.y - gap, Anchor::middle},
+                 {at.x + gap, at.y - gap, Anchor::start},
+                 {at.x + gap, at.y + 4, Anchor::start},
+                 {at.x, at.y + gap + labelSize, Anchor::middle},
+                 {at.x + gap, at.y + gap + labelSize, Anchor::start}};
+    for (const auto& [x, y, anchor] : sides) {
+      const double start = x - width * (anchor == Anchor::end ? 1.0 : anchor == Anchor::middle ? 0.5 : 0.0);
+      const Box box{{start, y - labelSize}, {start + width, y + 2}};
       const bool inside = box.low.x > low_.x && box.high.x < high_.x && box.low.y > high_.y && box.high.y < low_.y;
       if (!inside || std::ranges::any_of(taken_, [&](const Box& other) { return box.overlaps(other); })) continue;
-      svg_.text({x, y}, text, {.size = labelSize});
+      svg_.text({x, y}, text, {.size = labelSize, .anchor = anchor, .halo = true});
       taken_.push_back(box);
       return;
     }
