@@ -11,10 +11,17 @@ bool isPicture(const QString& path) {
          path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive);
 }
 
+bool isScene(const QString& path) {
+  return path.endsWith(QStringLiteral(".obj"), Qt::CaseInsensitive) ||
+         path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
+}
+
 QString dropDescription(const QString& path, bool asReference) {
   const QString text = isPicture(path) ? QCoreApplication::translate("DroppedFiles", "Light the preview with %1")
-                       : asReference   ? QCoreApplication::translate("DroppedFiles", "Compare with %1")
-                                       : QCoreApplication::translate("DroppedFiles", "Open %1 (with Ctrl: compare)");
+                       : isScene(path)
+                           ? QCoreApplication::translate("DroppedFiles", "Show the material in the scene %1")
+                       : asReference ? QCoreApplication::translate("DroppedFiles", "Compare with %1")
+                                     : QCoreApplication::translate("DroppedFiles", "Open %1 (with Ctrl: compare)");
   return text.arg(path.section('/', -1));
 }
 

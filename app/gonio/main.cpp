@@ -13,6 +13,7 @@
 #include "app/gonio/interpolation_panel.h"
 #include "app/gonio/main_window.h"
 #include "app/gonio/representation_panel.h"
+#include "app/gonio/scene_panel.h"
 #include "app/gonio/screenshot.h"
 #include "app/gonio/study_panel.h"
 #include "app/gonio/theme.h"
@@ -38,6 +39,7 @@ struct Options {
   QStringList blended;
   std::size_t encoded;
   QString thumbnails;
+  QString scene;
 };
 
 Options readOptions(const QApplication& application) {
@@ -71,6 +73,7 @@ Options readOptions(const QApplication& application) {
   hidden("interpolate", "A,B,...");  // shows the Interpolation dock with these materials
   hidden("encoded", "COUNT");        // shows the code of so many coefficients
   hidden("thumbnails", "FOLDER");    // draws the pictures of the library, for scripts/thumbnails.sh
+  hidden("scene", "NAME");           // shows the Scene dock with this scene
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
   return {parser.positionalArguments(),
@@ -87,7 +90,8 @@ Options readOptions(const QApplication& application) {
           parser.value("take-f1"),
           parser.value("interpolate").split(',', Qt::SkipEmptyParts),
           parser.value("encoded").toULongLong(),
-          parser.value("thumbnails")};
+          parser.value("thumbnails"),
+          parser.value("scene")};
 }
 
 QString asGiven(const QString& file) {
@@ -126,6 +130,10 @@ void prepare(MainWindow& window, const Options& options) {
   if (modes.contains(options.compare))
     window.comparison().setComparison({.mode = gonio::widgets::CompareMode(modes.indexOf(options.compare))});
   if (options.factors) window.showDock(QStringLiteral("factors"));
+  if (!options.scene.isEmpty()) {
+    window.showDock(QStringLiteral("scene"));
+    window.scenePanel().open(options.scene);
+  }
   if (options.encoded > 0) {
     window.inspector().unfoldRepresentation();
     window.inspector().representation()->setCoefficients(options.encoded);

@@ -24,6 +24,7 @@
 #include "app/gonio/material_menu.h"
 #include "app/gonio/representation_panel.h"
 #include "app/gonio/study_panel.h"
+#include "app/gonio/scene_panel.h"
 #include "app/gonio/thumbnail.h"
 #include "app/gonio/view_menu.h"
 #include "app/gonio/view_state.h"
@@ -77,6 +78,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_ranking(new FitRankingPanel(m_document, m_controller, m_tasks)),
       m_interpolation(new InterpolationPanel(m_document, m_tasks)),
       m_study(new StudyPanel(m_document, m_tasks)),
+      m_scenePanel(new ScenePanel(*m_preview, m_tasks)),
       m_messages(new widgets::MessageBar),
       m_progress(new widgets::ProgressStrip),
       m_dropOverlay(nullptr),
@@ -142,8 +144,13 @@ void MainWindow::connectController() {
   connect(&m_controller, &DocumentController::exported, this,
           [this](const QString& path) { statusBar()->showMessage(tr("Wrote %1").arg(path), 6000); });
   connect(&m_controller, &DocumentController::viewRestored, this, [this](const nlohmann::json& view) {
-    restoreView(*m_preview, view);
-    if (const auto environment = environmentOf(view)) setEnvironment(*environment);
+    const auto restore = [this, view] {
+      restoreView(*m_preview, view);
+      const auto& own = m_preview->scene().environment;
+      const auto environment = environmentOf(view);
+      if (environment && environment->toStdString() != (own ? own->name() : "")) setEnvironment(*environment);
+    };
+    m_scenePanel->open(sceneNameOf(view), restore);
   });
   connect(&m_controller, &DocumentController::failed, this, &MainWindow::showFailure);
   connect(m_comparison, &ComparisonController::failed, this, &MainWindow::showFailure);
@@ -152,6 +159,7 @@ void MainWindow::connectController() {
   connect(m_interpolation, &InterpolationPanel::failed, this, &MainWindow::showFailure);
   connect(m_study, &StudyPanel::failed, this, &MainWindow::showFailure);
   connect(m_study, &StudyPanel::exported, &m_controller, &DocumentController::exported);
+  connect(m_scenePanel, &ScenePanel::failed, this, &MainWindow::showFailure);
   connect(&m_controller, &DocumentController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_controller, &DocumentController::proposalOffered, m_messages, &widgets::MessageBar::showProposal);
   connect(m_messages, &widgets::MessageBar::applied, &m_controller, &DocumentController::applyProposal);
@@ -226,9 +234,7 @@ void MainWindow::setEnvironment(const QString& nameOrPath) {
         widgets::environmentTexels(environment);  // so that the preview need not wait for them
         return environment;
       },
-      [this](const std::shared_ptr<const EnvironmentMap>& environment) {
-        m_preview->setEnvironment(environment);
-      },
+      [this](const std::shared_ptr<const EnvironmentMap>& environment) { m_preview->setEnvironment(environment); },
       [this](const QString& error) { Q_EMIT m_controller.failed(tr("Cannot read the environment"), error); });
 }
 
@@ -269,6 +275,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QString file = widgets::draggedMaterial(event->mimeData());
   if (isPicture(file))
     setEnvironment(file);
+  else if (isScene(file))
+    m_scenePanel->open(file);
   else if (!file.isEmpty() && event->modifiers() & Qt::ControlModifier)
     m_comparison->openReference(file);
   else if (!file.isEmpty())

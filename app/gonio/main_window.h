@@ -33,6 +33,7 @@ class FactorCurvesPanel;
 class FitRankingPanel;
 class InterpolationPanel;
 class StudyPanel;
+class ScenePanel;
 
 /// The editor's window: library left, preview in the middle, inspector right. It connects the parts; what they do lies
 /// in them. The menus are built by the classes in file_menu.h, edit_menu.h, view_menu.h, analyse_menu.h and
@@ -59,6 +60,7 @@ class MainWindow : public QMainWindow {
   InterpolationPanel& interpolation() { return *m_interpolation; }
   FitRankingPanel& ranking() { return *m_ranking; }
   StudyPanel& study() { return *m_study; }
+  ScenePanel& scenePanel() { return *m_scenePanel; }
   QList<QDockWidget*> docks() const { return m_docks; }
 
   /// Opens a file after asking what to do with unsaved changes.
@@ -118,6 +120,7 @@ class MainWindow : public QMainWindow {
   FitRankingPanel* m_ranking;
   InterpolationPanel* m_interpolation;
   StudyPanel* m_study;
+  ScenePanel* m_scenePanel;
   widgets::MessageBar* m_messages;
   widgets::ProgressStrip* m_progress;
   widgets::DropOverlay* m_dropOverlay;

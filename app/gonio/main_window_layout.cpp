@@ -13,6 +13,7 @@
 #include "app/gonio/interpolation_panel.h"
 #include "app/gonio/main_window.h"
 #include "app/gonio/study_panel.h"
+#include "app/gonio/scene_panel.h"
 #include "widgets/library/library_view.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/plausibility_badges.h"
@@ -75,12 +76,14 @@ void MainWindow::buildBottomDocks() {
   QDockWidget* factors = addDock(tr("Factor curves"), "factors", m_factors, Qt::BottomDockWidgetArea);
   QDockWidget* interpolation = addDock(tr("Interpolation"), "interpolation", m_interpolation, Qt::BottomDockWidgetArea);
   QDockWidget* study = addDock(tr("Accuracy against time"), "study", m_study, Qt::BottomDockWidgetArea);
+  QDockWidget* scene = addDock(tr("Scene"), "scene", m_scenePanel, Qt::BottomDockWidgetArea);
   tabifyDockWidget(plots, comparison);
   tabifyDockWidget(comparison, models);
   tabifyDockWidget(models, factors);
   tabifyDockWidget(factors, interpolation);
   tabifyDockWidget(interpolation, study);
-  for (QDockWidget* dock : {plots, comparison, models, factors, interpolation, study}) dock->hide();
+  tabifyDockWidget(study, scene);
+  for (QDockWidget* dock : {plots, comparison, models, factors, interpolation, study, scene}) dock->hide();
   connect(m_libraryView, &widgets::LibraryView::interpolationRequested, this, [this](const QString& id) {
     showDock(QStringLiteral("interpolation"));
     m_interpolation->take(id);

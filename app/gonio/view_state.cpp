@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rendering/scene_file.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
@@ -27,7 +28,8 @@ Direction lightOf(const Scene& scene) {
 nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
   const Scene& scene = preview.scene();
   const Direction toLight = lightOf(scene);
-  return {{"yaw", scene.camera.yaw},
+  return {{"scene", scene.source},
+          {"yaw", scene.camera.yaw},
           {"pitch", scene.camera.pitch},
           {"distance", scene.camera.distance},
           {"fieldOfView", scene.camera.fieldOfView},
@@ -61,6 +63,12 @@ void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view) {
   if (view.is_object() && view.contains("toneMap"))
     for (const ToneMap toneMap : {ToneMap::clamp, ToneMap::filmic})
       if (view["toneMap"] == std::string(toneMapName(toneMap))) preview.setToneMap(toneMap);
+}
+
+QString sceneNameOf(const nlohmann::json& view) {
+  const bool told = view.is_object() && view.contains("scene") && view["scene"].is_string();
+  const std::string scene = told ? view["scene"].get<std::string>() : "";
+  return QString::fromStdString(scene.empty() ? bundledSceneNames().front() : scene);
 }
 
 std::optional<QString> environmentOf(const nlohmann::json& view) {

@@ -40,6 +40,7 @@ struct PointLight {
 /// What a picture shows, in world coordinates (y up). Plain values: two scenes may share meshes and environments.
 struct Scene {
   std::string name, description;
+  std::string source;  ///< what openScene() took: the name of a bundled one, or a path; empty for others
   OrbitCamera camera;
   std::vector<SceneObject> objects;
   std::vector<DirectionalLight> directionalLights;

@@ -137,7 +137,8 @@ void SceneReader::readObject(const JsonObject& object) {
     result.radiance = triple(object, "radiance", 0);
   }
   const char* expected = "a number of a material from 0, \"each\", or {\"diffuse\": [r, g, b]}";
-  const nlohmann::json material = object.contains("material") ? object.member("material", expected) : nlohmann::json(0u);
+  const nlohmann::json material =
+      object.contains("material") ? object.member("material", expected) : nlohmann::json(0u);
   if (material.is_object()) {
     const JsonObject diffuse(material, object.place("material"));
     diffuse.expectOnly({"diffuse"});
@@ -255,16 +256,9 @@ Scene parseScene(const std::string& text, int materials, const std::optional<std
   return SceneReader(JsonObject(json, ""), materials, folder).read();
 }
 
-Scene openScene(const std::string& nameOrPath, int materials) {
-  for (const BundledScene& bundled : bundledScenes())
-    if (nameOrPath == bundled.name) {
-      Scene scene = parseScene(std::string(bundled.json), materials);
-      scene.name = nameOrPath;
-      return scene;
-    }
-  const std::filesystem::path path(nameOrPath);
-  if (std::error_code unreadable; !std::filesystem::exists(path, unreadable))
-    throw Error(nameOrPath + ": found neither a scene of this name (" + namesText() + ") nor a file");
+namespace {
+
+Scene sceneOfFile(const std::filesystem::path& path, int materials) {
   if (isObj(path)) return meshScene(path);
   Scene scene = namingFile(path, [&] {
     const std::vector<std::byte> bytes = io::FileSource(path).readAll(maxSceneBytes);
@@ -272,6 +266,23 @@ Scene openScene(const std::string& nameOrPath, int materials) {
     return parseScene(text, materials, path.parent_path());
   });
   scene.name = path.stem().string();
+  return scene;
+}
+
+}  // namespace
+
+Scene openScene(const std::string& nameOrPath, int materials) {
+  Scene scene;
+  const auto bundled = std::ranges::find(bundledScenes(), std::string_view(nameOrPath), &BundledScene::name);
+  if (bundled != bundledScenes().end()) {
+    scene = parseScene(std::string(bundled->json), materials);
+    scene.name = nameOrPath;
+  } else if (std::error_code unreadable; std::filesystem::exists(nameOrPath, unreadable)) {
+    scene = sceneOfFile(nameOrPath, materials);
+  } else {
+    throw Error(nameOrPath + ": found neither a scene of this name (" + namesText() + ") nor a file");
+  }
+  scene.source = nameOrPath;
   return scene;
 }
 

@@ -18,13 +18,16 @@ QString samplesText(int samples) {
   return samples == 1 ? PreviewOverlay::tr("1 sample") : PreviewOverlay::tr("%1 samples").arg(samples);
 }
 
-QString effectsText(const EffectPlan& plan) {
+QString effectsText(const EffectPlan& plan, int followed) {
   QStringList parts;
   if (plan.simulates(Effect::environmentLight)) parts << PreviewOverlay::tr("environment");
   if (plan.simulates(Effect::directLight)) parts << PreviewOverlay::tr("lamps");
   if (plan.simulates(Effect::castShadows) || plan.simulates(Effect::selfShadowing))
     parts << PreviewOverlay::tr("shadows");
-  if (plan.reflections > 1) parts << PreviewOverlay::tr("%1 reflections").arg(plan.reflections);
+  if (plan.reflections > followed)
+    parts << PreviewOverlay::tr("%1 of %2 reflections").arg(followed).arg(plan.reflections);
+  else if (plan.reflections > 1)
+    parts << PreviewOverlay::tr("%1 reflections").arg(plan.reflections);
   return parts.isEmpty() ? PreviewOverlay::tr("no light") : parts.join(", ");
 }
 

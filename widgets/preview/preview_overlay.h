@@ -12,8 +12,9 @@ namespace gonio::widgets {
 
 /// "1 sample", "64 samples".
 QString samplesText(int samples);
-/// What is simulated, in short: "environment, shadows, 6 reflections".
-QString effectsText(const EffectPlan& plan);
+/// What is simulated, in short: "environment, shadows, 8 of 64 reflections".
+/// @param followed at most so many reflections are drawn.
+QString effectsText(const EffectPlan& plan, int followed);
 
 class FalseColourLegend;
 class SplitBar;

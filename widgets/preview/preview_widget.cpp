@@ -344,13 +344,14 @@ void PreviewWidget::showOverlay() {
 
 void PreviewWidget::updateStatus(double milliseconds) {
   const QString curve = QString::fromUtf8(toneMapName(settings_.toneMap).data());
-  overlay_->setStatus(tr("%1 | exposure %2 | %3 | %4 ms%5 | %6 | %7")
+  const int followed = isTraced() ? first_.plan.reflections : SceneUniforms::mostReflections;
+  overlay_->setStatus(tr("%1 | exposure %2 | %3 | %4 ms%5 | %6\n%7")
                           .arg(QString::fromStdString(scene_.name))
                           .arg(settings_.exposure, 0, 'f', 1)
                           .arg(curve)
                           .arg(milliseconds, 0, 'f', 1)
                           .arg(isTraced() ? tr(" a sample, on the CPU") : QString())
-                          .arg(samplesText(first_.picture.samples()), effectsText(first_.plan)));
+                          .arg(samplesText(first_.picture.samples()), effectsText(first_.plan, followed)));
 }
 
 }  // namespace gonio::widgets

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/scene_panel.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "app/gonio/view_state.h"
+#include "core/models/registry.h"
+#include "core/rendering/scene_file.h"
+#include "tests/app/glossy_material.h"
+#include "widgets/panels/effect_list.h"
+#include "widgets/preview/preview_widget.h"
+
+using namespace gonio;
+using app::ScenePanel;
+
+class ScenePanelTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    preview_ = std::make_unique<widgets::PreviewWidget>();
+    tasks_ = std::make_unique<app::BackgroundTasks>();
+    panel_ = std::make_unique<ScenePanel>(*preview_, *tasks_);
+  }
+  void cleanup() {
+    panel_.reset();
+    tasks_.reset();
+    preview_.reset();
+  }
+
+  /// A scene that is chosen is shown, and the plan is that of the scene: of these effects the lone sphere has one.
+  void aChosenSceneIsPlanned() {
+    QVERIFY(!preview_->plan().simulates(Effect::castShadows));
+    choose("sphere-point-light");
+    QTRY_COMPARE(preview_->scene().name, std::string("sphere-point-light"));
+    QVERIFY(preview_->plan().simulates(Effect::castShadows) && preview_->plan().simulates(Effect::directLight));
+    QVERIFY(!preview_->plan().simulates(Effect::environmentLight));
+    QVERIFY(shows("the sphere may stand between the ground and the point light"));
+    choose("bowl");
+    QTRY_VERIFY(preview_->plan().simulates(Effect::selfShadowing));
+    QVERIFY(shows("the bowl is not convex"));
+  }
+
+  /// The switch forces, the row tells it, and back by the plan nothing is left of it.
+  void aSwitchForces() {
+    QComboBox& shadows = panel_->effects().switchOf(Effect::castShadows);
+    activate(shadows, 1);
+    QVERIFY(preview_->plan().simulates(Effect::castShadows) && !preview_->plan()[Effect::castShadows].calledFor);
+    QVERIFY(shows("yes, forced"));
+    activate(shadows, 0);
+    QVERIFY(!preview_->plan().simulates(Effect::castShadows) && preview_->overrides() == EffectOverrides{});
+    QVERIFY(!shows("yes, forced"));
+  }
+
+  /// Nothing can be measured without a material; with one every effect gets its cost, until another scene comes.
+  void costsAreMeasured() {
+    QVERIFY(!panel_->measureButton().isEnabled() && !panel_->compareButton().isEnabled());
+    preview_->setMaterial(
+        app::test::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->table, {});
+    QTRY_VERIFY(panel_->measureButton().isEnabled());
+    panel_->measureButton().click();
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->costs(), 60000);
+    QCOMPARE(panel_->costs()->effects.size(), effectCount);
+    QVERIFY(panel_->costs()->seconds > 0 && shows("ms ("));
+    choose("torus");
+    QTRY_VERIFY(!panel_->costs() && !shows("ms ("));
+  }
+
+  void aSceneThatCannotBeReadIsTold() {
+    QSignalSpy failed(panel_.get(), &ScenePanel::failed);
+    panel_->open("/nowhere/scene.json");
+    QTRY_COMPARE(failed.count(), 1);
+    QVERIFY(failed[0][1].toString().contains("/nowhere/scene.json"));
+    QCOMPARE(preview_->scene().name, std::string("sphere"));
+  }
+
+  /// A document keeps the scene by its name; one from before there were scenes has the lone sphere.
+  void aViewKeepsTheScene() {
+    choose("two-spheres");
+    QTRY_COMPARE(preview_->scene().name, std::string("two-spheres"));
+    QCOMPARE(app::sceneNameOf(app::viewToJson(*preview_)), QString("two-spheres"));
+    QCOMPARE(app::sceneNameOf({{"yaw", 0.1}}), QString("sphere"));
+  }
+
+ private:
+  void choose(const char* scene) { activate(panel_->scenes(), panel_->scenes().findData(QString(scene))); }
+  void activate(QComboBox& box, int index) {
+    box.setCurrentIndex(index);
+    Q_EMIT box.activated(index);
+  }
+  bool shows(const QString& text) {
+    for (const QLabel* label : panel_->findChildren<QLabel*>())
+      if (label->text().contains(text)) return true;
+    return false;
+  }
+
+  std::unique_ptr<widgets::PreviewWidget> preview_;
+  std::unique_ptr<app::BackgroundTasks> tasks_;
+  std::unique_ptr<ScenePanel> panel_;
+};
+
+QTEST_MAIN(ScenePanelTest)
+#include "scene_panel_test.moc"

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/panels/effect_list.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QLabel>
+
+namespace gonio::widgets {
+
+namespace {
+
+enum Choice { byPlan, forcedOn, forcedOff };
+
+struct EffectText {
+  const char *name, *toolTip;
+};
+/// In the order of Effect.
+constexpr EffectText texts[effectCount] = {
+    {QT_TRANSLATE_NOOP("EffectList", "Emitted light"),
+     QT_TRANSLATE_NOOP("EffectList", "Lamps, and the environment behind the objects, as the camera sees them")},
+    {QT_TRANSLATE_NOOP("EffectList", "Direct light"),
+     QT_TRANSLATE_NOOP("EffectList", "Light of lamps after one reflection")},
+    {QT_TRANSLATE_NOOP("EffectList", "Environment light"),
+     QT_TRANSLATE_NOOP("EffectList", "Light of the environment after one reflection")},
+    {QT_TRANSLATE_NOOP("EffectList", "Cast shadows"),
+     QT_TRANSLATE_NOOP("EffectList", "One object in the light of another")},
+    {QT_TRANSLATE_NOOP("EffectList", "Self-shadowing"),
+     QT_TRANSLATE_NOOP("EffectList", "An object in its own light: only where it is not convex")},
+    {QT_TRANSLATE_NOOP("EffectList", "Interreflection"),
+     QT_TRANSLATE_NOOP("EffectList", "Light after two reflections and more")},
+    {QT_TRANSLATE_NOOP("EffectList", "Anisotropic frames"),
+     QT_TRANSLATE_NOOP("EffectList", "Directions along the surface, which anisotropic materials ask for")},
+    {QT_TRANSLATE_NOOP("EffectList", "Area light sampling"),
+     QT_TRANSLATE_NOOP("EffectList", "Rays are sent to places on lamps that have a size: less noise")},
+};
+
+QString costText(const EffectCosts& costs, const EffectCost& cost) {
+  const double share = costs.seconds > 0 ? 100 * cost.seconds / costs.seconds : 0;
+  return EffectList::tr("%1 ms (%2 %)").arg(1000 * cost.seconds, 0, 'f', 1).arg(share, 0, 'f', 0);
+}
+
+}  // namespace
+
+EffectList::EffectList(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setVerticalSpacing(2);
+  layout->setHorizontalSpacing(fontMetrics().averageCharWidth() * 2);
+  int column = 0;
+  for (const QString& title : {tr("Effect"), tr("Simulated"), tr("Switch"), tr("Cost"), tr("Why")}) {
+    auto* label = new QLabel(title);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    layout->addWidget(label, 0, column++);
+  }
+  layout->setColumnStretch(4, 1);
+  for (std::size_t i = 0; i < effectCount; ++i) addRow(Effect(i));
+  setCosts(std::nullopt);
+}
+
+void EffectList::addRow(Effect effect) {
+  auto* layout = static_cast<QGridLayout*>(this->layout());
+  const EffectText& text = texts[std::size_t(effect)];
+  const QString name = QCoreApplication::translate("EffectList", text.name);
+  Row& row = m_rows[std::size_t(effect)];
+  row = {new QLabel, new QLabel(name), new QLabel, new QLabel, new QComboBox};
+  row.name->setToolTip(QCoreApplication::translate("EffectList", text.toolTip));
+  row.choice->addItems({tr("by the plan"), tr("on"), tr("off")});
+  row.choice->setAccessibleName(tr("%1: by the plan, on or off").arg(name));
+  row.choice->setToolTip(tr("Forces the effect: on, to see that the picture stays as it is; off, to see what it does"));
+  row.choice->setFocusPolicy(Qt::StrongFocus);
+  row.cost->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row.reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  row.reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  const int at = int(effect) + 1;
+  int column = 0;
+  for (QWidget* part : std::initializer_list<QWidget*>{row.name, row.state, row.choice, row.cost, row.reason})
+    layout->addWidget(part, at, column++);
+  connect(row.choice, &QComboBox::activated, this, [this] { Q_EMIT overridesChanged(overrides()); });
+}
+
+void EffectList::setPlan(const EffectPlan& plan) {
+  for (std::size_t i = 0; i < effectCount; ++i) {
+    const EffectDecision& decision = plan.decisions[i];
+    const bool forced = decision.simulated != decision.calledFor;
+    QString state = decision.simulated ? tr("yes") : tr("no");
+    if (forced) state += tr(", forced");
+    m_rows[i].state->setText(state);
+    for (QLabel* label : {m_rows[i].state, m_rows[i].name}) {
+      QFont font = label->font();
+      font.setBold(decision.simulated);
+      label->setFont(font);
+    }
+    const QString reason = QString::fromStdString(decision.reason);
+    m_rows[i].reason->setText(reason);
+    m_rows[i].reason->setToolTip(reason);
+  }
+}
+
+void EffectList::setCosts(const std::optional<EffectCosts>& costs) {
+  for (std::size_t i = 0; i < effectCount; ++i) {
+    QLabel& label = *m_rows[i].cost;
+    label.setEnabled(costs.has_value());
+    label.setText(costs ? costText(*costs, costs->effects[i]) : tr("-"));
+    label.setToolTip(
+        costs
+            ? tr("The picture's time with it less that without it, on the CPU. It changes the picture by %1 %; chance "
+                 "alone by %2 %.")
+                  .arg(100 * costs->effects[i].difference, 0, 'g', 2)
+                  .arg(100 * costs->effects[i].noise, 0, 'g', 2)
+            : tr("Not measured yet"));
+  }
+}
+
+void EffectList::setOverrides(const EffectOverrides& overrides) {
+  for (std::size_t i = 0; i < effectCount; ++i)
+    m_rows[i].choice->setCurrentIndex(!overrides[i] ? byPlan : *overrides[i] ? forcedOn : forcedOff);
+}
+
+EffectOverrides EffectList::overrides() const {
+  EffectOverrides overrides;
+  for (std::size_t i = 0; i < effectCount; ++i)
+    if (const int choice = m_rows[i].choice->currentIndex(); choice != byPlan) overrides[i] = choice == forcedOn;
+  return overrides;
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_effect_list.cpp"

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "core/rendering/effect_costs.h"
+
+class QComboBox;
+class QLabel;
+
+namespace gonio::widgets {
+
+/// The plan of a scene's effects: a row each with what is simulated, why, what it was measured to cost, and a switch
+/// that forces it on or off.
+class EffectList : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit EffectList(QWidget* parent = nullptr);
+
+  void setPlan(const EffectPlan& plan);
+  /// Nothing: not measured.
+  void setCosts(const std::optional<EffectCosts>& costs);
+  void setOverrides(const EffectOverrides& overrides);
+  EffectOverrides overrides() const;
+  /// The switch of an effect: by the plan, on, off.
+  QComboBox& switchOf(Effect effect) const { return *m_rows[std::size_t(effect)].choice; }
+
+ Q_SIGNALS:
+  /// By the user.
+  void overridesChanged(const gonio::EffectOverrides& overrides);
+
+ private:
+  struct Row {
+    QLabel *state, *name, *cost, *reason;
+    QComboBox* choice;
+  };
+  void addRow(Effect effect);
+
+  std::array<Row, effectCount> m_rows{};
+};
+
+}  // namespace gonio::widgets
