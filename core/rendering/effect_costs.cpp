@@ -15,6 +15,14 @@ struct Timed {
   double seconds = std::numeric_limits<double>::infinity();
 };
 
+Timed renderOnce(const PathTracer& tracer, const EffectCostOptions& options, const TaskControl& control) {
+  Film film(options.width, options.height);
+  const auto start = std::chrono::steady_clock::now();
+  tracer.accumulate(film, options.samples, {control.stop, {}});
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return {film.image(), seconds};
+}
+
 double relativeDifference(const Image& a, const Image& b) {
   double difference = 0, total = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -30,33 +38,37 @@ double relativeDifference(const Image& a, const Image& b) {
 EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared_ptr<const TracedMaterial>>& materials,
                                const EffectOverrides& overrides, const EffectCostOptions& options,
                                const TaskControl& control) {
-  const auto render = [&](const EffectOverrides& forced, std::uint64_t seed, int repeats, const TaskControl& part) {
-    const PathTracer tracer(scene, materials, planEffects(scene, materials, forced, options.thresholds), seed);
-    Timed result;
-    for (int i = 0; i < repeats; ++i) {
-      Film film(options.width, options.height);
-      const auto start = std::chrono::steady_clock::now();
-      tracer.accumulate(film, options.samples, {part.stop, {}});
-      result.seconds =
-          std::min(result.seconds, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-      result.picture = film.image();
-    }
-    part.report(1);
-    return result;
+  const auto tracerOf = [&](const EffectOverrides& forced, std::uint64_t seed) {
+    return PathTracer(scene, materials, planEffects(scene, materials, forced, options.thresholds), seed);
   };
-  const auto share = [](std::size_t done) { return double(done) / (effectCount + 2); };
-  const Timed planned = render(overrides, 1, options.repeats, control.between(0, share(1)));
-  const Timed other = render(overrides, 2, 1, control.between(share(1), share(2)));
   const EffectPlan plan = planEffects(scene, materials, overrides, options.thresholds);
-  EffectCosts costs{planned.seconds, {}};
+  // As planned, then with each effect the other way round.
+  std::vector<PathTracer> tracers{tracerOf(overrides, 1)};
   for (std::size_t i = 0; i < effectCount; ++i) {
     EffectOverrides turned = overrides;
-    const bool simulated = plan.decisions[i].simulated;
-    turned[i] = !simulated;
-    const Timed changed = render(turned, 1, options.repeats, control.between(share(i + 2), share(i + 3)));
-    costs.effects.push_back(
-        {Effect(i), simulated ? planned.seconds - changed.seconds : changed.seconds - planned.seconds,
-         relativeDifference(planned.picture, changed.picture), relativeDifference(planned.picture, other.picture)});
+    turned[i] = !plan.decisions[i].simulated;
+    tracers.push_back(tracerOf(turned, 1));
+  }
+  std::vector<Timed> timed(tracers.size());
+  const std::size_t pictures = 1 + std::size_t(options.repeats) * tracers.size();
+  std::size_t done = 0;
+  const auto render = [&](const PathTracer& tracer) {
+    Timed result = renderOnce(tracer, options, control);
+    control.report(double(++done) / double(pictures));
+    return result;
+  };
+  // In turn, so that what else the machine does falls on all of them.
+  for (int repeat = 0; repeat < options.repeats; ++repeat)
+    for (std::size_t i = 0; i < tracers.size(); ++i)
+      if (Timed one = render(tracers[i]); one.seconds < timed[i].seconds) timed[i] = std::move(one);
+  const Timed& planned = timed[0];
+  const double noise = relativeDifference(planned.picture, render(tracerOf(overrides, 2)).picture);
+  EffectCosts costs{planned.seconds, {}};
+  for (std::size_t i = 0; i < effectCount; ++i) {
+    const Timed& changed = timed[i + 1];
+    const double added = changed.seconds - planned.seconds;
+    costs.effects.push_back({Effect(i), plan.decisions[i].simulated ? -added : added,
+                             relativeDifference(planned.picture, changed.picture), noise});
   }
   return costs;
 }

@@ -25,7 +25,7 @@ struct EffectCosts {
   std::vector<EffectCost> effects;
 };
 
-/// Measures each effect by rendering with it on and off: (2 + effectCount) x repeats pictures. Effects that cannot act
+/// Measures each effect by rendering with it on and off: (1 + effectCount) x repeats pictures and one more. Effects that cannot act
 /// (no light of the kind) cost what the timer's noise says.
 /// @param materials of bindMaterials().
 /// @throws Cancelled.

@@ -189,18 +189,26 @@ void SceneReader::readEnvironment(const JsonObject& environment) {
   scene_.showEnvironment = environment.contains("shown") && environment.flag("shown");
 }
 
-/// From where all that is looked at fits into a square picture.
+/// From where all that is looked at fits into a square picture, with a margin.
 double SceneReader::fittingDistance(const OrbitCamera& camera) const {
+  constexpr double margin = 1.08;
   const CameraFrame frame = cameraFrame(camera);
+  const double halfAngle = camera.fieldOfView / 2;
   double distance = 0;
+  const auto include = [&](const Direction& centre, double radius) {
+    const Direction offset = centre - camera.target;
+    const double across = std::max(std::abs(glm::dot(offset, frame.right)), std::abs(glm::dot(offset, frame.up)));
+    distance = std::max(distance, margin * (across / std::tan(halfAngle) + radius / std::sin(halfAngle)) -
+                                      glm::dot(offset, frame.forward));
+  };
   for (const SceneObject& object : scene_.objects) {
     if (object.emits() || !std::holds_alternative<LookedAt>(object.material)) continue;
-    const Sphere bound = boundingSphere(object.shape);
-    const Direction offset = bound.centre - camera.target;
-    const double across = std::hypot(glm::dot(offset, frame.right), glm::dot(offset, frame.up));
-    const double halfAngle = camera.fieldOfView / 2;
-    distance = std::max(distance, across / std::tan(halfAngle) + 1.08 * bound.radius / std::sin(halfAngle) -
-                                      glm::dot(offset, frame.forward));
+    if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
+      for (const glm::vec3& vertex : (*mesh)->mesh().positions()) include(Direction(vertex), 0);
+    } else {
+      const Sphere bound = boundingSphere(object.shape);
+      include(bound.centre, bound.radius);
+    }
   }
   return distance > 0 ? distance : camera.distance;
 }

@@ -202,6 +202,22 @@ class GoniotoolRenderTest : public QObject {
     QVERIFY(!QFile::exists(folder_.path("x.png")));
   }
 
+  /// docs/scenes.md names every scene and every effect, and its example is a scene.
+  void theDocumentIsTrue() {
+    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/scenes.md").toStdString();
+    for (const std::string& name : bundledSceneNames())
+      QVERIFY2(text.find("\n| `" + name + "` |") != std::string::npos, name.c_str());
+    for (std::size_t i = 0; i < effectCount; ++i) {
+      const std::string id = effectId(Effect(i));
+      QVERIFY2(text.find("\n| `" + id + "` |") != std::string::npos, id.c_str());
+    }
+    const std::size_t begin = text.find("\n    {\n"), end = text.find("\n    }\n");
+    std::string example = text.substr(begin, end + 6 - begin);
+    example.replace(example.find("vase.obj"), 8, "bowl");
+    const Scene scene = parseScene(example, 2);
+    QVERIFY(scene.objects.size() == 4 && lookedAtCount(scene) == 2 && scene.objects[3].emits());
+  }
+
   /// Last of all tests.
   void zEveryKeyIsDocumented() {
     const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
