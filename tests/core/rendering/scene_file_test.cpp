@@ -234,7 +234,7 @@ class SceneFileTest : public QObject {
     std::ofstream(folder / "morning.json") << json.dump();
     const Scene read = openScene((folder / "morning.json").string());
     QCOMPARE(read.name, std::string("morning"));
-    QCOMPARE(read.environment->name(), std::string("dawn"));
+    QCOMPARE(read.environment->name(), (folder / "dawn.exr").string());
     QVERIFY(near(read.environment->radiance({0, 1, 0}), place(1, 2, 3), 1e-6));
     checkFits(std::get<MeshShape>(read.objects[3].shape)->mesh(), place(0, 0, 0));
     for (const double turn : {30.0, -140.0}) {
