@@ -7,6 +7,7 @@
 #include "app/goniotool/picture_options.h"
 #include "app/goniotool/tool.h"
 #include "core/rendering/scene_file.h"
+#include "core/rendering/strategy_costs.h"
 
 namespace gonio::tool {
 
@@ -18,7 +19,7 @@ struct Options {
   std::vector<std::string> materials, on, off;
   std::string scene = "sphere", out;
   std::shared_ptr<PictureOptions> picture = std::make_shared<PictureOptions>();
-  bool effects = false, costs = false, everything = false;
+  bool effects = false, costs = false, strategies = false, everything = false;
   double remainder = EffectThresholds().remainder;
 };
 
@@ -70,8 +71,29 @@ Rendered renderPicture(const PathTracer& tracer, const SphereRenderOptions& size
   return result;
 }
 
+/// Adds the figures of each sampling strategy to the result.
+void measureStrategies(const PathTracer& tracer, const Materials& materials, const SphereRenderOptions& size,
+                       const Tool& tool, Json& json, std::string& text) {
+  const std::vector<StrategyCost> costs = measureStrategyCosts(
+      tracer.scene(), materials, tracer.plan(),
+      {.width = size.width, .height = size.height, .samples = size.samples, .referenceSamples = 64 * size.samples},
+      tool.control("measuring strategies"));
+  Json list = Json::array();
+  for (const StrategyCost& cost : costs) {
+    list.push_back({{"strategy", strategyId(cost.strategy)},
+                    {"seconds", cost.seconds},
+                    {"error", cost.error},
+                    {"equalTimeError", cost.equalTimeError},
+                    {"equalErrorTime", cost.equalErrorTime}});
+    text += std::string("  draws from ") + strategyId(cost.strategy) + ": " + number(cost.seconds) + " s, error " +
+            number(100 * cost.error) + " %; in the time of both " + number(100 * cost.equalTimeError) +
+            " %; to the error of both " + number(cost.equalErrorTime) + " s\n";
+  }
+  json["strategies"] = list;
+}
+
 int render(const Options& options, const Tool& tool) {
-  if (options.out.empty() && !options.effects && !options.costs)
+  if (options.out.empty() && !options.effects && !options.costs && !options.strategies)
     throw UsageError("--out: found nothing, expected a picture to write (or --effects alone)");
   if (!options.out.empty()) checkPicture(options.out);
   const SphereRenderOptions size = options.picture->renderOptions();
@@ -111,6 +133,7 @@ int render(const Options& options, const Tool& tool) {
            number(rendered.seconds) + " s, " + std::to_string(rays.camera) + " camera rays, " +
            std::to_string(rays.shadow) + " shadow rays, " + std::to_string(rays.bounce) + " bounce rays\n";
   }
+  if (options.strategies) measureStrategies(tracer, materials, size, tool, json, text);
   if (options.effects || options.costs) text += planText(tracer.plan(), told);
   print(tool, json, text);
   return 0;
@@ -128,6 +151,8 @@ void addRender(CLI::App& app, Tool& tool) {
   addPictureOptions(*command, options->picture);
   command->add_flag("--effects", options->effects, "Tell which effects are simulated, and why");
   command->add_flag("--effect-costs", options->costs, "Measure each effect: the picture with it and without it");
+  command->add_flag("--strategy-costs", options->strategies,
+                    "Measure what draws from lights, from materials and from both reach in which time");
   const CLI::IsMember known(effectIds());
   command->add_option("--on", options->on, "Effects to simulate whatever the analysis says")
       ->delimiter(',')

@@ -10,7 +10,7 @@ namespace gonio {
 
 /// The reference renderer: the integral over light paths (Veach 1997, section 8.2; the dissertation's 2.1) by random
 /// walks from the eye, with only the effects of a plan. At each surface one direction is drawn for each light and one
-/// from the material; where both find the same light they share it by the balance heuristic. From the fourth reflection
+/// from the material; where both find the same light they share it by the power heuristic. From the fourth reflection
 /// on, walks that carry little end by Russian roulette. No sample is clamped. Immutable: a picture's sums stand in its
 /// Film.
 class PathTracer {

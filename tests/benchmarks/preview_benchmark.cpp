@@ -11,11 +11,12 @@
 #include "core/io/dictionary_file.h"
 #include "core/io/measured_library.h"
 #include "core/models/model.h"
+#include "core/rendering/scene_file.h"
+#include "tests/support/sphere_preview.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/interpolation/prepared_blend.h"
 #include "widgets/preview/preview_renderer.h"
 #include "widgets/preview/textures.h"
-#include "tests/support/sphere_preview.h"
 
 namespace {
 
@@ -252,5 +253,28 @@ BENCHMARK(environmentSliderStep)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
+
+/// One sample a pixel of a bundled scene, with what its plan has; "sphere" is the baseline.
+void sceneFrame(benchmark::State& state, const std::string& name) {
+  PreviewFixture& fixture = PreviewFixture::instance();
+  const Scene scene = openScene(name, 3);
+  fixture.renderer.setEdit({});
+  fixture.renderer.setScene(scene, widgets::previewPlan(scene, diffuseMaterial(Rgb(0.5))));
+  fixture.renderer.accumulate(1);  // compiles the shader and uploads the environment
+  for (auto _ : state) {
+    fixture.renderer.restart();
+    fixture.renderer.accumulate(1);
+  }
+}
+
+const bool scenesAreRegistered = [] {
+  for (const std::string& name : bundledSceneNames())
+    if (widgets::SceneUniforms::canDraw(openScene(name, 3)))
+      benchmark::RegisterBenchmark(("scene/" + name).c_str(), sceneFrame, name)
+          ->Unit(benchmark::kMillisecond)
+          ->MeasureProcessCPUTime()
+          ->UseRealTime();
+  return true;
+}();
 
 }  // namespace
