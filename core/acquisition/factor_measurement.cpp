@@ -122,6 +122,7 @@ class PredictedBrdf final : public Brdf {
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
     for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
   }
+  bool isReciprocal() const override { return false; }
 
  private:
   Rgb evaluatePair(const DirectionPair& pair) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/brdf/tabulated_brdf.h"
 #include "core/coordinates/azimuth_rotation.h"
@@ -44,19 +45,27 @@ Nodes nodesOfBlock(const GridDirections& directions, std::size_t begin, std::siz
   return nodes;
 }
 
-/// Mean over rotations of both directions about the normal.
-std::vector<Rgb> evaluateRotated(const Brdf& brdf, const std::vector<DirectionPair>& pairs, int rotations) {
-  std::vector<Rgb> sums(pairs.size()), results(pairs.size());
-  brdf.evaluate(pairs, sums);
-  for (int rotation = 1; rotation < rotations; ++rotation) {
-    const AzimuthRotation turn(2 * pi * rotation / rotations);
-    std::vector<DirectionPair> rotated = pairs;
-    for (DirectionPair& pair : rotated) pair = turn(pair);
-    brdf.evaluate(rotated, results);
+/// Mean over rotations of both directions about the normal, and over both orders of the directions where `exchanged`.
+std::vector<Rgb> evaluateMean(const Brdf& brdf, const std::vector<DirectionPair>& pairs, int rotations,
+                              bool exchanged) {
+  std::vector<Rgb> sums(pairs.size(), Rgb(0)), results(pairs.size());
+  const auto add = [&](const std::vector<DirectionPair>& some) {
+    brdf.evaluate(some, results);
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += results[i];
+  };
+  for (int rotation = 0; rotation < rotations; ++rotation) {
+    std::vector<DirectionPair> turned = pairs;
+    if (rotation > 0) {
+      const AzimuthRotation turn(2 * pi * rotation / rotations);
+      for (DirectionPair& pair : turned) pair = turn(pair);
+    }
+    add(turned);
+    if (!exchanged) continue;
+    for (DirectionPair& pair : turned) std::swap(pair.wi, pair.wo);
+    add(turned);
   }
-  if (rotations > 1)
-    for (Rgb& sum : sums) sum /= double(rotations);
+  const double count = rotations * (exchanged ? 2 : 1);
+  for (Rgb& sum : sums) sum /= count;
   return sums;
 }
 
@@ -67,12 +76,13 @@ std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDiffe
   std::vector<TabulatedBrdf::Value> values(grid.size(), TabulatedBrdf::Value(0));
   std::vector<std::uint8_t> valid(grid.size(), 0);
   const int rotations = brdf.isIsotropic() ? 1 : std::max(1, azimuths);
+  const bool exchanged = grid.reciprocal && !brdf.isReciprocal();
   const GridDirections directions(grid);
   parallelForBlocks(
       grid.size(), block,
       [&](std::size_t begin, std::size_t end) {
         const Nodes nodes = nodesOfBlock(directions, begin, end);
-        const std::vector<Rgb> means = evaluateRotated(brdf, nodes.pairs, rotations);
+        const std::vector<Rgb> means = evaluateMean(brdf, nodes.pairs, rotations, exchanged);
         for (std::size_t i = 0; i < nodes.cells.size(); ++i) {
           values[nodes.cells[i]] = toFloat(means[i]);
           valid[nodes.cells[i]] = 1;

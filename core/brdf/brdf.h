@@ -28,6 +28,9 @@ class Brdf {
 
   /// Whether the value depends on the difference of the azimuths only.
   virtual bool isIsotropic() const { return true; }
+  /// Whether the value stays when wi and wo are exchanged, as physics asks for; false where that is not so or not
+  /// known.
+  virtual bool isReciprocal() const { return true; }
 
   /// Whether sample() knows this BRDF better than a cosine does.
   virtual bool samplesItself() const { return false; }

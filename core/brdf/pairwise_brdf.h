@@ -15,7 +15,8 @@ namespace gonio {
 template <typename Reflectance>
 class PairwiseBrdf final : public Brdf {
  public:
-  explicit PairwiseBrdf(Reflectance reflectance) : reflectance_(std::move(reflectance)) {}
+  PairwiseBrdf(Reflectance reflectance, bool reciprocal)
+      : reflectance_(std::move(reflectance)), reciprocal_(reciprocal) {}
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
@@ -24,14 +25,16 @@ class PairwiseBrdf final : public Brdf {
       values[i] = isBelowHorizon(wi) || isBelowHorizon(wo) ? Rgb(0) : reflectance_(wi, wo);
     }
   }
+  bool isReciprocal() const override { return reciprocal_; }
 
  private:
   Reflectance reflectance_;
+  bool reciprocal_;
 };
 
 template <typename Reflectance>
-std::shared_ptr<const Brdf> makePairwiseBrdf(Reflectance reflectance) {
-  return std::make_shared<const PairwiseBrdf<Reflectance>>(std::move(reflectance));
+std::shared_ptr<const Brdf> makePairwiseBrdf(Reflectance reflectance, bool reciprocal = true) {
+  return std::make_shared<const PairwiseBrdf<Reflectance>>(std::move(reflectance), reciprocal);
 }
 
 }  // namespace gonio

@@ -41,6 +41,8 @@ class TabulatedBrdf final : public Brdf {
   /// At half-difference coordinates; 0 where all corners are invalid, with `*valid` (when given) telling which.
   Rgb lookup(const HalfDifference& at, TableLookup lookup, bool* valid = nullptr) const;
 
+  bool isReciprocal() const override { return grid_.reciprocal; }
+
   const HalfDifferenceGrid& grid() const { return grid_; }
   std::span<const Value> values() const { return values_; }
   std::span<const std::uint8_t> valid() const { return valid_; }
@@ -65,8 +67,9 @@ class TabulatedBrdf final : public Brdf {
 };
 
 /// Samples any isotropic BRDF at the nodes of a grid; nodes below the horizon are invalid. In parallel, deterministic.
-/// An anisotropic one is averaged over `azimuths` rotations about the normal. Finite values beyond the range of float
-/// are stored as the largest float.
+/// What the grid does not tell apart is averaged: an anisotropic BRDF over `azimuths` rotations about the normal, and
+/// on a reciprocal grid one that is not reciprocal over both orders of the directions, since no reciprocal table is
+/// nearer to it in least squares. Finite values beyond the range of float are stored as the largest float.
 /// @throws Cancelled; Error when the BRDF returns a non-finite value.
 std::shared_ptr<const TabulatedBrdf> bakeTable(const Brdf& brdf, const HalfDifferenceGrid& grid = {},
                                                const TaskControl& control = {}, int azimuths = 16);

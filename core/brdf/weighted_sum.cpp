@@ -44,6 +44,10 @@ class WeightedSum final : public Brdf {
   bool samplesItself() const override {
     return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->samplesItself(); });
   }
+  bool isReciprocal() const override {
+    return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->isReciprocal(); });
+  }
+
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override {
     double left = u.x * total_;
     std::size_t term = 0;

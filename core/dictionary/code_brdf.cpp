@@ -131,6 +131,7 @@ class CodeBrdf final : public Brdf {
                                 : Rgb(0);
     }
   }
+  bool isReciprocal() const override { return grid_.reciprocal; }
 
  private:
   static bool isAboveHorizon(const DirectionPair& pair) { return !isBelowHorizon(pair.wi) && !isBelowHorizon(pair.wo); }

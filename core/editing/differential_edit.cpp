@@ -27,6 +27,7 @@ struct ActiveEdit {
   double strength;
 
   bool isIsotropic() const { return edited->isIsotropic() && (!fitted || fitted->isIsotropic()); }
+  bool isReciprocal() const { return edited->isReciprocal() && (!fitted || fitted->isReciprocal()); }
 };
 
 bool allIsotropic(std::span<const ActiveEdit> edits) {
@@ -93,6 +94,10 @@ class EditedBrdf final : public Brdf {
   }
 
   bool isIsotropic() const override { return base_->isIsotropic() && allIsotropic(edits_); }
+  bool isReciprocal() const override {
+    return base_->isReciprocal() &&
+           std::all_of(edits_.begin(), edits_.end(), [](const ActiveEdit& edit) { return edit.isReciprocal(); });
+  }
 
  private:
   void evaluateChunk(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {

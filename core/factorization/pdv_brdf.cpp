@@ -118,6 +118,7 @@ class PdvBrdf final : public Brdf {
     for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
   }
   bool samplesItself() const override { return true; }
+  bool isReciprocal() const override { return false; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler().sample(wo, u); }
   double pdf(const Direction& wi, const Direction& wo) const override { return sampler().pdf(wi, wo); }
 

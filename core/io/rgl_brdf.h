@@ -41,6 +41,7 @@ class RglBrdf final : public Brdf {
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
   bool isIsotropic() const override { return data_.isotropic; }
+  bool isReciprocal() const override { return false; }
 
  private:
   Rgb evaluateOne(Direction wi, Direction wo) const;

@@ -45,7 +45,8 @@ class EdwardsDisk final : public Model {
         [=](const SurfaceGeometry& g) {
           return kd + ks * powerOfComplement(squaredRimFraction(glm::dvec2(g.wi) + glm::dvec2(g.wo), g.wo), n);
         },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), RimPowerLobe{n}));
+        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), RimPowerLobe{n}), true,
+        edwardsDiskSpec.reciprocal);
   }
 };
 

@@ -29,8 +29,11 @@ bool surfaceGeometry(const DirectionPair& pair, SurfaceGeometry& geometry);
 template <typename Evaluate, typename Sampler>
 class GeometryBrdf final : public Brdf {
  public:
-  GeometryBrdf(Evaluate evaluatePair, Sampler sampler, bool isotropic)
-      : evaluatePair_(std::move(evaluatePair)), sampler_(std::move(sampler)), isotropic_(isotropic) {}
+  GeometryBrdf(Evaluate evaluatePair, Sampler sampler, bool isotropic, bool reciprocal)
+      : evaluatePair_(std::move(evaluatePair)),
+        sampler_(std::move(sampler)),
+        isotropic_(isotropic),
+        reciprocal_(reciprocal) {}
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
@@ -40,20 +43,21 @@ class GeometryBrdf final : public Brdf {
   }
   bool isIsotropic() const override { return isotropic_; }
   bool samplesItself() const override { return true; }
+  bool isReciprocal() const override { return reciprocal_; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler_.sample(wo, u); }
   double pdf(const Direction& wi, const Direction& wo) const override { return sampler_.pdf(wi, wo); }
 
  private:
   Evaluate evaluatePair_;
   Sampler sampler_;
-  bool isotropic_;
+  bool isotropic_, reciprocal_;
 };
 
 template <typename Evaluate, typename Sampler = CosineSampler>
 std::unique_ptr<const Brdf> makeGeometryBrdf(Evaluate evaluatePair, Sampler sampler = cosineSampler(),
-                                             bool isotropic = true) {
-  return std::make_unique<const GeometryBrdf<Evaluate, Sampler>>(std::move(evaluatePair), std::move(sampler),
-                                                                 isotropic);
+                                             bool isotropic = true, bool reciprocal = true) {
+  return std::make_unique<const GeometryBrdf<Evaluate, Sampler>>(std::move(evaluatePair), std::move(sampler), isotropic,
+                                                                 reciprocal);
 }
 
 }  // namespace gonio::models

@@ -16,18 +16,19 @@ namespace gonio::testing {
 class FunctionBrdf final : public Brdf {
  public:
   using Function = std::function<Rgb(const Direction& wi, const Direction& wo)>;
-  explicit FunctionBrdf(Function function, bool isotropic = true)
-      : function_(std::move(function)), isotropic_(isotropic) {}
+  explicit FunctionBrdf(Function function, bool isotropic = true, bool reciprocal = true)
+      : function_(std::move(function)), isotropic_(isotropic), reciprocal_(reciprocal) {}
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
     for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = function_(pairs[i].wi, pairs[i].wo);
   }
   bool isIsotropic() const override { return isotropic_; }
+  bool isReciprocal() const override { return reciprocal_; }
 
  private:
   Function function_;
-  bool isotropic_;
+  bool isotropic_, reciprocal_;
 };
 
 /// GGX with the given values for the ids of its parameters, the rest at their defaults.

@@ -115,10 +115,11 @@ BilgiliFactors truncateBilgili(const BilgiliFactors& factors, int terms, const H
 }
 
 std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors factors) {
-  return makePairwiseBrdf([f = std::move(factors)](const Direction& wi, const Direction& wo) {
+  const auto reflectance = [f = std::move(factors)](const Direction& wi, const Direction& wo) {
     const HalfOut at = toHalfOut(wi, wo);
     return at.valid ? glm::max(Rgb(0), f.kd + f.ks * luminanceAt(f, at)) : Rgb(0);
-  });
+  };
+  return makePairwiseBrdf(reflectance, false);
 }
 
 }  // namespace gonio::factorization

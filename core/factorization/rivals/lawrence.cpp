@@ -111,10 +111,11 @@ LawrenceFactors factorizeLawrence(const HalfOutSamples& samples, const LawrenceR
 }
 
 std::shared_ptr<const Brdf> makeLawrenceBrdf(LawrenceFactors factors) {
-  return makePairwiseBrdf([f = std::move(factors)](const Direction& wi, const Direction& wo) {
+  const auto reflectance = [f = std::move(factors)](const Direction& wi, const Direction& wo) {
     const HalfOut at = toHalfOut(wi, wo);
     return at.valid ? cosineWeightedAt(f, at) / std::max(wi.z, std::cos(largestPolarAngle)) : Rgb(0);
-  });
+  };
+  return makePairwiseBrdf(reflectance, false);
 }
 
 }  // namespace gonio::factorization

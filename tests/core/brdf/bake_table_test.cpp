@@ -58,6 +58,20 @@ class BakeTableTest : public QObject {
     QVERIFY(differs);
   }
 
+  /// A grid that folds phi_d cannot tell wi from wo: of f = cos^2 theta_i its nodes hold the mean of both orders. One
+  /// that does not fold it tells them apart.
+  void bothOrdersAreAveragedWhereTheGridFolds() {
+    const testing::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(wi.z * wi.z); }, true,
+                                     false);
+    const auto folded = bakeTable(brdf, {10, 10, 20, true}), whole = bakeTable(brdf, {10, 10, 40, false});
+    const auto check = [](const TabulatedBrdf& table, double (*expected)(const DirectionPair&)) {
+      for (std::size_t i = 0; i < table.grid().size(); ++i)
+        if (table.valid()[i]) QVERIFY(std::abs(table.values()[i].x - expected(table.grid().directions(i))) < 1e-6);
+    };
+    check(*folded, [](const DirectionPair& p) { return (p.wi.z * p.wi.z + p.wo.z * p.wo.z) / 2; });
+    check(*whole, [](const DirectionPair& p) { return p.wi.z * p.wi.z; });
+  }
+
   void mirrorImagesOfAPairAgree() {
     const auto table = bakeTable(*testing::ggx(Rgb(0.1), Rgb(1), 0.3, 0.2));
     std::mt19937_64 random(1);

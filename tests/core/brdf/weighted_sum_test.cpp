@@ -45,6 +45,10 @@ class WeightedSumTest : public QObject {
         std::make_shared<const FunctionBrdf>([](const Direction&, const Direction&) { return Rgb(1); }, false);
     QVERIFY(!sumOf({matte, turned}, {0.5, 0.5})->isIsotropic());
     QVERIFY(sumOf({matte, turned}, {1, 0})->isIsotropic());
+    QVERIFY(sum->isReciprocal());
+    const auto skewed = std::make_shared<const FunctionBrdf>(
+        [](const Direction& wi, const Direction&) { return Rgb(wi.z); }, true, false);
+    QVERIFY(!sumOf({matte, skewed}, {0.5, 0.5})->isReciprocal());
   }
 
   void drawsFromAllTerms() {

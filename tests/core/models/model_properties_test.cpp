@@ -60,6 +60,8 @@ class ModelPropertiesTest : public QObject {
       }
       // A model that does not claim it is not: the claim says something.
       QVERIFY2((broken == 0) == model->spec().reciprocal, model->spec().id.data());
+      const auto usual = model->instantiate(models::defaultParameters(model->spec()));
+      QCOMPARE(usual->isReciprocal(), model->spec().reciprocal);
     }
   }
 
