@@ -8,6 +8,7 @@
 #include "app/gonio/plausibility_monitor.h"
 #include "app/gonio/representation_panel.h"
 #include "app/gonio/source_facts.h"
+#include "app/gonio/table_error_monitor.h"
 #include "widgets/panels/collapsible_section.h"
 #include "widgets/panels/edit_stack.h"
 #include "widgets/panels/fact_list.h"
@@ -32,6 +33,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
       m_controller(controller),
       m_tasks(tasks),
       m_source(new widgets::FactList),
+      m_tableError(new TableErrorMonitor(document, tasks, this)),
       m_representation(new RepresentationPanel(document, tasks)),
       m_model(new widgets::ModelPanel),
       m_plausibility(new widgets::PlausibilityBadges),
@@ -71,10 +73,13 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
 
 QSize Inspector::sizeHint() const { return {fontMetrics().height() * preferredEms, fontMetrics().height() * 40}; }
 
-bool Inspector::isSettled() const { return m_monitor->isCurrent() && m_representation->isSettled(); }
+bool Inspector::isSettled() const {
+  return m_monitor->isCurrent() && m_tableError->isSettled() && m_representation->isSettled();
+}
 
 void Inspector::connectDocument() {
   connect(&m_document, &Document::materialChanged, this, &Inspector::showSource);
+  connect(m_tableError, &TableErrorMonitor::measured, this, &Inspector::showSource);
   connect(&m_document, &Document::stateChanged, this, &Inspector::showModel);
   connect(&m_document, &Document::editChanged, this, &Inspector::showValues);
   connect(&m_tasks, &BackgroundTasks::changed, this, [this] { m_model->setBusy(m_controller.isFitting()); });
@@ -93,8 +98,10 @@ void Inspector::connectParameters() {
 }
 
 void Inspector::showSource() {
-  m_source->setFacts(m_document.material() ? sourceFacts(*m_document.material()) : std::vector<widgets::Fact>(),
-                     tr("Nothing is open. Choose a material in the library or open a file (Ctrl+O)."));
+  std::vector<widgets::Fact> facts;
+  if (const LoadedMaterialPtr material = m_document.material())
+    facts = sourceFacts(*material, m_tableError->snr(), !m_tableError->isSettled());
+  m_source->setFacts(facts, tr("Nothing is open. Choose a material in the library or open a file (Ctrl+O)."));
   m_model->setEnabled(m_document.material() != nullptr);
 }
 

@@ -21,6 +21,7 @@ namespace gonio::app {
 
 class PlausibilityMonitor;
 class RepresentationPanel;
+class TableErrorMonitor;
 
 /// The right side of the window: Source, Representation, Model, Plausibility, Edits, Parameters of a document, in
 /// sections that fold.
@@ -36,7 +37,7 @@ class Inspector : public QScrollArea {
   RepresentationPanel* representation() const { return m_representation; }
   /// Unfolds its section.
   void unfoldRepresentation();
-  /// Whether the badges tell of the present state.
+  /// Whether what is measured in the background tells of the present state.
   bool isSettled() const;
   void saveState(QSettings& settings) const;
   void restoreState(const QSettings& settings);
@@ -56,6 +57,7 @@ class Inspector : public QScrollArea {
   DocumentController& m_controller;
   BackgroundTasks& m_tasks;
   widgets::FactList* m_source;
+  TableErrorMonitor* m_tableError;
   RepresentationPanel* m_representation;
   widgets::ModelPanel* m_model;
   widgets::PlausibilityBadges* m_plausibility;

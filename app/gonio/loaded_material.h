@@ -23,6 +23,9 @@ struct LoadedMaterial {
   SamplingLobe lobe;
   TableStatistics statistics;
   std::array<Rgb, 4> albedo;
+
+  /// Whether the table was sampled from another form: it has an error of its own.
+  bool isSampled() const { return material.brdf && material.brdf != table; }
 };
 using LoadedMaterialPtr = std::shared_ptr<const LoadedMaterial>;
 

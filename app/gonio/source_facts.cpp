@@ -4,7 +4,9 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <cmath>
 
+#include "app/gonio/comparison_numbers.h"
 #include "core/io/sgd_library.h"
 #include "widgets/inputs/number_field.h"
 
@@ -30,6 +32,30 @@ QString rangeText(const std::array<ChannelRange, 3>& channels) {
   return lines.join('\n');
 }
 
+QString snrText(double snr) { return std::isfinite(snr) ? QString::number(snr, 'f', 1) : comparisonValue(snr); }
+
+widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr, bool measuring) {
+  const HalfDifferenceGrid& grid = loaded.table->grid();
+  widgets::Fact fact{tr("Table"),
+                     tr("%1, %2 MB")
+                         .arg(gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount}))
+                         .arg(double(loaded.table->bytes()) * 1e-6, 0, 'f', 1),
+                     tr("What is shown and edited. Half-difference grid: theta_h, theta_d, phi_d; bytes in memory.")};
+  if (!loaded.isSampled()) {
+    fact.toolTip += '\n' + tr("The material is this table: nothing was sampled.");
+    return fact;
+  }
+  const QString source = loaded.material.source.format == io::sgdFormat ? tr("the fit") : tr("the file");
+  fact.value += '\n' + (snr         ? tr("%1 dB against %2").arg(snrText(*snr), source)
+                        : measuring ? tr("measuring its error")
+                                    : tr("its error was not measured"));
+  fact.toolTip += '\n' + tr("The material was sampled from %1, which has another form. The rendered signal to noise "
+                            "ratio of the table\nagainst it, in the scene %2, tells what that costs before any edit: "
+                            "at 30 dB a thirtieth of the picture differs.")
+                             .arg(source, QString::fromLatin1(comparisonSceneName));
+  return fact;
+}
+
 }  // namespace
 
 QString sourceKind(const LoadedMaterial& loaded) {
@@ -37,7 +63,7 @@ QString sourceKind(const LoadedMaterial& loaded) {
   return loaded.material.source.format == io::sgdFormat ? tr("Published fit") : tr("Measured");
 }
 
-std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded) {
+std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::optional<double> tableSnr, bool measuring) {
   const io::MaterialSource& source = loaded.material.source;
   const QString path = QString::fromStdString(source.path.string()), hash = QString::fromStdString(source.sha256);
   std::vector<widgets::Fact> facts;
@@ -47,12 +73,7 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded) {
     facts.push_back({tr("File"), path.section('/', -1), path});
   facts.push_back({tr("Format"), QString::fromStdString(source.format)});
   if (!source.grid.empty()) facts.push_back({tr("Data"), gridText(source.grid)});
-  const HalfDifferenceGrid& grid = loaded.table->grid();
-  facts.push_back({tr("Table"),
-                   tr("%1, %2 MB")
-                       .arg(gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount}))
-                       .arg(double(loaded.table->bytes()) * 1e-6, 0, 'f', 1),
-                   tr("Half-difference grid: theta_h, theta_d, phi_d; bytes in memory")});
+  facts.push_back(tableFact(loaded, tableSnr, measuring));
   facts.push_back({tr("Range, 1/sr"), rangeText(loaded.statistics.channels)});
   facts.push_back(
       {tr("Invalid"), percent(loaded.statistics.invalidShare), tr("Cells below the horizon or not measured")});

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "app/gonio/loaded_material.h"
@@ -14,7 +15,9 @@ namespace gonio::app {
 /// or "Kept blend".
 QString sourceKind(const LoadedMaterial& material);
 /// What the source section tells of a material: file, hash, grid, range of values, invalid share, albedo.
-std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& material);
+/// @param tableSnr the error of the material's table where it is sampled, dB. @param measuring whether it is on its
+/// way.
+std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& material, std::optional<double> tableSnr, bool measuring);
 /// The residual of a fit in one or two lines.
 QString fitSummary(const fitting::FitResult& fit);
 

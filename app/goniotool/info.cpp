@@ -4,6 +4,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/brdf/statistics.h"
+#include "core/rendering/rendered_comparison.h"
 
 namespace gonio::tool {
 
@@ -44,25 +45,44 @@ std::string text(const Json& json) {
             number(100 * json["invalidShare"].get<double>()) + " %\n";
   for (const auto& [angle, value] : json["albedo"].items())
     result += "  albedo at " + angle + " degrees " + rgbText({value[0], value[1], value[2]}) + "\n";
+  if (json.contains("tableSnr"))
+    result += json["tableSnr"].is_null()
+                  ? "  rendered SNR of its table for editing: undefined (it is a table itself, or black)\n"
+                  : "  rendered SNR of its table for editing " + number(json["tableSnr"].get<double>()) + " dB\n";
   for (const Json& note : json["notes"]) result += "  note: " + note.get<std::string>() + "\n";
   return result;
+}
+
+struct Options {
+  std::string material;
+  bool tableError = false;
+};
+
+int info(const Options& options, const Tool& tool) {
+  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const auto table = material.tabulated(tool.control("tabulating"));
+  Json json = describe(material, tableStatistics(*table));
+  if (options.tableError) {
+    json["tableSnr"] = nullptr;
+    if (material.brdf != table) {
+      const RenderedComparison comparison(*material.brdf, {}, tool.control("rendering the material"));
+      json["tableSnr"] =
+          decibelsJson(comparison.signalToNoiseRatio(comparison.render(*table, tool.control("rendering the table"))));
+    }
+  }
+  print(tool, json, text(json));
+  return 0;
 }
 
 }  // namespace
 
 void addInfo(CLI::App& app, Tool& tool) {
-  const auto file = std::make_shared<std::string>();
+  const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("info", "Format, grid, ranges, invalid share and albedo of a material");
-  command->add_option("MATERIAL", *file, materialHelp)->required();
-  command->callback([file, &tool] {
-    tool.run = [file, &tool] {
-      const TaskControl control = tool.control("reading");
-      const io::Material material = openMaterial(*file, control);
-      const Json json = describe(material, tableStatistics(*material.tabulated(control)));
-      print(tool, json, text(json));
-      return 0;
-    };
-  });
+  command->add_option("MATERIAL", options->material, materialHelp)->required();
+  command->add_flag("--table-error", options->tableError,
+                    "Also the rendered SNR of the table for editing against the material (some seconds)");
+  command->callback([options, &tool] { tool.run = [options, &tool] { return info(*options, tool); }; });
 }
 
 }  // namespace gonio::tool

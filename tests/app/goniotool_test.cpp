@@ -35,6 +35,19 @@ class GoniotoolTest : public QObject {
     QVERIFY(runTool({"info", matte_}).out.contains("albedo at 80 degrees"));
   }
 
+  /// What sampling costs is what compare says of the sampled table; a table itself loses nothing.
+  void infoTellsTheErrorOfTheTable() {
+    QVERIFY(runJson({"info", plastic_, "--table-error"}).json["tableSnr"].is_null());
+    QVERIFY(!runJson({"info", plastic_}).json.contains("tableSnr"));
+    const QString factors = folder_.path("plastic.pdv"), sampled = folder_.path("sampled.binary");
+    VERIFY_SUCCESS(runTool({"factor", plastic_, "--terms", "1", "--out", factors}));
+    VERIFY_SUCCESS(runTool({"convert", factors, sampled}));
+    const ToolResult result = runJson({"info", factors, "--table-error"});
+    VERIFY_SUCCESS(result);
+    const double snr = runJson({"compare", factors, sampled}).json["renderedSnr"].get<double>();
+    QVERIFY(snr < 100 && std::abs(result.json["tableSnr"].get<double>() - snr) < 1e-9);
+  }
+
   void evaluateIsTheTable() {
     const QString in = folder_.path("directions.csv"), out = folder_.path("values.csv");
     folder_.writeText("directions.csv",
