@@ -162,9 +162,8 @@ EditDocument documentFromText(std::string_view text) {
 }
 
 EditDocument readDocument(const std::filesystem::path& path) {
-  const io::FileSource source(path);
   return namingFile(path, [&] {
-    const std::vector<std::byte> bytes = source.readAll(maxDocumentBytes);
+    const std::vector<std::byte> bytes = io::FileSource(path).readAll(maxDocumentBytes);
     return documentFromText({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   });
 }

@@ -23,13 +23,13 @@ std::vector<std::byte> ByteSource::readAll(std::uint64_t maxBytes) const {
 }
 
 FileSource::FileSource(const std::filesystem::path& path)
-    : path_(path), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-  if (descriptor_ < 0) throw Error(path.string() + ": cannot be opened: " + std::strerror(errno));
+    : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+  if (descriptor_ < 0) throw Error(std::string("cannot be opened: ") + std::strerror(errno));
   struct stat status {};
   const bool regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   if (!regular) {
     ::close(descriptor_);
-    throw Error(path.string() + ": found a folder or a device, expected a file");
+    throw Error("found a folder or a device, expected a file");
   }
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
@@ -42,10 +42,9 @@ void FileSource::readAt(std::uint64_t offset, std::span<std::byte> target) const
     const ssize_t count =
         ::pread(descriptor_, target.data() + done, target.size() - done, static_cast<off_t>(offset + done));
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw Error(path_.string() + ": cannot be read: " + std::strerror(errno));
+    if (count < 0) throw Error(std::string("cannot be read: ") + std::strerror(errno));
     if (count == 0)
-      throw Error(path_.string() + ": ends at byte " + std::to_string(offset + done) + ", expected " +
-                  std::to_string(size_) + " bytes");
+      throw Error("ends at byte " + std::to_string(offset + done) + ", expected " + std::to_string(size_) + " bytes");
     done += static_cast<std::size_t>(count);
   }
 }

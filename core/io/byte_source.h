@@ -11,7 +11,8 @@
 namespace gonio::io {
 
 /// Bytes of known size, read at any position: a file, or memory. Readers look at a source first and allocate only what
-/// its size bears out. Reading is safe from any number of threads.
+/// its size bears out. Reading is safe from any number of threads. No error names a file: who knows the path names it,
+/// once (core/support/naming_file.h).
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
@@ -27,7 +28,7 @@ class ByteSource {
 
 class FileSource final : public ByteSource {
  public:
-  /// @throws Error naming the file and the system's reason; a folder or a device is refused.
+  /// @throws Error telling the system's reason; a folder or a device is refused.
   explicit FileSource(const std::filesystem::path& path);
   ~FileSource() override;
   FileSource(const FileSource&) = delete;
@@ -37,7 +38,6 @@ class FileSource final : public ByteSource {
   void readAt(std::uint64_t offset, std::span<std::byte> target) const override;
 
  private:
-  std::filesystem::path path_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
 };

@@ -102,8 +102,7 @@ Image readImage(std::span<const std::byte> bytes) {
 }
 
 Image readImage(const std::filesystem::path& path) {
-  const FileSource source(path);
-  return namingFile(path, [&] { return readImage(source.readAll()); });
+  return namingFile(path, [&] { return readImage(FileSource(path).readAll()); });
 }
 
 void writeExr(const Image& image, const std::filesystem::path& path,

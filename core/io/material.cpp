@@ -98,9 +98,8 @@ Material readMaterial(const ByteSource& source, const TaskControl& control) {
 
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control) {
   if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string());
-  const FileSource source(path);
   return namingFile(path, [&] {
-    Material material = readMaterial(source, control);
+    Material material = readMaterial(FileSource(path), control);
     material.name = path.stem().string();
     material.source.path = std::filesystem::absolute(path).lexically_normal();
     return material;
@@ -113,9 +112,12 @@ void writeMerl(const TabulatedBrdf& table, const std::filesystem::path& path) {
 
 void writeMerl(const Material& material, const std::filesystem::path& path, const TaskControl& control) {
   if (material.source.format != "MERL") return writeMerl(*material.tabulated(control), path);
-  const std::vector<std::byte> bytes = FileSource(material.source.path).readAll();
-  if (sha256Hex(bytes) != material.source.sha256)
-    throw Error(material.source.path.string() + ": found other content than when it was read; read it again");
+  const std::vector<std::byte> bytes = namingFile(material.source.path, [&] {
+    std::vector<std::byte> found = FileSource(material.source.path).readAll();
+    if (sha256Hex(found) != material.source.sha256)
+      throw Error("found other content than when it was read; read it again");
+    return found;
+  });
   control.throwIfStopped();
   writeFileAtomically(path, bytes);
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
 
+#include "core/io/image_io.h"
 #include "tests/app/goniotool_runner.h"
 
 using namespace gonio;
@@ -73,6 +74,14 @@ class GoniotoolErrorsTest : public QObject {
     QTest::newRow("directions") << QStringList{"evaluate", plastic_, "--directions",
                                                missing,    "--out",  folder_.path("x.csv")}
                                 << "missing.binary";
+    const QString dictionary = folder_.path("missing.dictionary");
+    QTest::newRow("dictionary") << QStringList{"encode", plastic_, "--dictionary", dictionary} << "missing.dictionary";
+    const QString broken = folder_.path("broken.exr");
+    Image image(2, 1);
+    image.pixels[1] = glm::vec3(-1);
+    io::writeExr(image, broken.toStdString());
+    QTest::newRow("negative environment")
+        << QStringList{"render", plastic_, "--environment", broken, "--out", folder_.path("x.png")} << "broken.exr";
   }
   void failuresAreOneLine() {
     QFETCH(QStringList, arguments);
@@ -80,7 +89,8 @@ class GoniotoolErrorsTest : public QObject {
     const ToolResult result = runJson(arguments);
     QCOMPARE(result.code, 1);
     QCOMPARE(result.errorLines(), 1);
-    QVERIFY2(result.error.startsWith("goniotool: ") && result.error.contains(names), qPrintable(result.error));
+    const QString told = result.error.mid(QString("goniotool: ").size());
+    QVERIFY2(result.error.startsWith("goniotool: ") && told.count(names) == 1, qPrintable(result.error));
     QVERIFY(result.out.isEmpty());
   }
 

@@ -4,14 +4,26 @@
 
 #include <QTest>
 #include <csignal>
+#include <functional>
 
+#include "core/editing/edit_document.h"
 #include "core/io/atomic_file.h"
+#include "core/io/code_file.h"
+#include "core/io/dictionary_file.h"
+#include "core/io/image_io.h"
+#include "core/io/material.h"
+#include "core/io/npf_file.h"
+#include "core/io/pdv_file.h"
 #include "core/io/sha256.h"
+#include "core/io/training_checkpoint.h"
 #include "tests/core/io/test_files.h"
 
 using namespace gonio;
 using namespace gonio::test;
 namespace fs = std::filesystem;
+
+using Read = std::function<void(const fs::path&)>;
+Q_DECLARE_METATYPE(Read)
 
 class FileBasicsTest : public QObject {
   Q_OBJECT
@@ -40,8 +52,33 @@ class FileBasicsTest : public QObject {
       QCOMPARE(two[1], std::byte{3});
       QVERIFY(!errorOf([&] { source->readAt(2, two); }).empty());
     }
-    QVERIFY(contains(errorOf([] { io::FileSource missing(outputPath("io/no_such_file")); }), "no_such_file"));
+    QVERIFY(contains(errorOf([] { io::FileSource missing(outputPath("io/no_such_file")); }), "cannot be opened"));
     QVERIFY(contains(errorOf([] { io::FileSource folder(fs::path(GONIO_TEST_OUTPUT_DIR)); }), "folder"));
+  }
+
+  /// A path stands in front of what is wrong, and nowhere else.
+  void readersNameTheFileOnce_data() {
+    QTest::addColumn<Read>("read");
+    QTest::newRow("material") << Read([](const fs::path& path) { io::readMaterial(path); });
+    QTest::newRow("dictionary") << Read([](const fs::path& path) { io::readDictionary(path); });
+    QTest::newRow("code") << Read([](const fs::path& path) { io::readCode(path); });
+    QTest::newRow("factors") << Read([](const fs::path& path) { io::readPdv(path); });
+    QTest::newRow("checkpoint") << Read([](const fs::path& path) { io::readCheckpoint("training", path); });
+    QTest::newRow("picture") << Read([](const fs::path& path) { io::readImage(path); });
+    QTest::newRow("document") << Read([](const fs::path& path) { editing::readDocument(path); });
+    QTest::newRow("nonparametric") << Read([](const fs::path& path) {
+      writeFile("io/npf_row_order.csv", {});
+      io::readNpf(path);
+    });
+  }
+  void readersNameTheFileOnce() {
+    QFETCH(Read, read);
+    const fs::path missing = outputPath("io/no_such_file"), garbage = writeFile("io/garbage", Bytes(100, std::byte{7}));
+    const fs::path folder = emptyFolder("io/some_folder");
+    for (const fs::path& path : {missing, garbage, folder}) {
+      const std::string error = errorOf([&] { read(path); }), start = path.string() + ": ";
+      QVERIFY2(error.starts_with(start) && error.find(path.string(), start.size()) == std::string::npos, error.c_str());
+    }
   }
 
   void replacesContentAndKeepsMode() {
