@@ -34,6 +34,9 @@ void forEachCell(const Sizes& sizes, const Sizes& patch, const Work& work) {
              i / patch[0] + across * (j / patch[1] + along * (k / patch[2])));
 }
 
+/// The share of a patch's norm at which its error is `error`.
+double shareOf(double error, double norm) { return norm > 0 ? error / norm : 0; }
+
 PatchCode codeToError(const AtomSet& atoms, const Eigen::MatrixXd& patches, double error, int most,
                       const TaskControl& control) {
   PatchCode code;
@@ -41,13 +44,25 @@ PatchCode codeToError(const AtomSet& atoms, const Eigen::MatrixXd& patches, doub
   constexpr std::size_t block = 16;
   const auto pursue = [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      const double norm = patches.col(Index(p)).norm();
-      code.patches[p] = orthogonalMatchingPursuit(atoms, patches.col(Index(p)),
-                                                  {.steps = most, .residual = norm > 0 ? error / norm : 0});
+      const Eigen::VectorXd patch = patches.col(Index(p));
+      code.patches[p] =
+          orthogonalMatchingPursuit(atoms, patch, {.steps = most, .residual = shareOf(error, patch.norm())});
     }
   };
   parallelForBlocks(code.patches.size(), block, pursue, {.stop = control.stop});
   return code;
+}
+
+/// The coefficients that codeToError() spends, told from its pursuits to the end.
+std::size_t coefficientsFor(double error, const PatchCode& ends) {
+  std::size_t sum = 0;
+  for (const PursuitResult& end : ends.patches) {
+    const double enough = shareOf(error, end.path[0]) * end.path[0];
+    // The norms of a path never grow.
+    const auto reached = std::find_if(end.path.begin(), end.path.end(), [&](double norm) { return norm <= enough; });
+    sum += std::min(std::size_t(reached - end.path.begin()), end.atoms.size());
+  }
+  return sum;
 }
 
 }  // namespace
@@ -95,22 +110,16 @@ std::size_t PatchCode::coefficients() const {
 
 PatchCode encodePatches(const AtomSet& atoms, const Eigen::MatrixXd& patches, std::size_t coefficients,
                         int mostOfAPatch, const TaskControl& control) {
+  const PatchCode ends = codeToError(atoms, patches, 0, mostOfAPatch, control);
+  control.report(0.5);
   // At the error of the largest patch no coefficient is spent.
   double tooMany = 0, fits = patches.size() > 0 ? patches.colwise().norm().maxCoeff() : 0;
-  PatchCode best = codeToError(atoms, patches, fits, mostOfAPatch, control);
   constexpr int bisections = 16;
   for (int step = 0; step < bisections; ++step) {
     const double error = (tooMany + fits) / 2;
-    PatchCode code = codeToError(atoms, patches, error, mostOfAPatch, control);
-    control.report(double(step + 1) / bisections);
-    if (code.coefficients() > coefficients) {
-      tooMany = error;
-    } else {
-      fits = error;
-      best = std::move(code);
-    }
+    (coefficientsFor(error, ends) > coefficients ? tooMany : fits) = error;
   }
-  return best;
+  return codeToError(atoms, patches, fits, mostOfAPatch, control);
 }
 
 Eigen::MatrixXd decodePatches(const AtomSet& atoms, const PatchCode& code) {

@@ -38,7 +38,8 @@ struct PatchCode {
 };
 
 /// Codes over the atoms with at most so many coefficients in all: patches get as many as bring them below one common
-/// error, by orthogonal matching pursuit, at most `mostOfAPatch`. Some dozen pursuits of all patches.
+/// error, by orthogonal matching pursuit, at most `mostOfAPatch`. Two pursuits of all patches: one to the end, in which
+/// those to any error are the beginnings, and one to the error that was found.
 /// @throws Error as orthogonalMatchingPursuit(); Cancelled.
 PatchCode encodePatches(const AtomSet& atoms, const Eigen::MatrixXd& patches, std::size_t coefficients,
                         int mostOfAPatch = 32, const TaskControl& control = {});

@@ -67,7 +67,7 @@ PursuitResult matchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen
   Eigen::VectorXd residual = signal;
   const double norm = residual.norm();
   const std::vector<char> excluded(std::size_t(atoms.count()), 0);
-  PursuitResult code{.residualNorm = norm};
+  PursuitResult code{.residualNorm = norm, .path = {norm}};
   for (int step = 0; !ended(options, norm, step, code); ++step) {
     const Choice best = bestAtom(atoms, residual, excluded);
     if (std::abs(best.correlation) <= noise * norm) {
@@ -84,6 +84,7 @@ PursuitResult matchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen
     }
     residual -= coefficient * atoms.matrix().col(best.atom);
     code.residualNorm = std::min(code.residualNorm, residual.norm());
+    code.path.push_back(code.residualNorm);
   }
   return code;
 }
@@ -97,7 +98,7 @@ PursuitResult orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<c
   IncrementalQr qr(atoms.length(), most);
   Eigen::VectorXd projections(most);  // of the signal on the columns of Q
   std::vector<char> excluded(std::size_t(atoms.count()), 0);
-  PursuitResult code{.residualNorm = norm};
+  PursuitResult code{.residualNorm = norm, .path = {norm}};
   while (!ended(options, norm, int(code.atoms.size()), code)) {
     const Choice best = bestAtom(atoms, residual, excluded);
     if (std::abs(best.correlation) <= noise * norm) {
@@ -112,6 +113,7 @@ PursuitResult orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<c
     projections[qr.size() - 1] = projection;
     code.atoms.push_back(int(best.atom));
     code.residualNorm = std::min(code.residualNorm, residual.norm());
+    code.path.push_back(code.residualNorm);
   }
   const Eigen::VectorXd coefficients = qr.solve(projections.head(qr.size()));
   code.coefficients.assign(coefficients.begin(), coefficients.end());

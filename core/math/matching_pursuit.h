@@ -41,6 +41,8 @@ struct PursuitResult {
   std::vector<int> atoms;            ///< distinct, in the order in which they were first chosen
   std::vector<double> coefficients;  ///< one an atom: of the atom as it is, not of unit length
   double residualNorm = 0;           ///< |signal - sum of coefficient times atom|
+  std::vector<double> path;          ///< residualNorm before the first step and after each: a pursuit of fewer steps is
+                                     ///< the beginning of this one
   PursuitEnd end = PursuitEnd::residual;
 };
 

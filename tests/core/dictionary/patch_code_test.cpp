@@ -68,6 +68,39 @@ class PatchCodeTest : public QObject {
     }
   }
 
+  /// The same as a search that pursues all patches anew to every error that it tries.
+  void patchesShareOneError() {
+    std::mt19937_64 random(3);
+    Eigen::MatrixXd overcomplete(36, 72);
+    overcomplete << randomOrthonormal(36, random), randomOrthonormal(36, random);
+    const AtomSet atoms(overcomplete);
+    const Eigen::MatrixXd patches = materialPatches(3);
+    constexpr int most = 6;
+    for (const std::size_t coefficients : {7, 60, 300, 2000}) {
+      double tooMany = 0, fits = patches.colwise().norm().maxCoeff();
+      std::vector<PursuitResult> best(std::size_t(patches.cols()));
+      for (int step = 0; step < 16; ++step) {
+        const double error = (tooMany + fits) / 2;
+        std::vector<PursuitResult> codes;
+        std::size_t sum = 0;
+        for (const auto& column : patches.colwise()) {
+          const Eigen::VectorXd patch = column;
+          const double norm = patch.norm();
+          codes.push_back(
+              orthogonalMatchingPursuit(atoms, patch, {.steps = most, .residual = norm > 0 ? error / norm : 0}));
+          sum += codes.back().atoms.size();
+        }
+        (sum > coefficients ? tooMany : fits) = error;
+        if (sum <= coefficients) best = codes;
+      }
+      const PatchCode code = encodePatches(atoms, patches, coefficients, most);
+      for (std::size_t p = 0; p < best.size(); ++p) {
+        QCOMPARE(code.patches[p].atoms, best[p].atoms);
+        QCOMPARE(code.patches[p].coefficients, best[p].coefficients);
+      }
+    }
+  }
+
   /// What K-SVD learned from some materials serves another one better than patches of those materials do.
   void learnedAtomsServeAnotherMaterial() {
     TrainingMaterials materials = ggxMaterials(6);
