@@ -124,54 +124,103 @@ int Encoder::chooseDictionary(const Eigen::ArrayXf& signal, std::size_t coeffici
   return int(std::max_element(captured.begin(), captured.end()) - captured.begin());
 }
 
-ChannelCode Encoder::encodeSignal(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid,
-                                  const EncodeOptions& options) const {
+/// One transform of a material while it is encoded.
+struct Encoder::Attempt {
+  const TabulatedBrdf& table;
+  const EncodeOptions& options;
+  DataTransform transform = DataTransform::logPlus;
+  std::array<Eigen::ArrayXf, 3> signals = {};  ///< in the invalid cells what the rounds put there
+  std::array<Eigen::ArrayXf, 3> decoded = {};  ///< of the last round; empty before the first
+  std::array<ChannelCode, 3> channels = {};    ///< as they were found, in no order
+  int rounds = 0;
+};
+
+void Encoder::start(Attempt& attempt, DataTransform transform, const TaskControl& control) const {
+  const auto geometry = GridGeometry::of(ensemble_.grid);
+  attempt.transform = transform;
+  attempt.signals = signalsOf(attempt.table, transform, *geometry);
+  parallelForBlocks(3, 1,
+                    [&](std::size_t c, std::size_t) {
+                      attempt.channels[c].highest = highestOf(attempt.signals[c], attempt.table, *geometry);
+                      attempt.channels[c].dictionary =
+                          chooseDictionary(attempt.signals[c], attempt.options.coefficients);
+                    },
+                    {.stop = control.stop, .progress = {}});
+  refine(attempt, 0, control);
+}
+
+/// Each channel's largest coefficients, after so many more rounds.
+void Encoder::refine(Attempt& attempt, int rounds, const TaskControl& control) const {
   const Sizes sizes = modeSizes(ensemble_.grid);
-  ChannelCode code;
-  code.dictionary = chooseDictionary(signal, options.coefficients);
-  const ModeMatrices<float>& matrices = matrices_[std::size_t(code.dictionary)];
-  Workspace<float> workspace;
-  Eigen::ArrayXf decoded(signal.size());
-  for (int round = 0;; ++round) {
-    const float* projection = transposedModeProducts(signal.data(), sizes, matrices, workspace);
-    keepLargest(std::span(projection, count(sizes)), options.coefficients, code.coefficients);
-    if (round == options.refinements) break;
-    compose(matrices, code.coefficients, decoded.data());
-    for (Eigen::Index cell = 0; cell < signal.size(); ++cell)
-      if (valid[std::size_t(cell)] == 0) signal[cell] = decoded[cell];
+  const auto keep = [&](std::size_t c, Workspace<float>& workspace) {
+    ChannelCode& code = attempt.channels[c];
+    const float* projection =
+        transposedModeProducts(attempt.signals[c].data(), sizes, matrices_[std::size_t(code.dictionary)], workspace);
+    keepLargest(std::span(projection, count(sizes)), attempt.options.coefficients, code.coefficients);
+  };
+  parallelForBlocks(3, 1,
+                    [&](std::size_t c, std::size_t) {
+                      Workspace<float> workspace;
+                      Eigen::ArrayXf& signal = attempt.signals[c];
+                      Eigen::ArrayXf now(signal.size());
+                      if (attempt.rounds == 0) keep(c, workspace);
+                      for (int round = attempt.rounds; round < attempt.rounds + rounds; ++round) {
+                        control.throwIfStopped();
+                        compose(matrices_[std::size_t(attempt.channels[c].dictionary)],
+                                attempt.channels[c].coefficients, now.data());
+                        Eigen::ArrayXf& before = attempt.decoded[c];
+                        if (round == 0) before = now;
+                        const float momentum = float(round) / float(round + 3);
+                        for (Eigen::Index cell = 0; cell < signal.size(); ++cell)
+                          if (attempt.table.valid()[std::size_t(cell)] == 0)
+                            signal[cell] = now[cell] + momentum * (now[cell] - before[cell]);
+                        before.swap(now);
+                        keep(c, workspace);
+                      }
+                    },
+                    {.stop = control.stop, .progress = {}});
+  attempt.rounds += rounds;
+}
+
+EncodedCandidate Encoder::finished(const Attempt& attempt) const {
+  const EncodeOptions& options = attempt.options;
+  EncodedCandidate candidate;
+  candidate.code = {.grid = ensemble_.grid, .transform = attempt.transform, .channels = attempt.channels};
+  for (std::size_t c = 0; c < 3; ++c) {
+    auto& coefficients = candidate.code.channels[c].coefficients;
+    std::sort(coefficients.begin(), coefficients.end(), isLarger<float>);
+    const double energy = attempt.signals[c].cast<double>().square().sum();
+    if (options.relativeError) coefficients.resize(countForError(coefficients, energy, *options.relativeError));
   }
-  std::sort(code.coefficients.begin(), code.coefficients.end(), isLarger<float>);
-  if (options.relativeError)
-    code.coefficients.resize(
-        countForError(code.coefficients, signal.cast<double>().square().sum(), *options.relativeError));
-  return code;
+  if (options.bytes) candidate.code = truncatedToBytes(candidate.code, *options.bytes);
+  measure(candidate, attempt.table, *decode(ensemble_, candidate.code), options.gamma);
+  return candidate;
 }
 
 Encoded Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options, const TaskControl& control) const {
   const auto start = std::chrono::steady_clock::now();
   if (!(table.grid() == ensemble_.grid)) throw Error("the material's grid is not that of the dictionary");
-  const auto geometry = GridGeometry::of(table.grid());
   Encoded result;
-  for (std::size_t t = 0; t < options.transforms.size(); ++t) {
-    std::array<Eigen::ArrayXf, 3> signals = signalsOf(table, options.transforms[t], *geometry, options.fill);
-    EncodedCandidate& candidate = result.candidates.emplace_back();
-    candidate.code.grid = table.grid();
-    candidate.code.transform = options.transforms[t];
-    parallelForBlocks(3, 1,
-                      [&](std::size_t c, std::size_t) {
-                        const float highest = highestOf(signals[c], table, *geometry);
-                        candidate.code.channels[c] = encodeSignal(signals[c], table.valid(), options);
-                        candidate.code.channels[c].highest = highest;
-                      },
-                      {.stop = control.stop});
-    if (options.bytes) candidate.code = truncatedToBytes(candidate.code, *options.bytes);
-    measure(candidate, table, *decode(ensemble_, candidate.code), options.gamma);
-    control.report(double(t + 1) / double(options.transforms.size()));
+  std::vector<Attempt> attempts;
+  const int trialRounds = std::min(options.trialRefinements, options.refinements);
+  const double stages = double(options.transforms.size()) + 1;
+  for (const DataTransform transform : options.transforms) {
+    Attempt& attempt = attempts.emplace_back(Attempt{.table = table, .options = options});
+    this->start(attempt, transform, control);
+    refine(attempt, trialRounds, control);
+    result.candidates.push_back(finished(attempt));
+    control.report(double(attempts.size()) / stages);
   }
   const auto best = std::min_element(result.candidates.begin(), result.candidates.end(),
                                      [](const auto& a, const auto& b) { return a.gammaError < b.gammaError; });
+  if (options.refinements > trialRounds) {
+    Attempt& chosen = attempts[std::size_t(best - result.candidates.begin())];
+    refine(chosen, options.refinements - trialRounds, control);
+    if (EncodedCandidate refined = finished(chosen); refined.gammaError < best->gammaError) *best = std::move(refined);
+  }
   result.code = best->code;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  control.report(1);
   return result;
 }
 

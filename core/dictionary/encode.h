@@ -20,9 +20,9 @@ struct EncodeOptions {
   /// Fewer coefficients where the packed code would have more bytes than this.
   std::optional<std::size_t> bytes;
   std::vector<DataTransform> transforms{DataTransform::logPlus, DataTransform::cosineLog};
-  double gamma = 2;     ///< of the error by which the transform is chosen, in [1, 3]
-  int refinements = 3;  ///< rounds in which the invalid cells take the code's own values
-  InvalidFill fill = InvalidFill::hold;
+  double gamma = 2;          ///< of the error by which the transform is chosen, in [1, 3]
+  int refinements = 15;      ///< rounds in which the invalid cells take the code's own values
+  int trialRefinements = 3;  ///< those of them that each transform gets; the others are for the chosen one
 };
 
 /// One transform that was tried.
@@ -50,13 +50,19 @@ class Encoder {
   /// For each transform and channel: the dictionary that holds most of the signal in its largest coefficients, those
   /// coefficients (the exact minimiser: the dictionaries are orthonormal), and rounds in which the invalid cells, whose
   /// values nobody sees, take those that the code gives them, so that it spends its coefficients on the valid ones.
+  /// The rounds are iterative hard thresholding of the valid cells alone, with the momentum of Beck and Teboulle 2009,
+  /// "A Fast Iterative Shrinkage-Thresholding Algorithm for Linear Inverse Problems": each takes the values a step
+  /// further in the direction of the last change. The chosen code keeps its trial where more rounds do not lower the
+  /// gamma error.
   /// @throws Error when the grid is another; Cancelled.
   Encoded encode(const TabulatedBrdf& table, const EncodeOptions& options = {}, const TaskControl& control = {}) const;
   const Ensemble& ensemble() const { return ensemble_; }
 
  private:
-  ChannelCode encodeSignal(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid,
-                           const EncodeOptions& options) const;
+  struct Attempt;
+  void start(Attempt& attempt, DataTransform transform, const TaskControl& control) const;
+  void refine(Attempt& attempt, int rounds, const TaskControl& control) const;
+  EncodedCandidate finished(const Attempt& attempt) const;
   int chooseDictionary(const Eigen::ArrayXf& signal, std::size_t coefficients) const;
 
   const Ensemble& ensemble_;

@@ -109,7 +109,7 @@ void invertTransform(Eigen::Ref<Eigen::ArrayXf> values, DataTransform transform,
 }
 
 std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
-                                        const GridGeometry& geometry, InvalidFill fill) {
+                                        const GridGeometry& geometry) {
   const Eigen::Index cells = Eigen::Index(table.grid().size());
   const auto interleaved =
       Eigen::Map<const Eigen::Array<float, 3, Eigen::Dynamic>>(&table.values().data()->x, 3, cells);
@@ -118,7 +118,7 @@ std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransfor
     Eigen::ArrayXf& values = signals[std::size_t(c)];
     values = interleaved.row(c);
     dictionary::transform(values, transform, geometry.weights);
-    if (fill == InvalidFill::hold) hold(values, table);
+    hold(values, table);
     scale(values, table.grid(), geometry);
   }
   return signals;

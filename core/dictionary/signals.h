@@ -25,18 +25,12 @@ struct GridGeometry {
   static std::shared_ptr<const GridGeometry> of(const HalfDifferenceGrid& grid);
 };
 
-/// What stands in the invalid cells of a signal. No dictionary may spend coefficients on a cliff at the horizon that is
-/// not there.
-enum class InvalidFill {
-  zero,  ///< the naive one: a cliff wherever a material reflects at the horizon
-  hold   ///< along theta_h (toward the horizon) the transformed value of the last valid cell
-};
-
 /// The three channels of a table, transformed, every cell filled, scaled by the importance: what dictionaries are
-/// trained on and what is encoded. In single precision, without cancellation for small values. About 20 ms for a MERL
-/// table.
+/// trained on and what is encoded. Invalid cells hold, along theta_h (toward the horizon), the transformed value of the
+/// last valid one: no dictionary may spend coefficients on a cliff at the horizon that is not there. In single
+/// precision, without cancellation for small values. About 20 ms for a MERL table.
 std::array<Eigen::ArrayXf, 3> signalsOf(const TabulatedBrdf& table, DataTransform transform,
-                                        const GridGeometry& geometry, InvalidFill fill = InvalidFill::hold);
+                                        const GridGeometry& geometry);
 
 /// In place: reflectances (1/sr, >= 0) become transformed values, and back, as transformed() and inverseTransformed()
 /// do in double. Back, values that no reflectance has give 0, and those beyond the range of float its largest number

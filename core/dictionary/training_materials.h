@@ -23,7 +23,6 @@ struct TrainingMaterials {
 /// Which signals a material gives: three channels for each transform.
 struct SignalOptions {
   std::vector<DataTransform> transforms{DataTransform::logPlus, DataTransform::cosineLog};
-  InvalidFill fill = InvalidFill::hold;
 
   std::size_t signalsPerMaterial() const { return 3 * transforms.size(); }
 };

@@ -78,20 +78,44 @@ class EncodeTest : public QObject {
     }
   }
 
-  /// Rounds that free the invalid cells lower the error of the valid ones.
+  /// Rounds that free the invalid cells lower the error of the valid ones; those after the trial never raise the one
+  /// that the selection goes by.
   void refinementsServeTheValidCells() {
     const TrainingMaterials materials = ggxMaterials(6);
     const Ensemble ensemble = randomEnsemble(3);
     const Encoder encoder(ensemble);
+    double trial = 0, all = 0;
     for (std::size_t m = 0; m < 6; ++m) {
-      const auto error = [&](int refinements, InvalidFill fill) {
-        const EncodeOptions options{
-            .coefficients = 60, .transforms = {DataTransform::logPlus}, .refinements = refinements, .fill = fill};
-        const auto table = materials.load(m);
-        return squaredError(ensemble, encoder.encode(*table, options).code, *table);
+      const auto table = materials.load(m);
+      const auto encoded = [&](int refinements) {
+        return encoder.encode(*table,
+                              {.coefficients = 60, .transforms = {DataTransform::logPlus}, .refinements = refinements});
       };
-      QVERIFY(error(3, InvalidFill::hold) < error(0, InvalidFill::hold));
+      const Encoded none = encoded(0), three = encoded(3), fifteen = encoded(15);
+      QVERIFY(squaredError(ensemble, three.code, *table) < squaredError(ensemble, none.code, *table));
+      QVERIFY(fifteen.candidates[0].gammaError <= three.candidates[0].gammaError);
+      trial += three.candidates[0].gammaError;
+      all += fifteen.candidates[0].gammaError;
     }
+    QVERIFY(all < trial);
+  }
+
+  /// The rounds after the trial are for the chosen transform alone.
+  void onlyTheChosenIsRefinedFurther() {
+    const Ensemble ensemble = randomEnsemble(2);
+    const auto table = ggxMaterials(3).load(2);
+    const Encoder encoder(ensemble);
+    const Encoded trial = encoder.encode(*table, {.coefficients = 80, .refinements = 3});
+    const Encoded full = encoder.encode(*table, {.coefficients = 80});
+    const std::size_t chosen = full.code.transform == full.candidates[0].code.transform ? 0 : 1;
+    QVERIFY(full.code.transform == trial.code.transform);
+    QVERIFY(sameBits(full.candidates[1 - chosen].code, trial.candidates[1 - chosen].code));
+    QVERIFY(!sameBits(full.candidates[chosen].code, trial.candidates[chosen].code));
+    QVERIFY(sameBits(full.candidates[chosen].code, full.code));
+    // As if all rounds had been made at once.
+    const Encoded alone =
+        encoder.encode(*table, {.coefficients = 80, .transforms = {full.code.transform}, .trialRefinements = 15});
+    QVERIFY(sameBits(alone.code, full.code));
   }
 
   void selectionGoesByTheGammaError() {

@@ -87,18 +87,16 @@ class TrainingTest : public QObject {
     QVERIFY_EXCEPTION_THROWN(train({}, options), Error);
   }
 
-  /// A held value continues the material: it leaves no jump at the horizon, zeros do.
+  /// A held value continues the material: it leaves no jump at the horizon.
   void fillLeavesNoCliff() {
     const auto table = ggxMaterials(1).load(0);
     const auto geometry = GridGeometry::of(smallGrid);
     const auto held = signalsOf(*table, DataTransform::logPlus, *geometry);
-    const auto naive = signalsOf(*table, DataTransform::logPlus, *geometry, InvalidFill::zero);
     const std::size_t slab = std::size_t(smallGrid.thetaDCount) * std::size_t(smallGrid.phiDCount);
     std::size_t invalid = 0;
     for (std::size_t cell = slab; cell < smallGrid.size(); ++cell) {
       const auto i = Eigen::Index(cell), before = Eigen::Index(cell - slab);
       if (table->valid()[cell] != 0) {
-        QCOMPARE(held[0][i], naive[0][i]);
         const double y = double(held[0][i]) / importanceOfCell(smallGrid, *geometry, cell);
         QVERIFY(std::abs(y - std::log1p(double(table->values()[cell].x))) < 1e-6);
         continue;
@@ -106,7 +104,6 @@ class TrainingTest : public QObject {
       ++invalid;
       QVERIFY(std::abs(double(held[0][i]) / importanceOfCell(smallGrid, *geometry, cell) -
                        double(held[0][before]) / importanceOfCell(smallGrid, *geometry, cell - slab)) < 1e-6);
-      QCOMPARE(naive[0][i], 0.0f);
     }
     QVERIFY(invalid > 100);
   }
