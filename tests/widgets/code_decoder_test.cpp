@@ -224,7 +224,8 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(1, 2, 3, 4);
-    glEnable(GL_BLEND);
+    for (const GLenum capability : {GL_BLEND, GL_SCISSOR_TEST}) glEnable(capability);
+    for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE}) glDisable(capability);
     glActiveTexture(GL_TEXTURE2);
     QOpenGLShaderProgram& program = m_resources.program("preview/decode_fibres.frag");
     program.bind();
@@ -239,9 +240,10 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     glGetIntegerv(GL_TEXTURE_BINDING_3D, bound);
     QCOMPARE(bound[0], GLint(texture));
     glGetIntegerv(GL_VIEWPORT, bound);
-    QCOMPARE(bound[3], 4);
-    QVERIFY(glIsEnabled(GL_BLEND));
-    glDisable(GL_BLEND);
+    for (int i = 0; i < 4; ++i) QCOMPARE(bound[i], i + 1);
+    for (const GLenum capability : {GL_BLEND, GL_SCISSOR_TEST}) QVERIFY(glIsEnabled(capability));
+    for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE}) QVERIFY(!glIsEnabled(capability));
+    for (const GLenum capability : {GL_BLEND, GL_SCISSOR_TEST}) glDisable(capability);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteTextures(1, &texture);
@@ -283,7 +285,24 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     const Ensemble ensemble = ensembleOn(oddGrid, 1);
     auto texels = widgets::codeTexels(ensemble, randomCode(ensemble, DataTransform::logPlus, {5, 5, 5}));
     QVERIFY(widgets::CodeDecoder::fits(*this, texels));
-    texels.groups = 1 << 24;
+    // One thing after the other is too large: the side of a picture by its rows of groups, of slabs; a list.
+    GLint side = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+    const widgets::CodeTexels small = texels;
+    texels.groups = side;
+    QVERIFY(widgets::CodeDecoder::fits(*this, texels));
+    texels.groups = side + 1;
+    QVERIFY(!widgets::CodeDecoder::fits(*this, texels));
+    texels = small;
+    texels.slabs = side / oddGrid.thetaDCount;
+    QVERIFY(widgets::CodeDecoder::fits(*this, texels));
+    ++texels.slabs;
+    QVERIFY(!widgets::CodeDecoder::fits(*this, texels));
+    GLint listed = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &listed);
+    if (listed > 1 << 27) return;  // a list of more than a gigabyte is not tried
+    texels = small;
+    texels.coefficients.resize(std::size_t(listed) + 1);
     QVERIFY(!widgets::CodeDecoder::fits(*this, texels));
   }
 
@@ -291,6 +310,13 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     const Ensemble ensemble = ensembleOn(oddGrid, 1);
     SparseCode code = randomCode(ensemble, DataTransform::logPlus, {5, 5, 5});
     code.channels[1].dictionary = 1;
+    QVERIFY_THROWS_EXCEPTION(Error, widgets::codeTexels(ensemble, code));
+    code.channels[1].dictionary = 0;
+    widgets::codeTexels(ensemble, code);
+    code.channels[2].coefficients[0].index = std::uint32_t(oddGrid.size());
+    QVERIFY_THROWS_EXCEPTION(Error, widgets::codeTexels(ensemble, code));
+    code = randomCode(ensemble, DataTransform::logPlus, {5, 5, 5});
+    code.grid.phiDCount += 1;
     QVERIFY_THROWS_EXCEPTION(Error, widgets::codeTexels(ensemble, code));
   }
 };
