@@ -3,7 +3,7 @@
 #include "core/rendering/environment_file.h"
 
 #include "core/io/image_io.h"
-#include "core/support/naming_file.h"
+#include "core/support/error.h"
 
 namespace gonio {
 
@@ -19,8 +19,8 @@ std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrP
   const std::filesystem::path path = folder / nameOrPath;
   if (std::error_code unreadable; !std::filesystem::exists(path, unreadable))
     throw Error(path.string() + ": found neither an environment of this name (studio, sky, furnace) nor a file");
-  Image image = io::readImage(path);
-  return namingFile(path, [&] { return std::make_shared<const EnvironmentMap>(std::move(image), path.string()); });
+  // A map's errors name it, by its path here.
+  return std::make_shared<const EnvironmentMap>(io::readImage(path), path.string());
 }
 
 }  // namespace gonio

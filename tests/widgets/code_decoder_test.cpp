@@ -12,6 +12,7 @@
 #include "core/io/measured_library.h"
 #include "core/support/error.h"
 #include "offscreen_context.h"
+#include "tests/support/sphere_preview.h"
 #include "widgets/preview/preview_renderer.h"
 #include "widgets/preview/textures.h"
 
@@ -261,7 +262,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
       widgets::PreviewRenderer renderer(resources);
       renderer.initialize();
       renderer.setSubject({.table = dictionary::decode(*ensemble, code->code), .lobe = {}, .code = code});
-      renderer.setScene({});
+      tests::showSphere(renderer, {});
       renderer.setSize({32, 32});
       renderer.accumulate(4);
       const Image picture = renderer.readPicture();
