@@ -268,9 +268,8 @@ namespace {
 
 Scene sceneOfFile(const std::filesystem::path& path, int materials) {
   if (isObj(path)) return meshScene(path);
-  const io::FileSource source(path);  // names the file itself
   Scene scene = namingFile(path, [&] {
-    const std::vector<std::byte> bytes = source.readAll(maxSceneBytes);
+    const std::vector<std::byte> bytes = io::FileSource(path).readAll(maxSceneBytes);
     const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     return parseScene(text, materials, path.parent_path());
   });

@@ -31,6 +31,16 @@ class FunctionBrdf final : public Brdf {
   bool isotropic_, reciprocal_;
 };
 
+/// The mean over both orders of the directions: what a table that folds phi_d holds of a BRDF that is not reciprocal.
+inline FunctionBrdf meanOfBothOrders(std::shared_ptr<const Brdf> brdf) {
+  const bool isotropic = brdf->isIsotropic();
+  return FunctionBrdf(
+      [brdf = std::move(brdf)](const Direction& wi, const Direction& wo) {
+        return 0.5 * (brdf->evaluate(wi, wo) + brdf->evaluate(wo, wi));
+      },
+      isotropic);
+}
+
 /// GGX with the given values for the ids of its parameters, the rest at their defaults.
 inline std::unique_ptr<const Brdf> ggx(const Rgb& diffuse, const Rgb& specular, double roughness, double f0) {
   const models::ModelSpec& spec = models::ggx().spec();

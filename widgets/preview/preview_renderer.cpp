@@ -22,7 +22,10 @@ QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d
 
 }  // namespace
 
-PreviewRenderer::PreviewRenderer(std::shared_ptr<PreviewResources> resources) : resources_(std::move(resources)) {}
+PreviewRenderer::PreviewRenderer(std::shared_ptr<PreviewResources> resources) : resources_(std::move(resources)) {
+  const Scene sphere = gonio::sceneOf(SphereScene{});
+  setScene(sphere, previewPlan(sphere, diffuseMaterial(Rgb(0.5))));
+}
 
 PreviewRenderer::~PreviewRenderer() = default;
 
