@@ -164,7 +164,7 @@ struct CodeFixture : QOpenGLFunctions_4_1_Core {
     PreviewFixture::instance();
     initializeOpenGLFunctions();
     for (const io::MeasuredMaterial& material : io::measuredMaterials())
-      if (material.name == "cc_iris_purple_gem") code = io::measuredMaterial(material).code->truncated(coefficients);
+      if (material.name == "cc_ibiza_sunset") code = io::measuredMaterial(material).code->truncated(coefficients);
     dictionary::GridGeometry::of(code.grid);
   }
   ~CodeFixture() { glDeleteTextures(1, &texture); }
