@@ -11,6 +11,7 @@
 #include <QSortFilterProxyModel>
 #include <QTreeView>
 
+#include "widgets/panels/sorted_table.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
@@ -57,14 +58,7 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
 }
 
 void FitRankingPanel::buildView() {
-  m_sorted->setSourceModel(&m_model);
-  m_sorted->setSortRole(Qt::UserRole);
-  m_sorted->setSortCaseSensitivity(Qt::CaseInsensitive);
-  m_view->setModel(m_sorted);
-  m_view->setRootIsDecorated(false);
-  m_view->setUniformRowHeights(true);
-  m_view->setAllColumnsShowFocus(true);
-  m_view->setSortingEnabled(true);
+  widgets::setUpSortedTable(*m_view, *m_sorted, m_model, *m_empty);
   m_view->sortByColumn(FitRankingModel::ErrorColumn, Qt::AscendingOrder);
   m_view->setAccessibleName(tr("Models by their fits"));
   const int line = fontMetrics().height();
@@ -76,12 +70,6 @@ void FitRankingPanel::buildView() {
     header->resizeSection(column, 9 * line);
   connect(m_view, &QTreeView::clicked, this, &FitRankingPanel::use);
   connect(m_view, &QTreeView::activated, this, &FitRankingPanel::use);
-  m_empty->setAlignment(Qt::AlignCenter);
-  m_empty->setWordWrap(true);
-  m_empty->setForegroundRole(QPalette::PlaceholderText);
-  m_empty->setAttribute(Qt::WA_TransparentForMouseEvents);
-  auto* over = new QVBoxLayout(m_view->viewport());
-  over->addWidget(m_empty);
 }
 
 bool FitRankingPanel::isRunning() const { return m_tasks.isRunning(rankingKey); }

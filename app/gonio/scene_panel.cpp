@@ -47,7 +47,10 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, BackgroundTasks& tasks, 
   layout->addStretch(1);
   connect(m_effects, &widgets::EffectList::overridesChanged, &m_preview, &widgets::PreviewWidget::setOverrides);
   connect(&m_preview, &widgets::PreviewWidget::planChanged, this, &ScenePanel::refresh);
-  connect(&m_preview, &widgets::PreviewWidget::sceneChanged, this, [this] { m_result->clear(); });
+  connect(&m_preview, &widgets::PreviewWidget::sceneChanged, this, [this](const Scene& scene) {
+    m_result->clear();
+    showScene(scene);
+  });
   refresh();
 }
 
@@ -118,15 +121,19 @@ void ScenePanel::open(const QString& nameOrPath, std::function<void()> shown) {
 void ScenePanel::show(const Scene& scene) {
   m_costs.reset();
   m_preview.showScene(scene);
+  refresh();
 }
 
-void ScenePanel::refresh() {
-  const Scene& scene = m_preview.scene();
+void ScenePanel::showScene(const Scene& scene) {
   const QString source = QString::fromStdString(scene.source);
   if (!source.isEmpty() && m_scenes->findData(source) < 0) m_scenes->addItem(source.section('/', -1), source);
   m_scenes->setCurrentIndex(m_scenes->findData(source));
   m_description->setText(QString::fromStdString(scene.description));
   m_description->setToolTip(m_description->text());
+}
+
+void ScenePanel::refresh() {
+  showScene(m_preview.scene());
   m_effects->setOverrides(m_preview.overrides());
   m_effects->setPlan(m_preview.plan());
   m_effects->setCosts(m_costs);

@@ -43,6 +43,7 @@ class ScenePanel : public QWidget {
   QWidget* buildBottom();
   void askForFile();
   void show(const Scene& scene);
+  void showScene(const Scene& scene);
   void refresh();
   void measureCosts();
   void compareWithReference();

@@ -15,6 +15,7 @@
 #include <algorithm>
 
 #include "app/gonio/study_panel.h"
+#include "widgets/panels/sorted_table.h"
 #include "widgets/parameters/parameter_text.h"
 #include "widgets/study/study_scatter.h"
 
@@ -64,14 +65,7 @@ void StudyPanel::buildControls() {
 }
 
 void StudyPanel::buildView() {
-  m_sorted->setSourceModel(&m_model);
-  m_sorted->setSortRole(Qt::UserRole);
-  m_sorted->setSortCaseSensitivity(Qt::CaseInsensitive);
-  m_view->setModel(m_sorted);
-  m_view->setRootIsDecorated(false);
-  m_view->setUniformRowHeights(true);
-  m_view->setAllColumnsShowFocus(true);
-  m_view->setSortingEnabled(true);
+  widgets::setUpSortedTable(*m_view, *m_sorted, m_model, *m_empty);
   m_view->sortByColumn(StudyModel::SnrColumn, Qt::AscendingOrder);
   m_view->setAccessibleName(tr("Representations and what they cost"));
   m_view->installEventFilter(this);
@@ -81,12 +75,6 @@ void StudyPanel::buildView() {
   header->resizeSection(StudyModel::NameColumn, 18 * line);
   for (int column = StudyModel::SnrColumn; column < StudyModel::ColumnCount; ++column)
     header->resizeSection(column, (column == StudyModel::EvaluationColumn ? 9 : 6) * line);
-  m_empty->setAlignment(Qt::AlignCenter);
-  m_empty->setWordWrap(true);
-  m_empty->setForegroundRole(QPalette::PlaceholderText);
-  m_empty->setAttribute(Qt::WA_TransparentForMouseEvents);
-  auto* over = new QVBoxLayout(m_view->viewport());
-  over->addWidget(m_empty);
 }
 
 void StudyPanel::connectParts() {

@@ -40,6 +40,21 @@ std::string ordinal(int number) {
   return std::to_string(number) + (ten == 1 || one < 1 || one > 3 ? "th" : one == 1 ? "st" : one == 2 ? "nd" : "rd");
 }
 
+/// Light that reaches the eye from its source.
+EffectDecision emittedLightDecision(const Scene& scene) {
+  if (scene.showEnvironment && scene.environment) return {true, true, "the environment is drawn behind the objects"};
+  const CameraFrame camera = cameraFrame(scene.camera);
+  for (const SceneObject& object : scene.objects) {
+    if (!object.emits()) continue;
+    const auto& lamp = std::get<Rectangle>(object.shape);
+    const Direction toEye = camera.orthographic ? -camera.forward : camera.eye - lamp.centre;
+    if (glm::dot(lamp.normal(), toEye) > 0 &&
+        support(object.shape, camera.forward) > glm::dot(camera.eye, camera.forward))
+      return {true, true, "the front of " + object.name + " is turned to the camera"};
+  }
+  return {false, false, "no source faces the camera"};
+}
+
 /// Fills in the facts of a scene and decides; forces come after it.
 class Analysis {
  public:
@@ -73,7 +88,6 @@ class Analysis {
   }
   bool reflects(std::size_t object) const { return materials_[object] && !materials_[object]->bound().isBlack(); }
   bool isLit(std::size_t object) const { return std::ranges::find(plan.lit[object], true) != plan.lit[object].end(); }
-  std::string emittedReason() const;
 
   const Scene& scene_;
   Materials materials_;
@@ -106,23 +120,8 @@ void Analysis::findVisible() {
         plan.visible[object].push_back(other);
 }
 
-std::string Analysis::emittedReason() const {
-  if (scene_.showEnvironment && scene_.environment) return "the environment is drawn behind the objects";
-  const CameraFrame camera = cameraFrame(scene_.camera);
-  for (const SceneObject& object : scene_.objects) {
-    if (!object.emits()) continue;
-    const auto& lamp = std::get<Rectangle>(object.shape);
-    const Direction toEye = camera.orthographic ? -camera.forward : camera.eye - lamp.centre;
-    if (glm::dot(lamp.normal(), toEye) > 0 &&
-        support(object.shape, camera.forward) > glm::dot(camera.eye, camera.forward))
-      return "the front of " + object.name + " is turned to the camera";
-  }
-  return "";
-}
-
 void Analysis::decideLights() {
-  const std::string emitted = emittedReason();
-  decide(Effect::emittedLight, !emitted.empty(), emitted.empty() ? "no source faces the camera" : emitted);
+  plan.decisions[std::size_t(Effect::emittedLight)] = emittedLightDecision(scene_);
   std::string lamp, surrounding;
   bool areLamps = false, haveSize = false;
   for (std::size_t light = 0; light < plan.lights.size(); ++light) {
@@ -258,6 +257,12 @@ EffectPlan planEffects(const Scene& scene, Materials materials, const EffectOver
   EffectPlan plan = Analysis(scene, materials, thresholds).plan;
   applyOverrides(plan, materials, overrides, thresholds);
   return plan;
+}
+
+void updateForCamera(EffectPlan& plan, const Scene& scene, const EffectOverrides& overrides) {
+  EffectDecision& decision = plan.decisions[std::size_t(Effect::emittedLight)];
+  decision = emittedLightDecision(scene);
+  decision.simulated = overrides[std::size_t(Effect::emittedLight)].value_or(decision.calledFor);
 }
 
 std::map<std::string, std::string> pictureAttributes(const Scene& scene, const EffectPlan& plan,

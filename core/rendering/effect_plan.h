@@ -35,6 +35,8 @@ struct EffectDecision {
   bool calledFor = false;  ///< by the analysis
   bool simulated = false;  ///< so, or as the user forces it
   std::string reason;      ///< of the analysis, for people
+
+  bool operator==(const EffectDecision&) const = default;
 };
 
 /// What the user forces: on, off, or nothing (the analysis decides).
@@ -58,6 +60,7 @@ struct EffectPlan {
 
   const EffectDecision& operator[](Effect effect) const { return decisions[std::size_t(effect)]; }
   bool simulates(Effect effect) const { return decisions[std::size_t(effect)].simulated; }
+  bool operator==(const EffectPlan&) const = default;
 };
 
 struct EffectThresholds {
@@ -73,6 +76,10 @@ struct EffectThresholds {
 /// @param materials of bindMaterials().
 EffectPlan planEffects(const Scene& scene, std::span<const std::shared_ptr<const TracedMaterial>> materials,
                        const EffectOverrides& overrides = {}, const EffectThresholds& thresholds = {});
+
+/// Makes the plan of a scene that of the scene seen by another camera: which sources face it can change, nothing else.
+/// No shape is looked at but the lamps.
+void updateForCamera(EffectPlan& plan, const Scene& scene, const EffectOverrides& overrides = {});
 
 /// What a picture file says of how it was made: samples, scene, effects, reflections, material, seed.
 std::map<std::string, std::string> pictureAttributes(const Scene& scene, const EffectPlan& plan,

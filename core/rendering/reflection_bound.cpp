@@ -51,6 +51,13 @@ ReflectionBound::ReflectionBound(const Brdf& brdf, const Sampler& sampler) {
   for (std::size_t step = 1; step <= steps; ++step) bound_[step] = std::max(bound_[step], bound_[step - 1]);
 }
 
+ReflectionBound ReflectionBound::ofDiffuse(double albedo) {
+  ReflectionBound bound;
+  bound.peak_ = albedo / pi;
+  bound.bound_.fill(albedo);  // at() then keeps to the peak's line
+  return bound;
+}
+
 void ReflectionBound::include(const Brdf& brdf, const Sampler& sampler, const Direction& wo) {
   double share = 0, reflection = 0;
   std::size_t step = 1;

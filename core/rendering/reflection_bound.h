@@ -19,6 +19,8 @@ class ReflectionBound {
  public:
   using Sampler = std::function<DirectionSample(const Direction& wo, const glm::dvec3& u)>;
   ReflectionBound(const Brdf& brdf, const Sampler& sampler);
+  /// Of a Lambertian surface, exact: A(F) = albedo F.
+  static ReflectionBound ofDiffuse(double albedo);
 
   /// @param share F in [0, 1]. Never falls with it; 0 at 0.
   double at(double share) const;
@@ -26,6 +28,7 @@ class ReflectionBound {
   bool isBlack() const { return !(largestAlbedo() > 0); }
 
  private:
+  ReflectionBound() = default;
   void include(const Brdf& brdf, const Sampler& sampler, const Direction& wo);
 
   static constexpr std::size_t steps = 64;  ///< of the square root of the share: fine where mirrors rise

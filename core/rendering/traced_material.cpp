@@ -35,7 +35,8 @@ TracedMaterial::TracedMaterial(std::shared_ptr<const Brdf> brdf, std::optional<S
       bound_(*brdf_, [this](const Direction& wo, const glm::dvec3& u) { return sample(wo, u); }) {}
 
 std::shared_ptr<const TracedMaterial> diffuseMaterial(const Rgb& reflectance) {
-  return std::make_shared<const TracedMaterial>(std::make_shared<const DiffuseBrdf>(reflectance));
+  return std::shared_ptr<const TracedMaterial>(new TracedMaterial(std::make_shared<const DiffuseBrdf>(reflectance),
+                                                                  ReflectionBound::ofDiffuse(maxChannel(reflectance))));
 }
 
 std::vector<std::shared_ptr<const TracedMaterial>> bindMaterials(

@@ -27,12 +27,16 @@ class TracedMaterial {
   const ReflectionBound& bound() const { return bound_; }
 
  private:
+  friend std::shared_ptr<const TracedMaterial> diffuseMaterial(const Rgb& reflectance);
+  TracedMaterial(std::shared_ptr<const Brdf> brdf, const ReflectionBound& bound)
+      : brdf_(std::move(brdf)), bound_(bound) {}
+
   std::shared_ptr<const Brdf> brdf_;
   std::optional<SamplingLobe> lobe_;
   ReflectionBound bound_;
 };
 
-/// A Lambertian material; `reflectance` in linear RGB.
+/// A Lambertian material; `reflectance` in linear RGB. Nothing is estimated.
 std::shared_ptr<const TracedMaterial> diffuseMaterial(const Rgb& reflectance);
 
 /// What each object of a scene is made of, in their order; null for what emits.

@@ -104,6 +104,13 @@ vec3 drawDirection(Surface surface, vec3 u) {
 
 const int firstLamp = OBJECTS - LAMPS;
 
+// The share of a direction that was drawn with a density, where another strategy finds it with the other density, over
+// that density: the power heuristic (Veach 1997, section 9.2.4), as the reference renderer has it.
+float weightOverDensity(float density, float other) {
+  float ratio = other / density;
+  return 1.0 / (density * (1.0 + ratio * ratio));
+}
+
 #ifdef LIGHT_LAMPS
 
 // Density of a place drawn on the lamp, seen along a direction at a distance, 1/sr; 0 behind it.
@@ -123,12 +130,12 @@ vec3 lampLight(Surface surface, int lamp, vec2 u) {
   vec3 wi = direction * surface.frame;
   float density = lampDensity(lamp, direction, t);
   if (wi.z <= 0.0 || density <= 0.0 || isBlocked(surface.object, surface.position, direction, t * 0.9999)) return vec3(0.0);
-  return reflectance(surface, wi) * objectColours[lamp].rgb * (wi.z / (density + drawnDensity(surface, wi)));
+  return reflectance(surface, wi) * objectColours[lamp].rgb * (wi.z * weightOverDensity(density, drawnDensity(surface, wi)));
 }
 #endif
 
 // Light of lamps without a size, and of places drawn on those that have one and in the environment. Where drawn
-// directions find the same light, both weigh 1 / (sum of the densities): the balance heuristic (Veach 1997).
+// directions find the same light, each counts for its share.
 vec3 drawnLights(Surface surface, int index, uvec3 hash) {
   vec3 sum = vec3(0.0);
 #if DISTANT_LIGHTS > 0
@@ -154,7 +161,7 @@ vec3 drawnLights(Surface surface, int index, uvec3 hash) {
   Light light = drawnLight(index);
   vec3 wi = light.direction * surface.frame;
   if (wi.z > 0.0 && !isBlocked(surface.object, surface.position, light.direction, never))
-    sum += reflectance(surface, wi) * light.radiance * (wi.z / (light.density + drawnDensity(surface, wi)));
+    sum += reflectance(surface, wi) * light.radiance * (wi.z * weightOverDensity(light.density, drawnDensity(surface, wi)));
 #endif
   return sum;
 }
@@ -189,7 +196,7 @@ vec3 reflected(Surface surface, vec4 numbers, uvec3 hash) {
 #endif
     if (open) {
       Light light = environmentLight(direction);
-      sum += value * light.radiance / (light.density + density);
+      sum += value * light.radiance * weightOverDensity(density, light.density);
     }
 #endif
     if (met < 0) break;
@@ -197,7 +204,7 @@ vec3 reflected(Surface surface, vec4 numbers, uvec3 hash) {
 #ifdef LIGHT_LAMPS
       float other = lampDensity(met, direction, t);
 #ifdef DRAW_LAMPS
-      if (other > 0.0) sum += value * objectColours[met].rgb / (other + density);
+      if (other > 0.0) sum += value * objectColours[met].rgb * weightOverDensity(density, other);
 #else
       if (other > 0.0) sum += value * objectColours[met].rgb / density;
 #endif

@@ -69,6 +69,23 @@ class PreviewWidgetTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
   }
 
+  /// Looked at from elsewhere the plan stays; only a lamp that comes into view changes it.
+  void orbitingKeepsThePlan() {
+    widget_->showScene(openScene("two-spheres"));
+    QSignalSpy planned(widget_.get(), &PreviewWidget::planChanged), moved(widget_.get(), &PreviewWidget::sceneChanged);
+    for (int i = 0; i < 12; ++i) QTest::keyClick(widget_.get(), Qt::Key_Right);
+    QCOMPARE(planned.count(), 0);
+    QCOMPARE(moved.count(), 12);
+    widget_->showScene(openScene("sphere-under-lamp"));
+    planned.clear();
+    const EffectPlan before = widget_->plan();
+    for (int i = 0; i < 12; ++i) QTest::keyClick(widget_.get(), Qt::Key_Down);
+    Scene scene = widget_->scene();
+    QVERIFY(widget_->plan() ==
+            widgets::previewPlan(scene, widget_->material() ? widget_->material() : diffuseMaterial(Rgb(0.5))));
+    QCOMPARE(planned.count() > 0, !(before == widget_->plan()));
+  }
+
   /// What the user forces off is gone from the picture and the plan; resetting brings it back.
   void aForcedEffectChangesThePicture() {
     widget_->showScene(openScene("sphere-point-light"));

@@ -60,69 +60,6 @@ void PreviewWidget::release() {
   doneCurrent();
 }
 
-void PreviewWidget::setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe) {
-  setSubject({.table = std::move(table), .lobe = lobe});
-}
-
-void PreviewWidget::setEdit(std::optional<editing::DifferentialEdit> edit) {
-  PreviewSubject subject = first_.subject;
-  subject.edit = std::move(edit);
-  setSubject(subject, first_.name);
-}
-
-void PreviewWidget::setSubject(const PreviewSubject& subject, const QString& name) {
-  const bool another = subject.table != first_.subject.table;
-  changeSubject(first_, subject, name);
-  if (another) budget_.reset();
-  if (!failure_.isEmpty()) return;
-  overlay_->setHint(subject.isEmpty() ? tr("Open a measured material (Ctrl+O), drop a file here,\n"
-                                           "or double-click one in the library.")
-                                      : QString());
-  if (subject.isEmpty()) overlay_->setStatus({});
-}
-
-void PreviewWidget::setOther(const PreviewSubject& subject, const QString& name) {
-  changeSubject(second_, subject, name);
-}
-
-void PreviewWidget::changeSubject(Side& side, const PreviewSubject& subject, const QString& name) {
-  side.name = name;
-  showOverlay();
-  if (sameSubject(subject, side.subject)) return;
-  const bool wasPlain = side.subject.isMeasured();
-  side.subject = subject;
-  PreviewSubject drawn = subject;
-  // The lobe of the step before serves until the new one is known.
-  if (!subject.isMeasured() && !wasPlain) drawn.lobe = side.picture.subject().lobe;
-  side.picture.setSubject(drawn);
-  side.tracer.stop();
-  if (subject.isEmpty()) side.material.reset();
-  side.estimator.request(subject);
-  changed();
-}
-
-void PreviewWidget::adopt(Side& side, const MaterialEstimate& estimate) {
-  side.material = estimate.material;
-  if (!similarLobes(estimate.lobe, side.picture.subject().lobe)) side.picture.setLobe(estimate.lobe);
-  plan(side);
-  trace(side);
-  update();
-}
-
-/// What the side's picture simulates; its picture starts anew only where that changes.
-void PreviewWidget::plan(Side& side) {
-  static const std::shared_ptr<const TracedMaterial> grey = diffuseMaterial(Rgb(0.5));
-  side.plan = previewPlan(scene_, side.material ? side.material : grey, overrides_);
-  if (!isTraced()) side.picture.setScene(scene_, side.plan);
-  if (&side == &first_) Q_EMIT planChanged(side.plan);
-}
-
-void PreviewWidget::trace(Side& side) {
-  if (!isTraced() || !side.material || side.subject.isEmpty()) return side.tracer.stop();
-  if (&side == &second_ && !isComparing()) return;
-  side.tracer.trace(scene_, side.material, side.plan, pictureSize(), wantedSamples());
-}
-
 void PreviewWidget::setComparison(const PreviewComparison& comparison) {
   if (comparison == comparison_) return;
   if (comparison.difference != comparison_.difference || comparison.range != comparison_.range) range_ = 0;
@@ -140,39 +77,6 @@ void PreviewWidget::setFlickering(bool flickering) {
   flickering_ = flickering && isComparing() && comparison_.mode != CompareMode::twoUp;
   showOverlay();
   update();
-}
-
-void PreviewWidget::showScene(const Scene& scene) {
-  home_ = scene;
-  budget_.reset();
-  setScene(scene);
-}
-
-void PreviewWidget::setScene(const Scene& scene) {
-  scene_ = scene;
-  for (Side* side : {&first_, &second_}) {
-    plan(*side);
-    trace(*side);
-  }
-  changed();
-  Q_EMIT sceneChanged(scene_);
-}
-
-void PreviewWidget::setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
-  Scene scene = scene_;
-  scene.environment = environment;
-  const std::vector<DirectionalLight>& own = home_.directionalLights;
-  if (!environment)
-    scene.directionalLights = own.empty() ? std::vector{DirectionalLight{}} : own;
-  else
-    scene.directionalLights = home_.environment ? own : std::vector<DirectionalLight>{};
-  setScene(scene);
-}
-
-void PreviewWidget::setOverrides(const EffectOverrides& overrides) {
-  if (overrides == overrides_) return;
-  overrides_ = overrides;
-  setScene(scene_);
 }
 
 void PreviewWidget::setExposure(double stops) {

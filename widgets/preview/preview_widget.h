@@ -50,6 +50,8 @@ class PreviewWidget : public QOpenGLWidget {
   void showScene(const Scene& scene);
   /// The scene seen or lit otherwise.
   void setScene(const Scene& scene);
+  /// The scene from elsewhere: cheaper than setScene(), since the plan stays but for the lamps that the camera sees.
+  void setView(const OrbitCamera& camera, double environmentRotation);
   const Scene& scene() const { return scene_; }
   /// Puts an environment into the scene; null: a distant light in its place.
   void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
@@ -88,6 +90,7 @@ class PreviewWidget : public QOpenGLWidget {
 
  Q_SIGNALS:
   void sceneChanged(const gonio::Scene& scene);
+  /// The plan of the first subject is another, or its material is known now.
   void planChanged(const gonio::EffectPlan& plan);
   void frameRendered(double milliseconds, int samplesPerPixel);
   void failed(const QString& message);
@@ -123,7 +126,9 @@ class PreviewWidget : public QOpenGLWidget {
   void changeSubject(Side& side, const PreviewSubject& subject, const QString& name);
   void adopt(Side& side, const MaterialEstimate& estimate);
   void plan(Side& side);
+  void adoptPlan(Side& side, const EffectPlan& plan);
   void trace(Side& side);
+  void showSceneChange();
   void showTraced();
   void renderFrame();
   void updateRange();

@@ -18,10 +18,10 @@ bool hasMovableLight(const Scene& scene) { return scene.directionalLights.size()
 }  // namespace
 
 void PreviewWidget::frameObject() {
-  Scene scene = scene_;
-  scene.camera.distance = home_.camera.distance;
-  scene.camera.target = home_.camera.target;
-  setScene(scene);
+  OrbitCamera camera = scene_.camera;
+  camera.distance = home_.camera.distance;
+  camera.target = home_.camera.target;
+  setView(camera, scene_.environmentRotation);
 }
 
 void PreviewWidget::resetView() {
@@ -57,15 +57,11 @@ void PreviewWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF delta = event->position() - lastPosition_;
   lastPosition_ = event->position();
   if (pick(*event)) return;
-  Scene scene = scene_;
-  if (event->buttons() & Qt::LeftButton && hasMovableLight(scene)) return dragLight(event->position());
+  if (event->buttons() & Qt::LeftButton && hasMovableLight(scene_)) return dragLight(event->position());
   if (event->buttons() & Qt::RightButton && event->modifiers() & Qt::ShiftModifier)
-    scene.environmentRotation += environmentTurn(delta.x());
+    setView(scene_.camera, scene_.environmentRotation + environmentTurn(delta.x()));
   else if (event->buttons() & (Qt::LeftButton | Qt::MiddleButton | Qt::RightButton))
-    scene.camera = orbited(scene.camera, delta.x(), delta.y());
-  else
-    return;
-  setScene(scene);
+    setView(orbited(scene_.camera, delta.x(), delta.y()), scene_.environmentRotation);
 }
 
 void PreviewWidget::dragLight(const QPointF& position) {
@@ -76,42 +72,40 @@ void PreviewWidget::dragLight(const QPointF& position) {
 }
 
 void PreviewWidget::wheelEvent(QWheelEvent* event) {
-  Scene scene = scene_;
-  scene.camera = zoomed(scene.camera, event->angleDelta().y() / 120.0);
-  setScene(scene);
+  setView(zoomed(scene_.camera, event->angleDelta().y() / 120.0), scene_.environmentRotation);
   event->accept();
 }
 
 void PreviewWidget::keyPressEvent(QKeyEvent* event) {
   const double step = event->modifiers() & Qt::ShiftModifier ? 2 : 20;  // pixels of a drag
-  Scene scene = scene_;
+  OrbitCamera camera = scene_.camera;
   switch (event->key()) {
     case Qt::Key_F:
       return frameObject();
     case Qt::Key_R:
       return resetView();
     case Qt::Key_Left:
-      scene.camera = orbited(scene.camera, -step, 0);
+      camera = orbited(camera, -step, 0);
       break;
     case Qt::Key_Right:
-      scene.camera = orbited(scene.camera, step, 0);
+      camera = orbited(camera, step, 0);
       break;
     case Qt::Key_Up:
-      scene.camera = orbited(scene.camera, 0, -step);
+      camera = orbited(camera, 0, -step);
       break;
     case Qt::Key_Down:
-      scene.camera = orbited(scene.camera, 0, step);
+      camera = orbited(camera, 0, step);
       break;
     case Qt::Key_Plus:
-      scene.camera = zoomed(scene.camera, 1);
+      camera = zoomed(camera, 1);
       break;
     case Qt::Key_Minus:
-      scene.camera = zoomed(scene.camera, -1);
+      camera = zoomed(camera, -1);
       break;
     default:
       return QOpenGLWidget::keyPressEvent(event);
   }
-  setScene(scene);
+  setView(camera, scene_.environmentRotation);
 }
 
 }  // namespace gonio::widgets

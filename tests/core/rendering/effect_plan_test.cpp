@@ -128,6 +128,26 @@ class EffectPlanTest : public QObject {
     for (std::size_t i = 0; i < effectCount; ++i) QVERIFY2(on[i] && off[i], effectId(Effect(i)));
   }
 
+  /// The plan made for another camera is that of the scene seen by it.
+  void anotherCameraChangesTheSourcesThatAreSeen() {
+    int changed = 0;
+    for (const std::string& name : bundledSceneNames())
+      for (const EffectOverrides& overrides : {EffectOverrides{}, forced(Effect::emittedLight, true),
+                                               forced(Effect::emittedLight, false), everyEffect()}) {
+        Scene scene = openScene(name, 1);
+        const EffectPlan first = planOf(scene, grey, overrides);
+        for (int step = 0; step < 24; ++step) {
+          scene.camera.yaw += 0.7;
+          scene.camera.pitch = step % 3 - 1;
+          EffectPlan updated = first;
+          updateForCamera(updated, scene, overrides);
+          QVERIFY2(updated == planOf(scene, grey, overrides), name.c_str());
+          changed += !(updated == first);
+        }
+      }
+    QVERIFY(changed > 0);
+  }
+
   void namesAndIds() {
     for (std::size_t i = 0; i < effectCount; ++i) QCOMPARE(effectOfId(effectId(Effect(i))), Effect(i));
     QCOMPARE(effectName(Effect::areaLightSampling), std::string("area light sampling"));
