@@ -4,11 +4,11 @@
 
 #include <QTest>
 #include <cmath>
-#include <random>
 
 #include "core/brdf/log_relative.h"
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
+#include "tests/support/smooth_materials.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -17,36 +17,12 @@ namespace {
 
 using Table = std::shared_ptr<const TabulatedBrdf>;
 
-constexpr HalfDifferenceGrid grid{.thetaHCount = 10, .thetaDCount = 8, .phiDCount = 6};
+constexpr HalfDifferenceGrid grid = testing::smoothGrid;
 
-/// Some smooth material over the cells above the horizon, of a diffuse colour and a highlight.
-Table material(unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  const Rgb diffuse(uniform(generator), uniform(generator), uniform(generator));
-  const Rgb highlight(10 * uniform(generator), 30 * uniform(generator), 5);
-  const double width = 0.05 + uniform(generator), tint = uniform(generator);
-  std::vector<TabulatedBrdf::Value> values(grid.size());
-  std::vector<std::uint8_t> valid(grid.size());
-  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-    const HalfDifference at = grid.node(cell);
-    valid[cell] = grid.nodeAboveHorizon(cell);
-    values[cell] = TabulatedBrdf::Value(diffuse / pi * (1 + tint * std::cos(at.phiD)) +
-                                        highlight * std::exp(-at.thetaH * at.thetaH / (width * width)) *
-                                            (1 + std::pow(1 - std::cos(at.thetaD), 5)));
-  }
-  return std::make_shared<const TabulatedBrdf>(grid, values, valid);
-}
-
-std::vector<Table> materials(unsigned count) {
-  std::vector<Table> result;
-  for (unsigned seed = 1; seed <= count; ++seed) result.push_back(material(seed));
-  return result;
-}
-
+Table material(unsigned seed) { return testing::smoothMaterial(seed); }
+std::vector<Table> materials(unsigned count) { return testing::smoothMaterials(count); }
 PrincipalComponents learn(const std::vector<Table>& tables, const PcaOptions& options = {}) {
-  return learnPrincipalComponents(
-      tables.size(), [&](std::size_t i) { return tables[i]; }, options);
+  return testing::learnFrom(tables, options);
 }
 
 /// The table with one value changed.

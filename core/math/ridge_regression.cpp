@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/math/ridge_regression.h"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace gonio {
+
+namespace {
+
+constexpr double negligible = 1e-8;
+
+}  // namespace
+
+RidgeRegression::RidgeRegression(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& values) : svd_(thinSvd(rows)) {
+  assert(rows.rows() == values.rows() && rows.size() > 0);
+  const double largest = svd_.singularValues[0];
+  for (double& sigma : svd_.singularValues)
+    if (!(sigma > negligible * largest)) sigma = 0;
+  projected_ = svd_.u.transpose() * values;
+  outside_ = Eigen::MatrixXd::Zero(values.rows(), values.cols());
+  if (rows.rows() > rows.cols()) outside_ = values - svd_.u * projected_;
+}
+
+Eigen::VectorXd RidgeRegression::untoldShares(double ridge) const {
+  return svd_.singularValues.unaryExpr([ridge](double sigma) {
+    if (sigma == 0 || std::isinf(ridge)) return 1.0;
+    return ridge / (sigma * sigma + ridge);
+  });
+}
+
+Eigen::MatrixXd RidgeRegression::coefficients(double ridge) const {
+  const Eigen::VectorXd shrunk = svd_.singularValues.unaryExpr(
+      [ridge](double sigma) { return sigma == 0 ? 0.0 : sigma / (sigma * sigma + ridge); });
+  return svd_.v * (shrunk.asDiagonal() * projected_);
+}
+
+Eigen::MatrixXd RidgeRegression::leaveOneOut(double ridge) const {
+  const Eigen::VectorXd untold = untoldShares(ridge);
+  const Eigen::MatrixXd residual = svd_.u * (untold.asDiagonal() * projected_) + outside_;
+  Eigen::VectorXd diagonal = svd_.u.cwiseAbs2() * untold;
+  // Rows beyond the columns: what U does not span is untold wholly.
+  if (svd_.u.rows() > svd_.u.cols()) diagonal += (1 - svd_.u.rowwise().squaredNorm().array()).max(0.0).matrix();
+  return diagonal.cwiseInverse().asDiagonal() * residual;
+}
+
+double RidgeRegression::leaveOneOutRidge() const {
+  const double largest = svd_.singularValues[0] * svd_.singularValues[0];
+  if (largest == 0) return 1;
+  double best = 1, least = std::numeric_limits<double>::infinity();
+  for (int tenth = 30; tenth >= -70; --tenth) {
+    const double ridge = largest * std::pow(10.0, 0.1 * tenth), sum = leaveOneOut(ridge).squaredNorm();
+    if (!(sum < least)) continue;
+    least = sum;
+    best = ridge;
+  }
+  return best;
+}
+
+double RidgeRegression::weightedEnergy(double ridge) const {
+  double sum = ridge > 0 ? outside_.squaredNorm() / ridge : 0;
+  for (Eigen::Index k = 0; k < svd_.singularValues.size(); ++k) {
+    const double denominator = svd_.singularValues[k] * svd_.singularValues[k] + ridge;
+    if (denominator > 0) sum += projected_.row(k).squaredNorm() / denominator;
+  }
+  return sum;
+}
+
+Eigen::MatrixXd RidgeRegression::posteriorFactor(double ridge) const {
+  const Eigen::VectorXd told = 1 - untoldShares(ridge).array().sqrt();
+  return Eigen::MatrixXd::Identity(svd_.v.rows(), svd_.v.rows()) - svd_.v * told.asDiagonal() * svd_.v.transpose();
+}
+
+}  // namespace gonio

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/math/ridge_regression.h"
+
+#include <Eigen/Dense>
+#include <QTest>
+#include <limits>
+#include <random>
+
+using namespace gonio;
+using Eigen::MatrixXd;
+
+namespace {
+
+MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal;
+  return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
+}
+
+MatrixXd identity(Eigen::Index size) { return MatrixXd::Identity(size, size); }
+
+/// By the textbook, well conditioned where the ridge is not small.
+MatrixXd normalEquations(const MatrixXd& a, const MatrixXd& b, double ridge) {
+  return (a.transpose() * a + ridge * identity(a.cols())).inverse() * a.transpose() * b;
+}
+
+MatrixXd without(const MatrixXd& matrix, Eigen::Index row) {
+  MatrixXd result(matrix.rows() - 1, matrix.cols());
+  result << matrix.topRows(row), matrix.bottomRows(matrix.rows() - 1 - row);
+  return result;
+}
+
+double relative(const MatrixXd& found, const MatrixXd& expected) { return (found - expected).norm() / expected.norm(); }
+
+/// Fewer rows than columns, as many, more.
+const std::pair<Eigen::Index, Eigen::Index> shapes[] = {{5, 9}, {7, 7}, {12, 6}};
+
+}  // namespace
+
+class RidgeRegressionTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void equalsNormalEquations() {
+    for (const auto& [rows, columns] : shapes)
+      for (const double ridge : {0.1, 1.0, 40.0, 1e4}) {
+        const MatrixXd a = randomMatrix(rows, columns, 1), b = randomMatrix(rows, 3, 2);
+        QVERIFY(relative(RidgeRegression(a, b).coefficients(ridge), normalEquations(a, b, ridge)) < 1e-12);
+      }
+  }
+
+  /// Hard case 25: without a ridge the solution of least norm, with an endless one nothing.
+  void limits() {
+    for (const auto& [rows, columns] : shapes) {
+      const MatrixXd a = randomMatrix(rows, columns, 3), b = randomMatrix(rows, 3, 4);
+      const RidgeRegression regression(a, b);
+      const MatrixXd least = a.completeOrthogonalDecomposition().solve(b);
+      QVERIFY(relative(regression.coefficients(0), least) < 1e-11);
+      QVERIFY(relative(regression.coefficients(1e-12), least) < 1e-9);
+      QVERIFY(regression.coefficients(std::numeric_limits<double>::infinity()).isZero(0));
+      QVERIFY(regression.coefficients(1e30).norm() < 1e-25);
+    }
+  }
+
+  /// Rows that stand twice or are 0: the least norm, with any small ridge nearly so, never a number that is none.
+  void singular() {
+    MatrixXd a = randomMatrix(6, 4, 5);
+    a.col(3) = a.col(0);
+    a.row(5).setZero();
+    const MatrixXd b = randomMatrix(6, 3, 6);
+    const RidgeRegression regression(a, b);
+    const MatrixXd least = a.completeOrthogonalDecomposition().solve(b);
+    QVERIFY(relative(regression.coefficients(0), least) < 1e-12);
+    QVERIFY(relative(regression.coefficients(1e-30), least) < 1e-12);
+    QVERIFY(regression.leaveOneOut(1e-30).allFinite());
+    const RidgeRegression nothing(MatrixXd::Zero(3, 2), b.topRows(3));
+    QVERIFY(nothing.coefficients(0).isZero(0));
+    QVERIFY((nothing.leaveOneOut(1) - b.topRows(3)).norm() < 1e-12);
+    QCOMPARE(nothing.leaveOneOutRidge(), 1.0);
+  }
+
+  /// Each row against what the textbook predicts from all others.
+  void leaveOneOutEqualsLeavingOut() {
+    for (const auto& [rows, columns] : shapes)
+      for (const double ridge : {1e-3, 1.0, 40.0}) {
+        const MatrixXd a = randomMatrix(rows, columns, 7), b = randomMatrix(rows, 3, 8);
+        const MatrixXd found = RidgeRegression(a, b).leaveOneOut(ridge);
+        for (Eigen::Index row = 0; row < rows; ++row) {
+          const MatrixXd left = b.row(row) - a.row(row) * normalEquations(without(a, row), without(b, row), ridge);
+          QVERIFY((found.row(row) - left).norm() < 1e-8 * b.norm());
+        }
+      }
+  }
+
+  /// The ridge that is chosen predicts rows that are left out better than any other of a fine scale, to its steps; it
+  /// grows with the noise.
+  void leaveOneOutRidge() {
+    const MatrixXd a = randomMatrix(30, 12, 9), truth = randomMatrix(12, 3, 10), noise = randomMatrix(30, 3, 11);
+    double last = 0;
+    for (const double size : {0.1, 1.0, 8.0}) {
+      const RidgeRegression regression(a, a * truth + size * noise);
+      const double ridge = regression.leaveOneOutRidge(), error = regression.leaveOneOut(ridge).squaredNorm();
+      for (double other = 1e-4; other < 1e4; other *= 1.07)
+        QVERIFY(regression.leaveOneOut(other).squaredNorm() > 0.999 * error);
+      QVERIFY(ridge > last);
+      last = ridge;
+    }
+  }
+
+  void posteriorEqualsInverse() {
+    for (const auto& [rows, columns] : shapes)
+      for (const double ridge : {1e-2, 1.0, 40.0}) {
+        const MatrixXd a = randomMatrix(rows, columns, 12), b = randomMatrix(rows, 3, 13);
+        const RidgeRegression regression(a, b);
+        const MatrixXd factor = regression.posteriorFactor(ridge);
+        const MatrixXd expected = ridge * (a.transpose() * a + ridge * identity(columns)).inverse();
+        QVERIFY(relative(factor * factor.transpose(), expected) < 1e-11);
+        const MatrixXd energy = b.transpose() * (a * a.transpose() + ridge * identity(rows)).inverse() * b;
+        QVERIFY(std::abs(regression.weightedEnergy(ridge) / energy.trace() - 1) < 1e-11);
+      }
+    const RidgeRegression regression(randomMatrix(3, 5, 14), randomMatrix(3, 1, 15));
+    QVERIFY(regression.posteriorFactor(std::numeric_limits<double>::infinity()).isIdentity(1e-15));
+    // Without noise, three directions of five are known.
+    QVERIFY(std::abs(regression.posteriorFactor(0).squaredNorm() - 2) < 1e-12);
+  }
+};
+
+QTEST_APPLESS_MAIN(RidgeRegressionTest)
+#include "ridge_regression_test.moc"
