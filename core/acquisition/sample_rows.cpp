@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/acquisition/sample_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/log_relative.h"
+#include "core/support/error.h"
+#include "core/support/number_text.h"
+
+namespace gonio::acquisition {
+
+namespace {
+
+std::string nameOf(const PlannedSample& sample) { return "sample " + std::to_string(sample.index); }
+
+std::size_t positionOf(const dictionary::MappedCells& mapping, const PlannedSample& sample) {
+  std::uint32_t cell = 0;
+  try {
+    cell = nearestNode(mapping.grid, sample.directions);
+  } catch (const Error& error) {
+    throw Error(nameOf(sample) + ": " + error.what());
+  }
+  const auto found = std::lower_bound(mapping.cells.begin(), mapping.cells.end(), cell);
+  if (found == mapping.cells.end() || *found != cell)
+    throw Error(nameOf(sample) + " lies where no value of the training materials is known");
+  return std::size_t(found - mapping.cells.begin());
+}
+
+void checkSizes(const SamplingPlan& plan, const MeasuredValues& values) {
+  const std::size_t count = plan.samples.size();
+  if (count == 0) throw Error("a plan without samples: nothing to reconstruct from");
+  if (values.rgb.size() != count || (!values.noise.empty() && values.noise.size() != count))
+    throw Error("found " + std::to_string(values.rgb.size()) + " values for a plan of " + std::to_string(count) +
+                " samples");
+}
+
+void checkValue(double value, const PlannedSample& sample, const char* what) {
+  if (std::isfinite(value) && value >= 0) return;
+  throw Error(nameOf(sample) + ": found " + what + " of " + numberText(value) + ", expected a number, 0 or more");
+}
+
+}  // namespace
+
+SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const SamplingPlan& plan,
+                      const MeasuredValues& values, int components) {
+  checkSizes(plan, values);
+  const dictionary::MappedCells& m = basis.mapping;
+  const auto count = Eigen::Index(plan.samples.size());
+  SampleRows result;
+  result.rows.resize(count, components);
+  result.values.resize(count, 3);
+  if (!values.noise.empty()) result.variances = Eigen::VectorXd::Zero(count);
+  for (Eigen::Index s = 0; s < count; ++s) {
+    const PlannedSample& sample = plan.samples[std::size_t(s)];
+    const std::size_t i = result.positions.emplace_back(positionOf(m, sample));
+    result.rows.row(s) = basis.svd.u.view()
+                             .row(Eigen::Index(i))
+                             .head(components)
+                             .cast<double>()
+                             .cwiseProduct(basis.svd.singularValues.head(components).transpose());
+    for (int channel = 0; channel < 3; ++channel) {
+      const double rho = values.rgb[std::size_t(s)][channel];
+      checkValue(rho, sample, "a value");
+      result.values(s, channel) = logRelative(rho, m.weights[i], m.reference[i]) - basis.mean[i];
+      if (values.noise.empty()) continue;
+      const double deviation = values.noise[std::size_t(s)][channel];
+      checkValue(deviation, sample, "a standard deviation");
+      // d y / d rho = w / (rho w + e).
+      const double mapped = deviation * m.weights[i] / (rho * m.weights[i] + logRelativeEpsilon);
+      result.variances[s] += mapped * mapped / 3;
+    }
+  }
+  return result;
+}
+
+}  // namespace gonio::acquisition

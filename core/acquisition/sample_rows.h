@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/acquisition/measured_values.h"
+#include "core/dictionary/principal_components.h"
+
+/// What measurements say of the coefficients of a basis: one equation a sample.
+namespace gonio::acquisition {
+
+struct SampleRows {
+  std::vector<std::size_t> positions;  ///< of the samples' cells in basis.mapping.cells
+  Eigen::MatrixXd rows;                ///< of D = U Sigma: samples x components
+  Eigen::MatrixX3d values;             ///< mapped values less the mean: samples x channels
+  Eigen::VectorXd variances;           ///< of the mapped values, mean of the channels; empty where no noise is known
+};
+
+/// @param components at most basis.count(). @throws Error as reconstruct().
+SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const SamplingPlan& plan,
+                      const MeasuredValues& values, int components);
+
+}  // namespace gonio::acquisition

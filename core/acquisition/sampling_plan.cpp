@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/acquisition/sampling_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/coordinates/grid_directions.h"
+#include "core/support/error.h"
+
+namespace gonio::acquisition {
+
+namespace {
+
+double angleBetween(const Direction& a, const Direction& b) {
+  return 2 * std::atan2(glm::length(a - b), glm::length(a + b));
+}
+
+/// Both arms upright: where the way begins.
+constexpr DirectionPair upright;
+
+std::vector<std::size_t> nearestNeighbours(std::span<const DirectionPair> pairs) {
+  std::vector<std::size_t> left(pairs.size()), way;
+  std::iota(left.begin(), left.end(), std::size_t(0));
+  DirectionPair at = upright;
+  while (!left.empty()) {
+    const auto next = std::min_element(left.begin(), left.end(), [&](std::size_t a, std::size_t b) {
+      return armTravel(at, pairs[a]) < armTravel(at, pairs[b]);
+    });
+    at = pairs[*next];
+    way.push_back(*next);
+    left.erase(next);
+  }
+  return way;
+}
+
+/// Turns parts of the way round while that makes it shorter. The way is open at its end.
+void improve(std::vector<std::size_t>& way, std::span<const DirectionPair> pairs) {
+  // Gains below this are rounding: equal ways would be exchanged for ever.
+  constexpr double leastGain = 1e-9;
+  const auto pairAt = [&](std::size_t position) { return position == 0 ? upright : pairs[way[position - 1]]; };
+  for (bool gained = true; gained;) {
+    gained = false;
+    for (std::size_t first = 1; first < way.size(); ++first)
+      for (std::size_t last = first + 1; last <= way.size(); ++last) {
+        double before = armTravel(pairAt(first - 1), pairAt(first)), after = armTravel(pairAt(first - 1), pairAt(last));
+        if (last < way.size()) {
+          before += armTravel(pairAt(last), pairAt(last + 1));
+          after += armTravel(pairAt(first), pairAt(last + 1));
+        }
+        if (after > before - leastGain) continue;
+        std::reverse(way.begin() + std::ptrdiff_t(first) - 1, way.begin() + std::ptrdiff_t(last));
+        gained = true;
+      }
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> SamplingPlan::travel() const {
+  std::vector<std::size_t> positions(samples.size());
+  std::iota(positions.begin(), positions.end(), std::size_t(0));
+  std::stable_sort(positions.begin(), positions.end(),
+                   [&](std::size_t a, std::size_t b) { return samples[a].order < samples[b].order; });
+  return positions;
+}
+
+SamplingPlan planFor(const HalfDifferenceGrid& grid, std::span<const std::uint32_t> cells) {
+  const GridDirections directions(grid);
+  SamplingPlan plan;
+  std::vector<DirectionPair> pairs;
+  for (const std::uint32_t cell : cells) {
+    if (cell >= grid.size() || !directions.at(cell).aboveHorizon)
+      throw Error("cell " + std::to_string(cell) +
+                  " has no directions above the horizon: nothing can be measured there");
+    pairs.push_back(directions.at(cell).pair);
+    plan.samples.push_back({int(pairs.size()), pairs.back(), 0});
+  }
+  const std::vector<std::size_t> way = shortTravel(pairs);
+  for (std::size_t position = 0; position < way.size(); ++position)
+    plan.samples[way[position]].order = int(position) + 1;
+  return plan;
+}
+
+std::uint32_t nearestNode(const HalfDifferenceGrid& grid, const DirectionPair& directions) {
+  if (isBelowHorizon(directions.wi) || isBelowHorizon(directions.wo)) throw Error("a direction lies below the horizon");
+  const HalfDifference at = toHalfDifference(directions.wi, directions.wo);
+  if (!at.valid) throw Error("light and viewer stand opposite each other on the horizon");
+  const HalfDifferenceGrid::Position position = grid.position(at);
+  const auto rounded = [](double x, int count) { return std::clamp(int(std::lround(x)), 0, count - 1); };
+  // The way round about the half vector is closed: behind the last node comes the first.
+  const int phiD = int(std::lround(position.phiD)) % grid.phiDCount;
+  return std::uint32_t(
+      grid.index(rounded(position.thetaH, grid.thetaHCount), rounded(position.thetaD, grid.thetaDCount), phiD));
+}
+
+double armTravel(const DirectionPair& from, const DirectionPair& to) {
+  return angleBetween(from.wi, to.wi) + angleBetween(from.wo, to.wo);
+}
+
+std::vector<std::size_t> shortTravel(std::span<const DirectionPair> pairs) {
+  std::vector<std::size_t> way = nearestNeighbours(pairs);
+  improve(way, pairs);
+  return way;
+}
+
+}  // namespace gonio::acquisition

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/acquisition/reconstruction.h"
+
+#include <Eigen/Dense>
+#include <QTest>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/brdf/log_relative.h"
+#include "core/math/parallel.h"
+#include "tests/core/io/test_files.h"
+#include "tests/support/smooth_materials.h"
+
+using namespace gonio;
+using namespace gonio::acquisition;
+using namespace gonio::dictionary;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Every `step`th cell of the basis, beginning with one.
+SamplingPlan everyCell(const PrincipalComponents& basis, std::size_t step, std::size_t first = 3) {
+  std::vector<std::uint32_t> cells;
+  for (std::size_t i = first; i < basis.mapping.cells.size(); i += step)
+    if (basis.mapping.grid.node(basis.mapping.cells[i]).thetaD > 0) cells.push_back(basis.mapping.cells[i]);
+  return planFor(basis.mapping.grid, cells);
+}
+
+std::size_t positionOf(const PrincipalComponents& basis, const PlannedSample& sample) {
+  const auto& cells = basis.mapping.cells;
+  const auto found = std::find(cells.begin(), cells.end(), nearestNode(basis.mapping.grid, sample.directions));
+  return std::size_t(found - cells.begin());
+}
+
+/// D = U Sigma at the samples, and the mapped values, by their definitions.
+MatrixXd rowsAt(const PrincipalComponents& basis, const SamplingPlan& plan, int components) {
+  const auto u = basis.svd.u.view();
+  MatrixXd rows(Eigen::Index(plan.samples.size()), components);
+  for (Eigen::Index s = 0; s < rows.rows(); ++s)
+    for (int k = 0; k < components; ++k)
+      rows(s, k) = u(Eigen::Index(positionOf(basis, plan.samples[std::size_t(s)])), k) * basis.svd.singularValues[k];
+  return rows;
+}
+MatrixXd mappedAt(const PrincipalComponents& basis, const SamplingPlan& plan, const MeasuredValues& values) {
+  MatrixXd mapped(Eigen::Index(plan.samples.size()), 3);
+  for (Eigen::Index s = 0; s < mapped.rows(); ++s) {
+    const std::size_t i = positionOf(basis, plan.samples[std::size_t(s)]);
+    for (int channel = 0; channel < 3; ++channel) {
+      const double weighted = values.rgb[std::size_t(s)][channel] * basis.mapping.weights[i];
+      mapped(s, channel) = std::log((weighted + 1e-3) / (basis.mapping.reference[i] + 1e-3)) - basis.mean[i];
+    }
+  }
+  return mapped;
+}
+
+/// c of a reconstruction's code U (Sigma c).
+MatrixXd coefficients(const PrincipalComponents& basis, const Reconstruction& found) {
+  MatrixXd c(found.code.components(), 3);
+  for (Eigen::Index channel = 0; channel < 3; ++channel)
+    c.col(channel) =
+        found.code.channels[std::size_t(channel)].cast<double>().cwiseQuotient(basis.svd.singularValues.head(c.rows()));
+  return c;
+}
+
+/// Largest difference of two tables in mapped values.
+double difference(const PrincipalComponents& basis, const TabulatedBrdf& a, const TabulatedBrdf& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < basis.mapping.cells.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel) {
+      const auto mapped = [&](const TabulatedBrdf& table) {
+        return logRelative(table.values()[basis.mapping.cells[i]][channel], basis.mapping.weights[i],
+                           basis.mapping.reference[i]);
+      };
+      largest = std::max(largest, std::abs(mapped(a) - mapped(b)));
+    }
+  return largest;
+}
+
+ReconstructionOptions ridgeOf(std::optional<double> ridge, int components = 0) {
+  return {.ridge = ridge, .components = components};
+}
+
+}  // namespace
+
+class ReconstructionTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    basis_ = testing::learnFrom(testing::smoothMaterials(6));
+    plan_ = everyCell(basis_, 9);
+    QVERIFY(plan_.samples.size() > 30);
+    values_ = measure(*testing::smoothMaterial(77), plan_);
+  }
+
+  /// A material of the training set lies in the span of all components: without a ridge it comes back whole.
+  void exactInTheSpan() {
+    for (const unsigned seed : {1u, 4u}) {
+      const auto table = testing::smoothMaterial(seed);
+      const MeasuredValues values = measure(*table, plan_);
+      const Reconstruction found = reconstruct(basis_, plan_, values, ridgeOf(1e-9, basis_.count()));
+      QCOMPARE(found.components, basis_.count());
+      QVERIFY2(difference(basis_, *found.table, *table) < 2e-4,
+               qPrintable(QString::number(difference(basis_, *found.table, *table))));
+      QCOMPARE(found.table->validCount(), table->validCount());
+      QCOMPARE(found.cappedCount, std::size_t(0));
+      QVERIFY(found.leaveOneOutError < 1e-4);
+      // The published ridge does not reach it.
+      QVERIFY(difference(basis_, *reconstruct(basis_, plan_, values).table, *table) > 1e-2);
+    }
+  }
+
+  void equalsNormalEquations() {
+    for (const int components : {4, 12}) {
+      const MatrixXd q = rowsAt(basis_, plan_, components), y = mappedAt(basis_, plan_, values_);
+      for (const double ridge : {1.0, 40.0, 1000.0}) {
+        const MatrixXd expected =
+            (q.transpose() * q + ridge * MatrixXd::Identity(components, components)).inverse() * q.transpose() * y;
+        const Reconstruction found = reconstruct(basis_, plan_, values_, ridgeOf(ridge, components));
+        QCOMPARE(found.ridge, ridge);
+        QVERIFY((coefficients(basis_, found) - expected).norm() < 1e-5 * expected.norm());
+        const auto decoded = decode(basis_, found.code);
+        QVERIFY(std::ranges::equal(decoded->values(), found.table->values()));
+      }
+    }
+  }
+
+  /// Hard case 25. Fewer samples than components, without a ridge: the least coefficients that agree with every sample;
+  /// an endless ridge: the mean of the training set.
+  void limitsOfTheRidge() {
+    const SamplingPlan few = everyCell(basis_, 97);
+    QVERIFY(few.samples.size() < 6);
+    const MeasuredValues values = measure(*testing::smoothMaterial(77), few);
+    const int components = basis_.count();
+    const Reconstruction found = reconstruct(basis_, few, values, ridgeOf(0, components));
+    const MatrixXd q = rowsAt(basis_, few, components), y = mappedAt(basis_, few, values);
+    const MatrixXd c = coefficients(basis_, found);
+    QVERIFY((q * c - y).norm() < 1e-4 * y.norm());
+    const MatrixXd least = q.completeOrthogonalDecomposition().solve(y);
+    QVERIFY((c - least).norm() < 1e-5 * least.norm());
+    for (const double ridge : {infinite, 1e300}) {
+      const Reconstruction mean = reconstruct(basis_, few, values, ridgeOf(ridge, components));
+      QVERIFY(coefficients(basis_, mean).norm() < 1e-30);
+      ComponentCode none;
+      const auto expected = decode(basis_, none);
+      QVERIFY(difference(basis_, *mean.table, *expected) < 1e-6);
+    }
+  }
+
+  /// As many components as samples where none are asked for, never more than there are.
+  void components() {
+    const SamplingPlan few = everyCell(basis_, 97);
+    QCOMPARE(reconstruct(basis_, few, measure(*testing::smoothMaterial(7), few)).components, int(few.samples.size()));
+    QCOMPARE(reconstruct(basis_, plan_, values_).components, basis_.count());
+    QCOMPARE(reconstruct(basis_, plan_, values_, ridgeOf(1, 1000)).components, basis_.count());
+  }
+
+  /// The ridge by cross-validation predicts the cells that were not measured better than ridges far from it.
+  void chosenRidge() {
+    const MeasuredValues noisy = measure(*testing::smoothMaterial(77), plan_, {.relative = 0.2});
+    const MeasuredValues unknown{noisy.rgb, {}};
+    const Reconstruction found = reconstruct(basis_, plan_, unknown, ridgeOf(std::nullopt, basis_.count()));
+    QVERIFY(found.ridge > 0 && std::isfinite(found.ridge));
+    for (const double other : {1e-4, 1e4})
+      QVERIFY(found.leaveOneOutError <
+              reconstruct(basis_, plan_, unknown, ridgeOf(other * found.ridge, basis_.count())).leaveOneOutError);
+  }
+
+  /// The posterior covariance of the cells by brute force: v D (I - Q^T (Q Q^T + eta I)^-1 Q) D^T.
+  void deviationByBruteForce() {
+    for (const auto& [plan, components] : {std::pair(everyCell(basis_, 97), basis_.count()), std::pair(plan_, 5)}) {
+      const MeasuredValues values = measure(*testing::smoothMaterial(77), plan);
+      const MatrixXd q = rowsAt(basis_, plan, components), y = mappedAt(basis_, plan, values);
+      for (const double ridge : {1.0, 40.0}) {
+        const MatrixXd k = (q * q.transpose() + ridge * MatrixXd::Identity(q.rows(), q.rows())).inverse();
+        const MatrixXd posterior = MatrixXd::Identity(components, components) - q.transpose() * k * q;
+        const double training = 1.0 / 18;
+        const double estimated = (training + (y.transpose() * k * y).trace()) / double(1 + y.size());
+        for (const std::optional<double> noise : {std::optional<double>(), std::optional<double>(0.3)}) {
+          ReconstructionOptions options = ridgeOf(ridge, components);
+          options.noise = noise;
+          const Reconstruction found = reconstruct(basis_, plan, values, options);
+          const double variance = noise ? 0.09 / ridge : estimated;
+          QCOMPARE(found.deviation.size(), basis_.mapping.cells.size());
+          for (std::size_t i = 0; i < found.deviation.size(); i += 5) {
+            const VectorXd d = basis_.svd.u.view()
+                                   .row(Eigen::Index(i))
+                                   .head(components)
+                                   .cast<double>()
+                                   .transpose()
+                                   .cwiseProduct(basis_.svd.singularValues.head(components));
+            const double expected = std::sqrt(variance * d.dot(posterior * d));
+            QVERIFY(std::abs(found.deviation[i] - expected) < 1e-4 * expected + 1e-6);
+          }
+        }
+      }
+    }
+    ReconstructionOptions without;
+    without.uncertainty = false;
+    QVERIFY(reconstruct(basis_, plan_, values_, without).deviation.empty());
+  }
+
+  /// With a measurement the uncertainty there falls, and nowhere it rises.
+  void measuringMakesCertain() {
+    SamplingPlan fewer = plan_;
+    MeasuredValues values = values_;
+    ReconstructionOptions options = ridgeOf(40, basis_.count());
+    options.noise = 0.3;
+    const Reconstruction all = reconstruct(basis_, plan_, values_, options);
+    const std::size_t position = positionOf(basis_, fewer.samples.back());
+    fewer.samples.pop_back();
+    values.rgb.pop_back();
+    const Reconstruction left = reconstruct(basis_, fewer, values, options);
+    QVERIFY(all.deviation[position] < left.deviation[position]);
+    for (std::size_t i = 0; i < all.deviation.size(); ++i) QVERIFY(all.deviation[i] < left.deviation[i] * 1.0001f);
+  }
+
+  /// Without noise nothing changes; a sample of endless noise is as good as none; equal noise is a larger ridge.
+  void weightsByNoise() {
+    const ReconstructionOptions options = ridgeOf(40, 10);
+    MeasuredValues noisy = values_;
+    noisy.noise.assign(noisy.rgb.size(), Rgb(0));
+    const MatrixXd plain = coefficients(basis_, reconstruct(basis_, plan_, values_, options));
+    QVERIFY((coefficients(basis_, reconstruct(basis_, plan_, noisy, options)) - plain).norm() < 1e-6 * plain.norm());
+
+    noisy.noise[4] = Rgb(1e12);
+    noisy.rgb[4] = Rgb(5000);
+    SamplingPlan without = plan_;
+    without.samples.erase(without.samples.begin() + 4);
+    MeasuredValues others = values_;
+    others.rgb.erase(others.rgb.begin() + 4);
+    const MatrixXd expected = coefficients(basis_, reconstruct(basis_, without, others, options));
+    QVERIFY((coefficients(basis_, reconstruct(basis_, plan_, noisy, options)) - expected).norm() <
+            1e-4 * expected.norm());
+
+    // s of the mapped value the same everywhere: 1 + s^2 / (40 / t) times the ridge.
+    const double t = 18, s = 2;
+    for (std::size_t i = 0; i < values_.rgb.size(); ++i) {
+      const double weight = basis_.mapping.weights[positionOf(basis_, plan_.samples[i])];
+      noisy.rgb[i] = values_.rgb[i];
+      for (int channel = 0; channel < 3; ++channel)
+        noisy.noise[i][channel] = s * (values_.rgb[i][channel] * weight + 1e-3) / weight;
+    }
+    const Reconstruction larger = reconstruct(basis_, plan_, values_, ridgeOf(40 * (1 + s * s * t / 40), 10));
+    const MatrixXd shrunk = coefficients(basis_, larger);
+    QVERIFY((coefficients(basis_, reconstruct(basis_, plan_, noisy, options)) - shrunk).norm() < 1e-5 * shrunk.norm());
+  }
+
+  /// Two components alone, which pursuit finds among all from fewer samples than there are components.
+  void sparse() {
+    const SamplingPlan few = everyCell(basis_, 40);
+    const int count = int(few.samples.size());
+    QVERIFY(count < basis_.count() && count > 6);
+    ComponentCode code;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      code.channels[channel].setZero(basis_.count());
+      code.channels[channel][1] = 2 + float(channel);
+      code.channels[channel][5] = -1;
+    }
+    const auto table = decode(basis_, code);
+    const MeasuredValues values = measure(*table, few);
+    for (const int atoms : {0, 2}) {
+      const Reconstruction found = reconstruct(
+          basis_, few, values, {.method = ReconstructionMethod::sparse, .components = basis_.count(), .atoms = atoms});
+      QVERIFY2(difference(basis_, *found.table, *table) < 1e-3,
+               qPrintable(QString::number(difference(basis_, *found.table, *table))));
+      QVERIFY(found.deviation.empty() && found.ridge == 0 && std::isnan(found.leaveOneOutError));
+    }
+    const Reconstruction one = reconstruct(
+        basis_, few, values, {.method = ReconstructionMethod::sparse, .components = basis_.count(), .atoms = 1});
+    for (const Eigen::VectorXf& channel : one.code.channels) QCOMPARE((channel.array() != 0).count(), Eigen::Index(1));
+  }
+
+  /// One sample, samples that stand twice, a training set in which nothing varies (hard case 14).
+  void degenerate() {
+    SamplingPlan one;
+    one.samples = {plan_.samples[0]};
+    const Reconstruction found = reconstruct(basis_, one, {{values_.rgb[0]}, {}});
+    QCOMPARE(found.components, 1);
+    QVERIFY(std::isnan(found.leaveOneOutError));
+    QCOMPARE(reconstruct(basis_, one, {{values_.rgb[0]}, {}}, {.method = ReconstructionMethod::sparse}).components, 1);
+
+    SamplingPlan twice;
+    MeasuredValues values;
+    for (const std::size_t i : {0u, 0u, 0u, 1u}) {
+      twice.samples.push_back(plan_.samples[i]);
+      values.rgb.push_back(values_.rgb[i]);
+    }
+    for (const double ridge : {0.0, 40.0})
+      for (const float deviation : reconstruct(basis_, twice, values, ridgeOf(ridge)).deviation)
+        QVERIFY(std::isfinite(deviation) && deviation >= 0);
+
+    const PrincipalComponents still = testing::learnFrom({greyTable()});
+    QCOMPARE(still.count(), 0);
+    const Reconstruction mean = reconstruct(still, one, {{Rgb(9)}, {}});
+    QVERIFY(difference(still, *mean.table, *greyTable()) < 1e-5);
+  }
+
+  void hardCase50SameBitsForAnyThreads() {
+    const Reconstruction many = reconstruct(basis_, plan_, values_);
+    const ThreadLimit limit(1);
+    const Reconstruction one = reconstruct(basis_, plan_, values_);
+    QVERIFY(one.deviation == many.deviation && one.code.channels == many.code.channels);
+    QVERIFY(std::ranges::equal(one.table->values(), many.table->values()));
+  }
+
+  /// Hard case 42 and the others: told by the index of the sample.
+  void refusals() {
+    const auto errorOf = [&](const MeasuredValues& values, const ReconstructionOptions& options = {}) {
+      return test::errorOf([&] { reconstruct(basis_, plan_, values, options); });
+    };
+    for (const double bad : {-1e-9, std::nan(""), infinite}) {
+      MeasuredValues values = values_;
+      values.rgb[2].y = bad;
+      QVERIFY(test::contains(errorOf(values), "sample 3"));
+      values = values_;
+      values.noise.assign(values.rgb.size(), Rgb(0.1));
+      values.noise[5].z = bad;
+      QVERIFY(test::contains(errorOf(values), "sample 6"));
+    }
+    MeasuredValues negativeZero = values_;
+    negativeZero.rgb[2].y = -0.0;
+    QVERIFY(errorOf(negativeZero).empty());
+    MeasuredValues fewer = values_;
+    fewer.rgb.pop_back();
+    QVERIFY(test::contains(errorOf(fewer), "values for a plan of"));
+    QVERIFY(test::contains(test::errorOf([&] { reconstruct(basis_, {}, {}); }), "without samples"));
+    QVERIFY(!errorOf(values_, ridgeOf(-1)).empty());
+    QVERIFY(!errorOf(values_, ridgeOf(std::nan(""))).empty());
+    QVERIFY(!errorOf(values_, ridgeOf(1, -1)).empty());
+    PrincipalComponents holed = basis_;
+    const std::size_t hole = positionOf(basis_, plan_.samples[7]);
+    holed.mapping.cells[hole] += 1;  // the next cell is known too: what matters is that this one is not
+    QVERIFY(test::contains(test::errorOf([&] { reconstruct(holed, plan_, values_); }), "sample 8"));
+    TaskControl stopped;
+    std::stop_source source;
+    source.request_stop();
+    stopped.stop = source.get_token();
+    QVERIFY_EXCEPTION_THROWN(reconstruct(basis_, plan_, values_, {}, stopped), Cancelled);
+  }
+
+ private:
+  static std::shared_ptr<const TabulatedBrdf> greyTable() {
+    const HalfDifferenceGrid grid = testing::smoothGrid;
+    std::vector<std::uint8_t> valid(grid.size());
+    for (std::size_t cell = 0; cell < grid.size(); ++cell) valid[cell] = grid.nodeAboveHorizon(cell);
+    return std::make_shared<const TabulatedBrdf>(
+        grid, std::vector<TabulatedBrdf::Value>(grid.size(), TabulatedBrdf::Value(0.2f)), valid);
+  }
+
+  PrincipalComponents basis_;
+  SamplingPlan plan_;
+  MeasuredValues values_;
+};
+
+QTEST_APPLESS_MAIN(ReconstructionTest)
+#include "reconstruction_test.moc"
