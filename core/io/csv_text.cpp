@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/csv_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "core/support/error.h"
+
+namespace gonio::io {
+
+namespace {
+
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
+std::string_view trimmed(std::string_view text, std::string_view characters = " \t\"") {
+  const auto begin = text.find_first_not_of(characters);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(characters) - begin + 1);
+}
+
+/// Takes a line off the front.
+std::string_view takeLine(std::string_view& text) {
+  const auto end = text.find_first_of("\r\n");
+  const std::string_view line = text.substr(0, end);
+  if (end == std::string_view::npos) {
+    text = {};
+    return line;
+  }
+  text.remove_prefix(end + (text.substr(end).starts_with("\r\n") ? 2 : 1));
+  return line;
+}
+
+std::vector<std::string> split(std::string_view line, char separator) {
+  std::vector<std::string> fields;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    fields.emplace_back(trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return fields;
+}
+
+char separatorOf(std::string_view names) {
+  for (const char separator : {',', ';', '\t'})
+    if (names.find(separator) != std::string_view::npos) return separator;
+  return ',';
+}
+
+std::string lowered(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  return text;
+}
+
+void setNames(CsvText& csv, std::string_view line, std::size_t number) {
+  csv.separator = separatorOf(line);
+  csv.namesLine = number;
+  for (std::string& name : split(line, csv.separator)) csv.names.push_back(lowered(std::move(name)));
+  // Spreadsheets fill rows up with empty fields.
+  while (!csv.names.empty() && csv.names.back().empty()) csv.names.pop_back();
+  for (std::size_t c = 1; c < csv.names.size(); ++c)
+    if (std::find(csv.names.begin(), csv.names.begin() + std::ptrdiff_t(c), csv.names[c]) !=
+        csv.names.begin() + std::ptrdiff_t(c))
+      throw Error("line " + std::to_string(number) + ": found two columns '" + csv.names[c] + "', expected one");
+}
+
+void addRow(CsvText& csv, std::string_view line, std::size_t number) {
+  CsvText::Row row{number, split(line, csv.separator)};
+  while (row.fields.size() > csv.names.size() && row.fields.back().empty()) row.fields.pop_back();
+  if (row.fields.size() != csv.names.size())
+    throw Error(lineText(row) + ": found " + std::to_string(row.fields.size()) + " columns, expected " +
+                std::to_string(csv.names.size()) + " as in the line of names");
+  csv.rows.push_back(std::move(row));
+}
+
+template <typename Number>
+std::optional<Number> parsed(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+[[noreturn]] void failField(const CsvText& csv, const CsvText::Row& row, std::size_t column, const char* expected) {
+  throw Error(lineText(row) + ": found '" + row.fields[column] + "' for " + csv.names[column] + ", expected " +
+              expected);
+}
+
+}  // namespace
+
+std::optional<std::size_t> CsvText::column(std::string_view name) const {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return std::size_t(found - names.begin());
+}
+
+std::size_t CsvText::neededColumn(std::string_view name) const {
+  if (const auto found = column(name)) return *found;
+  std::string list;
+  for (const std::string& other : names) list += (list.empty() ? "" : ", ") + other;
+  throw Error("line " + std::to_string(namesLine) + ": found the columns " + list + ", expected one named " +
+              std::string(name));
+}
+
+double CsvText::number(const Row& row, std::size_t column) const {
+  std::string text = row.fields[column];
+  if (separator != ',') std::replace(text.begin(), text.end(), ',', '.');
+  const auto value = parsed<double>(text);
+  if (!value || !std::isfinite(*value)) failField(*this, row, column, "a finite number");
+  return *value;
+}
+
+int CsvText::integer(const Row& row, std::size_t column) const {
+  const auto value = parsed<int>(row.fields[column]);
+  if (!value) failField(*this, row, column, "a whole number");
+  return *value;
+}
+
+CsvText readCsvText(std::string_view text) {
+  if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
+  CsvText csv;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::string_view line = takeLine(text), content = trimmed(line, " \t\",;");
+    if (content.empty()) continue;
+    if (content.starts_with('#'))
+      csv.comments.emplace_back(trimmed(content.substr(1)));
+    else if (csv.names.empty())
+      setNames(csv, line, number);
+    else
+      addRow(csv, line, number);
+  }
+  if (csv.names.empty()) throw Error("found no line with the names of columns");
+  return csv;
+}
+
+std::string lineText(const CsvText::Row& row) { return "line " + std::to_string(row.line); }
+
+std::string decimalText(double value, int decimals) {
+  char digits[400];
+  const auto result = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals);
+  std::string text(digits, result.ptr);
+  if (text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+}  // namespace gonio::io

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/plan_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "core/io/atomic_file.h"
+#include "core/io/byte_source.h"
+#include "core/io/csv_text.h"
+#include "core/support/naming_file.h"
+#include "core/support/number_text.h"
+
+namespace gonio::io {
+
+namespace {
+
+using acquisition::PlannedSample;
+using acquisition::SamplingPlan;
+
+constexpr std::array<std::string_view, 4> angleNames{"theta_i", "phi_i", "theta_o", "phi_o"};
+constexpr int decimals = 6;
+constexpr std::uint64_t mostBytes = 1 << 24;
+/// Half the last decimal, rounded up: 90 degrees may come back a little larger.
+constexpr double rounding = 1e-6;
+
+double polarDegrees(const CsvText& csv, const CsvText::Row& row, std::size_t column) {
+  const double angle = csv.number(row, column);
+  if (!(angle >= 0 && angle <= 90 + rounding))
+    throw Error(lineText(row) + ": found " + numberText(angle) + " for " + csv.names[column] +
+                ", expected degrees from 0 to 90");
+  return std::min(angle, 90.0);
+}
+
+double azimuthDegrees(const CsvText& csv, const CsvText::Row& row, std::size_t column) {
+  const double angle = csv.number(row, column);
+  if (!(std::abs(angle) <= 360))
+    throw Error(lineText(row) + ": found " + numberText(angle) + " for " + csv.names[column] +
+                ", expected degrees from -360 to 360");
+  return angle;
+}
+
+/// A plan of several samples within 1.6 degrees of the normal, with azimuths below 6.3 and not a whole number among
+/// them, is one in radians.
+void refuseRadians(const std::vector<std::array<double, 4>>& angles) {
+  if (angles.size() < 3) return;
+  for (const auto& [thetaI, phiI, thetaO, phiO] : angles) {
+    const bool isWhole = thetaI != 0 && thetaO != 0 && thetaI == std::round(thetaI) && thetaO == std::round(thetaO);
+    if (isWhole || std::max(thetaI, thetaO) > halfPi || std::max(std::abs(phiI), std::abs(phiO)) > 2 * pi) return;
+  }
+  throw Error("every angle is small enough for radians (theta at most 1.57), expected degrees");
+}
+
+/// Order of travel as the file tells it, which must be a permutation; else planned anew.
+void setOrder(SamplingPlan& plan, bool isGiven) {
+  std::vector<int> seen;
+  for (const PlannedSample& sample : plan.samples) seen.push_back(sample.order);
+  std::sort(seen.begin(), seen.end());
+  if (isGiven && std::adjacent_find(seen.begin(), seen.end()) == seen.end()) return;
+  std::vector<DirectionPair> pairs;
+  for (const PlannedSample& sample : plan.samples) pairs.push_back(sample.directions);
+  const std::vector<std::size_t> way = acquisition::shortTravel(pairs);
+  for (std::size_t position = 0; position < way.size(); ++position)
+    plan.samples[way[position]].order = int(position) + 1;
+}
+
+}  // namespace
+
+std::string planCsv(const SamplingPlan& plan, const std::vector<std::string>& comments) {
+  std::string text;
+  if (!plan.method.empty()) text += "# method: " + plan.method + "\n";
+  for (const std::string& comment : comments) text += "# " + comment + "\n";
+  text += "index,theta_i,phi_i,theta_o,phi_o,theta_h,theta_d,phi_d,order\n";
+  for (const PlannedSample& sample : plan.samples) {
+    const auto& [wi, wo] = sample.directions;
+    const HalfDifference at = toHalfDifference(wi, wo);
+    text += std::to_string(sample.index);
+    for (const double angle : {polarAngle(wi), azimuth(wi), polarAngle(wo), azimuth(wo), at.thetaH, at.thetaD, at.phiD})
+      text += "," + decimalText(degrees(angle), decimals);
+    text += "," + std::to_string(sample.order) + "\n";
+  }
+  return text;
+}
+
+void writePlan(const SamplingPlan& plan, const std::filesystem::path& path, const std::vector<std::string>& comments) {
+  writeFileAtomically(path, planCsv(plan, comments));
+}
+
+SamplingPlan parsePlan(std::string_view text) {
+  const CsvText csv = readCsvText(text);
+  const std::size_t indexColumn = csv.neededColumn("index");
+  std::array<std::size_t, 4> columns;
+  for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = csv.neededColumn(angleNames[c]);
+  const auto orderColumn = csv.column("order");
+  SamplingPlan plan;
+  constexpr std::string_view methodLabel = "method: ";
+  for (const std::string& comment : csv.comments)
+    if (comment.starts_with(methodLabel)) plan.method = comment.substr(methodLabel.size());
+  std::map<int, std::size_t> lines;
+  std::vector<std::array<double, 4>> angles;
+  for (const CsvText::Row& row : csv.rows) {
+    PlannedSample sample;
+    sample.index = csv.integer(row, indexColumn);
+    if (sample.index < 1)
+      throw Error(lineText(row) + ": found the index " + std::to_string(sample.index) + ", expected 1 or more");
+    if (const auto [first, isNew] = lines.emplace(sample.index, row.line); !isNew)
+      throw Error(lineText(row) + ": found the index " + std::to_string(sample.index) + " again, first in line " +
+                  std::to_string(first->second));
+    const auto& a =
+        angles.emplace_back(std::array{polarDegrees(csv, row, columns[0]), azimuthDegrees(csv, row, columns[1]),
+                                       polarDegrees(csv, row, columns[2]), azimuthDegrees(csv, row, columns[3])});
+    sample.directions = {fromSpherical(radians(a[0]), radians(a[1])), fromSpherical(radians(a[2]), radians(a[3]))};
+    if (orderColumn) sample.order = csv.integer(row, *orderColumn);
+    plan.samples.push_back(sample);
+  }
+  if (plan.samples.empty()) throw Error("found no samples");
+  refuseRadians(angles);
+  std::stable_sort(plan.samples.begin(), plan.samples.end(),
+                   [](const PlannedSample& a, const PlannedSample& b) { return a.index < b.index; });
+  setOrder(plan, orderColumn.has_value());
+  return plan;
+}
+
+SamplingPlan readPlan(const std::filesystem::path& path) {
+  return namingFile(path, [&] {
+    const std::vector<std::byte> bytes = FileSource(path).readAll(mostBytes);
+    return parsePlan({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  });
+}
+
+}  // namespace gonio::io
