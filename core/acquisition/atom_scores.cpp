@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/acquisition/atom_scores.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/math/parallel.h"
+
+namespace gonio::acquisition {
+
+namespace {
+
+constexpr Eigen::Index blockAtoms = 1024;  // of 60 components: 240 KB, which stay in a core's cache
+constexpr Eigen::Index batchAtoms = 256;   // scored at once
+/// After so many choices the atoms are written in coordinates of what is left: shorter ones.
+constexpr Eigen::Index choicesBetweenBases = 8;
+constexpr double unitRoundoff = 6e-8;
+constexpr float huge = 1e30f;
+
+void raise(std::atomic<float>& best, float value) {
+  float seen = best.load(std::memory_order_relaxed);
+  while (value > seen && !best.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
+  }
+}
+
+}  // namespace
+
+/// What one call of candidates() works with.
+struct AtomScores::Scan {
+  Eigen::VectorXf removed;  ///< in coordinates of the basis; empty before the first choice
+  float reach = 0;
+  Eigen::MatrixXf towardsNew;          ///< (new basis)^T basis; empty when it stays
+  Eigen::MatrixXf transposedResidual;  ///< t x d', in the basis after this step
+  float gain = 0;
+  float scoreError = 0;         ///< of an evaluated score
+  float normError = 0;          ///< of a squared norm that choices were subtracted from
+  std::atomic<float> best = 0;  ///< the largest score yet
+};
+
+AtomScores::AtomScores(const DictionaryAtoms& atoms, double gain)
+    : blocks_(std::size_t((atoms.count() + blockAtoms - 1) / blockAtoms)),
+      basis_(Eigen::MatrixXd::Identity(atoms.length(), atoms.length())),
+      gain_(gain),
+      coordinateError_(unitRoundoff * double(atoms.length() + 4)) {
+  parallelForBlocks(std::size_t(atoms.count()), std::size_t(blockAtoms), [&](std::size_t begin, std::size_t end) {
+    Block& block = blocks_[begin / std::size_t(blockAtoms)];
+    block.atoms = atoms.inSinglePrecision(Eigen::Index(begin), Eigen::Index(end));
+    const Eigen::Index count = block.atoms.cols();
+    block.squaredNorm.setOnes(count);
+    block.score.setConstant(count, huge);
+    block.growth.setZero(count);
+    block.normAtScore.setOnes(count);
+    block.highest = huge;
+  });
+}
+
+void AtomScores::exclude(Eigen::Index atom) {
+  blocks_[std::size_t(atom / blockAtoms)].score[atom % blockAtoms] = -huge;
+}
+
+/// Takes account of the direction that was removed.
+void AtomScores::update(Block& block, const Scan& scan) const {
+  if (scan.removed.size() == 0) return;
+  const Eigen::ArrayXf along = (scan.removed.transpose() * block.atoms).transpose().array();
+  block.growth += along.abs() * scan.reach;
+  if (scan.towardsNew.size() > 0) {
+    block.atoms = (scan.towardsNew * block.atoms).eval();
+    block.squaredNorm = block.atoms.colwise().squaredNorm().transpose().array();
+  } else {
+    block.squaredNorm = (block.squaredNorm - along.square()).max(0);
+  }
+}
+
+/// What the atoms' scores are at most.
+Eigen::ArrayXf AtomScores::bounds(const Block& block, const Scan& scan) const {
+  const Eigen::ArrayXf byLength = scan.gain * (block.squaredNorm + scan.normError).sqrt();
+  const Eigen::ArrayXf lost = (block.normAtScore - block.squaredNorm).max(0) + 2 * scan.normError;
+  const Eigen::ArrayXf byHistory = block.score + block.growth.min(scan.gain * lost.sqrt());
+  return byLength.min(byHistory);
+}
+
+void AtomScores::scoreBlock(Block& block, Scan& scan, std::vector<std::pair<float, Eigen::Index>>& found) const {
+  update(block, scan);
+  Eigen::ArrayXf bound = bounds(block, scan);
+  std::vector<Eigen::Index> batch;
+  Eigen::MatrixXf gathered, products;
+  const auto score = [&] {
+    gathered.resize(block.atoms.rows(), Eigen::Index(batch.size()));
+    for (std::size_t k = 0; k < batch.size(); ++k) gathered.col(Eigen::Index(k)) = block.atoms.col(batch[k]);
+    products.noalias() = scan.transposedResidual * gathered;
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      const float value = products.col(Eigen::Index(k)).lpNorm<1>();
+      block.score[batch[k]] = bound[batch[k]] = value;
+      block.growth[batch[k]] = 0;
+      block.normAtScore[batch[k]] = block.squaredNorm[batch[k]];
+      found.emplace_back(value, batch[k]);
+      raise(scan.best, value);
+    }
+    batch.clear();
+  };
+  for (Eigen::Index atom = 0; atom < bound.size(); ++atom) {
+    if (!(bound[atom] + 2 * scan.scoreError >= scan.best.load(std::memory_order_relaxed))) continue;
+    batch.push_back(atom);
+    if (Eigen::Index(batch.size()) == batchAtoms) score();
+  }
+  if (!batch.empty()) score();
+  block.highest = bound.maxCoeff();
+}
+
+std::vector<Eigen::Index> AtomScores::candidates(const PursuitSpace& space, const TaskControl& control) {
+  Scan scan;
+  scan.gain = float(gain_);
+  if (space.removed.size() > 0) {
+    scan.removed = (basis_.transpose() * space.removed).cast<float>();
+    scan.reach = float(space.reach);
+  }
+  if (basis_.cols() - space.complement.cols() >= choicesBetweenBases) {
+    scan.towardsNew = (space.complement.transpose() * basis_).cast<float>();
+    coordinateError_ += unitRoundoff * double(basis_.cols() + 2) * std::sqrt(double(space.complement.cols()));
+    basis_ = space.complement;
+  }
+  scan.transposedResidual = (space.signals.transpose() * (space.complement.transpose() * basis_)).cast<float>();
+  const double length = double(basis_.cols()), signals = double(space.signals.cols());
+  scan.scoreError = float(gain_ * (coordinateError_ + unitRoundoff * (signals / 8 + 16)) +
+                          unitRoundoff * (length + 4) * space.signals.colwise().norm().sum());
+  scan.normError = float(2 * coordinateError_ + unitRoundoff * 8 * (length + 8));
+
+  std::vector<std::size_t> order(blocks_.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return blocks_[a].highest > blocks_[b].highest; });
+  std::vector<std::vector<std::pair<float, Eigen::Index>>> found(blocks_.size());
+  parallelForBlocks(
+      order.size(), 1, [&](std::size_t i, std::size_t) { scoreBlock(blocks_[order[i]], scan, found[order[i]]); },
+      control);
+
+  std::vector<Eigen::Index> result;
+  const float least = scan.best - 2 * scan.scoreError;
+  for (std::size_t block = 0; block < blocks_.size(); ++block)
+    for (const auto& [score, atom] : found[block])
+      if (score >= least) result.push_back(Eigen::Index(block) * blockAtoms + atom);
+  return result;
+}
+
+}  // namespace gonio::acquisition

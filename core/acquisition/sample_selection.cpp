@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/acquisition/sample_selection.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "core/acquisition/condition_search.h"
+#include "core/acquisition/simultaneous_pursuit.h"
+#include "core/acquisition/unguided_selection.h"
+#include "core/coordinates/grid_directions.h"
+#include "core/math/decompositions.h"
+#include "core/math/parallel.h"
+#include "core/support/error.h"
+
+namespace gonio::acquisition {
+
+namespace {
+
+using dictionary::PrincipalComponents;
+using Rows = std::vector<std::size_t>;
+using Chosen = std::function<void(std::uint32_t cell)>;
+
+/// The rows of the mapping that can be measured, ascending.
+Rows measurableRows(const PrincipalComponents& basis, const MeasurableDirections& measurable) {
+  measurable.check();
+  constexpr std::size_t block = 4096;
+  const GridDirections directions(basis.mapping.grid);
+  std::vector<char> allowed(basis.mapping.cells.size());
+  parallelForBlocks(allowed.size(), block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      const GridDirections::Node node = directions.at(basis.mapping.cells[row]);
+      allowed[row] = node.aboveHorizon && measurable.allows(node.pair);
+    }
+  });
+  Rows rows;
+  for (std::size_t row = 0; row < allowed.size(); ++row)
+    if (allowed[row]) rows.push_back(row);
+  return rows;
+}
+
+/// Of the rows of U Sigma in the first components.
+double conditionOf(const PrincipalComponents& basis, const Rows& rows, Eigen::Index components) {
+  if (rows.empty() || components == 0) return 0;
+  Eigen::MatrixXd chosen(Eigen::Index(rows.size()), components);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    chosen.row(Eigen::Index(i)) = basis.svd.u.view().row(Eigen::Index(rows[i])).head(components).cast<double>();
+  chosen *= basis.svd.singularValues.head(components).asDiagonal();
+  const Eigen::VectorXd values = thinSvd(chosen).singularValues;
+  const double smallest = values.size() > 0 ? values[values.size() - 1] : 0;
+  return smallest > 0 ? values[0] / smallest : std::numeric_limits<double>::infinity();
+}
+
+std::string whyFewer(PursuitStop stop, std::size_t chosen, const SelectionOptions& options, Eigen::Index components) {
+  if (stop == PursuitStop::enough) return {};
+  const std::string counts = std::to_string(chosen) + " of " + std::to_string(options.samples) + " cells were chosen: ";
+  if (stop == PursuitStop::exhausted) return counts + "no other that can be measured tells anything that they do not";
+  return counts + "they explain all " + std::to_string(components) + " principal components";
+}
+
+SampleSelection pursue(const PrincipalComponents& basis, const SelectionOptions& options, const Rows& rows,
+                       const TaskControl& control, const Chosen& chosen) {
+  const int asked = options.components > 0 ? options.components : options.samples;
+  const int components = std::min(asked, basis.count());
+  const Eigen::Index signals = options.method == SelectionMethod::simultaneousPursuitFirstColumns
+                                   ? std::min<Eigen::Index>(components, basis.svd.v.rows())
+                                   : basis.svd.v.rows();
+  const DictionaryAtoms atoms(basis, components, rows);
+  const auto cellOf = [&](Eigen::Index atom) { return basis.mapping.cells[atoms.row(atom)]; };
+  const SimultaneousPursuitResult pursuit =
+      simultaneousPursuit(atoms, basis.svd.v.topLeftCorner(signals, components).transpose(), options.samples, control,
+                          [&](Eigen::Index atom) {
+                            if (chosen) chosen(cellOf(atom));
+                          });
+  SampleSelection result{.residuals = pursuit.residuals};
+  Rows chosenRows;
+  for (const Eigen::Index atom : pursuit.atoms) {
+    result.cells.push_back(cellOf(atom));
+    chosenRows.push_back(atoms.row(atom));
+  }
+  result.conditionNumber = conditionOf(basis, chosenRows, components);
+  result.warning = whyFewer(pursuit.stop, chosenRows.size(), options, components);
+  return result;
+}
+
+/// The rows that a method without residuals chooses.
+Rows otherRows(const PrincipalComponents& basis, const SelectionOptions& options, const Rows& rows,
+               const TaskControl& control) {
+  if (options.method == SelectionMethod::conditionNumber)
+    return searchByCondition(basis, rows, options.samples, options.seed, options.restarts, control).rows;
+  std::vector<std::uint32_t> cells;
+  for (const std::size_t row : rows) cells.push_back(basis.mapping.cells[row]);
+  Rows chosen = options.method == SelectionMethod::random
+                    ? randomIndices(rows.size(), std::size_t(options.samples), options.seed)
+                    : evenlySpreadIndices(basis.mapping.grid, cells, std::size_t(options.samples));
+  for (std::size_t& index : chosen) index = rows[index];
+  return chosen;
+}
+
+SampleSelection selectOtherwise(const PrincipalComponents& basis, const SelectionOptions& options, const Rows& rows,
+                                const TaskControl& control, const Chosen& chosen) {
+  const Rows chosenRows = otherRows(basis, options, rows, control);
+  SampleSelection result{.conditionNumber =
+                             conditionOf(basis, chosenRows, std::min(int(chosenRows.size()), basis.count()))};
+  for (const std::size_t row : chosenRows) {
+    result.cells.push_back(basis.mapping.cells[row]);
+    if (chosen) chosen(result.cells.back());
+  }
+  if (chosenRows.size() < std::size_t(options.samples))
+    result.warning = "only " + std::to_string(chosenRows.size()) + " cells can be measured, where " +
+                     std::to_string(options.samples) + " were asked for";
+  control.report(1);
+  return result;
+}
+
+bool isPursuit(SelectionMethod method) {
+  return method == SelectionMethod::simultaneousPursuit || method == SelectionMethod::simultaneousPursuitFirstColumns;
+}
+
+bool needsComponents(SelectionMethod method) { return isPursuit(method) || method == SelectionMethod::conditionNumber; }
+
+void check(const PrincipalComponents& basis, const SelectionOptions& options) {
+  if (options.samples < 1)
+    throw Error("a selection of " + std::to_string(options.samples) + " samples: expected at least 1");
+  if (options.components < 0)
+    throw Error("a selection over " + std::to_string(options.components) + " components: expected 0 or more");
+  if (basis.count() == 0 && needsComponents(options.method))
+    throw Error(
+        "the training materials have no principal components: they are all the same, so no direction tells more than "
+        "another");
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> measurableCells(const PrincipalComponents& basis, const MeasurableDirections& measurable) {
+  std::vector<std::uint32_t> cells;
+  for (const std::size_t row : measurableRows(basis, measurable)) cells.push_back(basis.mapping.cells[row]);
+  return cells;
+}
+
+SampleSelection selectSamples(const PrincipalComponents& basis, const SelectionOptions& options,
+                              const TaskControl& control, const Chosen& chosen) {
+  check(basis, options);
+  const Rows rows = measurableRows(basis, options.measurable);
+  if (rows.empty())
+    throw Error("no direction pair can be measured: the limits of the rig leave none of the materials' cells");
+  return isPursuit(options.method) ? pursue(basis, options, rows, control, chosen)
+                                   : selectOtherwise(basis, options, rows, control, chosen);
+}
+
+}  // namespace gonio::acquisition

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "core/acquisition/sample_selection.h"
+
+/// Bases of random numbers, and Algorithm 4 of the dissertation in the plainest way: what the selection is checked
+/// with.
+namespace gonio::acquisition::test {
+
+inline constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 12, .thetaDCount = 9, .phiDCount = 8};
+
+/// A rig that sees all there is.
+inline const MeasurableDirections everything{.largestPolarAngle = halfPi};
+
+inline Eigen::MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd result(rows, columns);
+  for (double& value : result.reshaped()) value = normal(generator);
+  return result;
+}
+
+/// Of random directions.
+inline Eigen::MatrixXd orthonormalColumns(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
+  const Eigen::MatrixXd q =
+      randomMatrix(rows, columns, seed).householderQr().householderQ() * Eigen::MatrixXd::Identity(rows, columns);
+  return q;
+}
+
+/// A basis with these U and V over the first cells above the horizon, every `stride`-th; sigma falls by halves to 1/16.
+inline dictionary::PrincipalComponents basisOf(const Eigen::MatrixXd& u, const Eigen::MatrixXd& v,
+                                               const HalfDifferenceGrid& grid = smallGrid, std::size_t stride = 1) {
+  dictionary::PrincipalComponents basis;
+  basis.mapping.grid = grid;
+  for (std::size_t cell = 0; cell < grid.size() && Eigen::Index(basis.mapping.cells.size()) < u.rows(); cell += stride)
+    if (grid.nodeAboveHorizon(cell)) basis.mapping.cells.push_back(std::uint32_t(cell));
+  const std::size_t count = basis.mapping.cells.size();
+  basis.mapping.weights.assign(count, 1);
+  basis.mapping.reference.assign(count, 1);
+  basis.mean.assign(count, 0);
+  const Eigen::MatrixXf single = u.topRows(Eigen::Index(count)).cast<float>();
+  basis.svd.u.values.assign(single.data(), single.data() + single.size());
+  basis.svd.u.rows = single.rows();
+  basis.svd.u.columns = single.cols();
+  basis.svd.singularValues.resize(single.cols());
+  for (Eigen::Index k = 0; k < single.cols(); ++k)
+    basis.svd.singularValues[k] = 100 * std::exp2(-4.0 * double(k) / double(single.cols()));
+  basis.svd.v = v;
+  return basis;
+}
+
+inline dictionary::PrincipalComponents randomBasis(Eigen::Index cells, Eigen::Index signals, Eigen::Index components,
+                                                   unsigned seed) {
+  return basisOf(orthonormalColumns(cells, components, seed), orthonormalColumns(signals, components, 1000 + seed));
+}
+
+struct PlainPursuit {
+  std::vector<std::uint32_t> cells;
+  std::vector<double> residuals;
+};
+
+/// Sigma^-1 U^T of the first components with columns of unit length, everything in double.
+inline Eigen::MatrixXd unitAtoms(const dictionary::PrincipalComponents& basis, Eigen::Index components) {
+  const Eigen::MatrixXd u = basis.svd.u.view().leftCols(components).cast<double>();
+  Eigen::MatrixXd atoms = basis.svd.singularValues.head(components).cwiseInverse().asDiagonal() * u.transpose();
+  for (Eigen::Index i = 0; i < atoms.cols(); ++i)
+    if (atoms.col(i).norm() > 0) atoms.col(i) /= atoms.col(i).norm();
+  return atoms;
+}
+
+/// Every score anew, every residual by a solution of least squares of its own.
+inline PlainPursuit plainPursuit(const dictionary::PrincipalComponents& basis, Eigen::Index components,
+                                 Eigen::Index signals, int samples, const std::vector<std::uint32_t>& allowed) {
+  const Eigen::MatrixXd atoms = unitAtoms(basis, components);
+  const Eigen::MatrixXd s = basis.svd.v.topLeftCorner(signals, components).transpose();
+  const std::set<std::uint32_t> open(allowed.begin(), allowed.end());
+  PlainPursuit result{.residuals = {1.0}};
+  Eigen::MatrixXd residual = s, support(components, 0);
+  for (int step = 0; step < samples && residual.norm() > 1e-10 * s.norm(); ++step) {
+    Eigen::Index best = -1;
+    double most = 0;
+    for (Eigen::Index i = 0; i < atoms.cols(); ++i) {
+      const std::uint32_t cell = basis.mapping.cells[std::size_t(i)];
+      const bool known = std::find(result.cells.begin(), result.cells.end(), cell) != result.cells.end();
+      if (known || !open.contains(cell)) continue;
+      double score = 0;
+      for (Eigen::Index c = 0; c < residual.cols(); ++c) score += std::abs(atoms.col(i).dot(residual.col(c)));
+      if (score > most) {
+        most = score;
+        best = i;
+      }
+    }
+    if (best < 0) break;
+    support.conservativeResize(Eigen::NoChange, step + 1);
+    support.col(step) = atoms.col(best);
+    residual = s - support * support.colPivHouseholderQr().solve(s);
+    result.cells.push_back(basis.mapping.cells[std::size_t(best)]);
+    result.residuals.push_back(residual.norm() / s.norm());
+  }
+  return result;
+}
+
+/// What has to hold of any selection: distinct cells among those allowed.
+inline bool isDistinctAmong(const std::vector<std::uint32_t>& cells, const std::vector<std::uint32_t>& allowed) {
+  const std::set<std::uint32_t> distinct(cells.begin(), cells.end());
+  return distinct.size() == cells.size() &&
+         std::includes(allowed.begin(), allowed.end(), distinct.begin(), distinct.end());
+}
+
+}  // namespace gonio::acquisition::test
