@@ -17,8 +17,10 @@ constexpr double loadShare = 0.6, editShare = 0.9;
 bool isDocument(const QString& path) { return path.endsWith(QStringLiteral(".gonio"), Qt::CaseInsensitive); }
 QString shortName(const QString& path) { return path.section('/', -1); }
 
-BlendEnd finished(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
-                  const TaskControl& control) {
+}  // namespace
+
+BlendEnd takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
+                      const TaskControl& control) {
   BlendEnd end;
   end.name = name;
   const std::string& description = material.material.source.description;
@@ -31,7 +33,7 @@ BlendEnd finished(const LoadedMaterial& material, const QString& name, editing::
   return end;
 }
 
-BlendEnd readEnd(const QString& id, const TaskControl& control) {
+BlendEnd readBlendEnd(const QString& id, const TaskControl& control) {
   editing::EditDocument source;
   LoadedMaterialPtr material;
   const std::string path = id.toStdString();
@@ -45,10 +47,8 @@ BlendEnd readEnd(const QString& id, const TaskControl& control) {
   source.sourceSha256 = material->material.source.sha256;
   const QString name =
       isDocument(id) ? shortName(id).section('.', 0, -2) : QString::fromStdString(material->material.name);
-  return finished(*material, name, source, control.between(loadShare, 1));
+  return takeBlendEnd(*material, name, source, control.between(loadShare, 1));
 }
-
-}  // namespace
 
 BlendEnds::BlendEnds(Document& document, BackgroundTasks& tasks, QObject* parent)
     : QObject(parent), m_document(document), m_tasks(tasks) {
@@ -107,7 +107,7 @@ void BlendEnds::fill(int place, const QString& title, const QString& name,
 
 void BlendEnds::read(int place, const QString& id) {
   fill(place, tr("Opening %1 for interpolation").arg(shortName(id)), shortName(id),
-       [id](const TaskControl& control) { return readEnd(id, control); });
+       [id](const TaskControl& control) { return readBlendEnd(id, control); });
 }
 
 void BlendEnds::takeCurrent(int place) {
@@ -116,7 +116,7 @@ void BlendEnds::takeCurrent(int place) {
   const QString name = m_document.name();
   fill(place, tr("Taking %1 for interpolation").arg(name), name,
        [material, name, source = m_document.toEditDocument()](const TaskControl& control) {
-         return finished(*material, name, source, control);
+         return takeBlendEnd(*material, name, source, control);
        });
 }
 

@@ -19,6 +19,12 @@ struct BlendEnd {
   editing::EditDocument source;        ///< what it takes to make it again; resolved paths
 };
 
+/// A file, a .gonio document, or a library's material by its id. Draws its picture. @throws Error, Cancelled.
+BlendEnd readBlendEnd(const QString& id, const TaskControl& control);
+/// An open material with the edits of `source`. @throws Cancelled.
+BlendEnd takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
+                      const TaskControl& control);
+
 /// The materials of the Interpolation panel, two to four places, and the reading of them in the background. Nothing of
 /// it is part of the document.
 class BlendEnds : public QObject {

@@ -159,7 +159,8 @@ QString ComparisonController::name(ComparedSubject side) const {
 void ComparisonController::refresh() {
   const bool comparing = m_comparison.mode != CompareMode::off;
   const ComparedSubject first = comparing ? m_sides[0] : ComparedSubject::edited;
-  m_preview.setSubject(subject(first), name(first));
+  const bool asMeasured = !comparing && m_document.material() && !isEdited() && !standIn() && !code();
+  m_preview.setSubject(subject(first), asMeasured ? sourceKind(*m_document.material()) : name(first));
   m_preview.setOther(subject(m_sides[1]), name(m_sides[1]));
   std::array<QString, 4> names;
   for (const ComparedSubject side : allSides) names[std::size_t(side)] = name(side);

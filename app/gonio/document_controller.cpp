@@ -204,17 +204,16 @@ void DocumentController::exportMerl(const QString& path) {
       [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(shortName(path)), error); });
 }
 
-void DocumentController::exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides) {
+void DocumentController::exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
+                                   const TracedMaterials& others) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const std::vector<editing::Edit> edits = m_document.edits();
   m_tasks.run<bool>(
       {tr("Rendering %1").arg(shortName(path)), exportKey},
-      [material, edits, scene, overrides, path](const TaskControl& control) {
-        const std::vector<std::shared_ptr<const TracedMaterial>> lookedAt(
-            std::size_t(lookedAtCount(scene)),
-            std::make_shared<const TracedMaterial>(editing::applyEdits(material->table, edits)));
-        const auto materials = bindMaterials(scene, lookedAt);
+      [material, edits, scene, overrides, others, path](const TaskControl& control) {
+        const auto edited = std::make_shared<const TracedMaterial>(editing::applyEdits(material->table, edits));
+        const TracedMaterials materials = bindMaterials(scene, lookedAtMaterials(scene, edited, others));
         constexpr std::uint64_t seed = 1;
         const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides), seed);
         Film film(exrSide, exrSide);

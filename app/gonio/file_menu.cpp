@@ -126,7 +126,8 @@ void FileMenu::exportImage() {
                                    tr("PNG, the preview as shown (*.png);;OpenEXR, rendered in linear light (*.exr)"));
   if (path.isEmpty()) return;
   if (path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive))
-    m_window.controller().exportExr(path, m_window.preview().scene(), m_window.preview().overrides());
+    m_window.controller().exportExr(path, m_window.preview().scene(), m_window.preview().overrides(),
+                                    m_window.preview().others());
   else
     savePng(m_window, withSuffix(path, QStringLiteral(".png")));
 }

@@ -78,7 +78,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_ranking(new FitRankingPanel(m_document, m_controller, m_tasks)),
       m_interpolation(new InterpolationPanel(m_document, m_tasks)),
       m_study(new StudyPanel(m_document, m_tasks)),
-      m_scenePanel(new ScenePanel(*m_preview, m_tasks)),
+      m_scenePanel(new ScenePanel(*m_preview, m_document, m_tasks)),
       m_messages(new widgets::MessageBar),
       m_progress(new widgets::ProgressStrip),
       m_dropOverlay(nullptr),

@@ -22,15 +22,14 @@ constexpr int costSide = 128, costSamples = 16;
 constexpr int referenceSamples = 1024;
 const auto costsKey = QStringLiteral("effect costs"), referenceKey = QStringLiteral("scene reference");
 
-using Materials = std::vector<std::shared_ptr<const TracedMaterial>>;
-
-Materials materialsOf(const Scene& scene, const std::shared_ptr<const TracedMaterial>& material) {
-  return bindMaterials(scene, Materials(std::size_t(lookedAtCount(scene)), material));
+/// What the objects of the preview's scene are made of.
+TracedMaterials materialsOf(const widgets::PreviewWidget& preview) {
+  return bindMaterials(preview.scene(), lookedAtMaterials(preview.scene(), preview.material(), preview.others()));
 }
 
 }  // namespace
 
-ScenePanel::ScenePanel(widgets::PreviewWidget& preview, BackgroundTasks& tasks, QWidget* parent)
+ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent),
       m_preview(preview),
       m_tasks(tasks),
@@ -39,12 +38,20 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, BackgroundTasks& tasks, 
       m_result(new QLabel),
       m_measure(new QPushButton(tr("&Measure costs"))),
       m_compare(new QPushButton(tr("&Compare with the reference"))),
+      m_neighbours(new SceneNeighbours(document, tasks)),
       m_effects(new widgets::EffectList) {
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(buildTop());
+  layout->addWidget(m_neighbours);
   layout->addWidget(m_effects);
   layout->addWidget(buildBottom());
   layout->addStretch(1);
+  connect(m_neighbours, &SceneNeighbours::changed, this, [this] {
+    m_costs.reset();
+    m_preview.setOthers(m_neighbours->materials());
+    refresh();
+  });
+  connect(m_neighbours, &SceneNeighbours::failed, this, &ScenePanel::failed);
   connect(m_effects, &widgets::EffectList::overridesChanged, &m_preview, &widgets::PreviewWidget::setOverrides);
   connect(&m_preview, &widgets::PreviewWidget::planChanged, this, &ScenePanel::refresh);
   connect(&m_preview, &widgets::PreviewWidget::sceneChanged, this, [this](const Scene& scene) {
@@ -107,7 +114,7 @@ void ScenePanel::askForFile() {
 void ScenePanel::open(const QString& nameOrPath, std::function<void()> shown) {
   m_tasks.run<Scene>(
       {tr("Reading the scene %1").arg(nameOrPath.section('/', -1)), QStringLiteral("scene")},
-      [nameOrPath](const TaskControl&) { return openScene(nameOrPath.toStdString(), 1); },
+      [nameOrPath](const TaskControl&) { return openScene(nameOrPath.toStdString(), 1 + SceneNeighbours::count); },
       [this, shown](const Scene& scene) {
         show(scene);
         if (shown) shown();
@@ -130,6 +137,7 @@ void ScenePanel::showScene(const Scene& scene) {
   m_scenes->setCurrentIndex(m_scenes->findData(source));
   m_description->setText(QString::fromStdString(scene.description));
   m_description->setToolTip(m_description->text());
+  m_neighbours->showScene(scene);
 }
 
 void ScenePanel::refresh() {
@@ -147,8 +155,8 @@ void ScenePanel::measureCosts() {
   const EffectOverrides overrides = m_preview.overrides();
   m_tasks.run<EffectCosts>(
       {tr("Measuring the effects of %1").arg(QString::fromStdString(scene.name)), costsKey},
-      [scene, overrides, material = m_preview.material()](const TaskControl& control) {
-        return measureEffectCosts(scene, materialsOf(scene, material), overrides,
+      [scene, overrides, materials = materialsOf(m_preview)](const TaskControl& control) {
+        return measureEffectCosts(scene, materials, overrides,
                                   {.width = costSide, .height = costSide, .samples = costSamples}, control);
       },
       [this](const EffectCosts& costs) {
@@ -169,8 +177,7 @@ void ScenePanel::compareWithReference() {
   m_result->setText(tr("Rendering the reference..."));
   m_tasks.run<double>(
       {tr("Rendering the reference of %1").arg(QString::fromStdString(scene.name)), referenceKey},
-      [scene, overrides, picture, material = m_preview.material()](const TaskControl& control) {
-        const Materials materials = materialsOf(scene, material);
+      [scene, overrides, picture, materials = materialsOf(m_preview)](const TaskControl& control) {
         Film film(picture.width, picture.height);
         PathTracer(scene, materials, planEffects(scene, materials, overrides), 2)
             .accumulate(film, referenceSamples, control);

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "app/gonio/background_task.h"
+#include "app/gonio/scene_neighbours.h"
 #include "core/rendering/effect_costs.h"
 
 class QComboBox;
@@ -24,7 +25,7 @@ class ScenePanel : public QWidget {
   Q_OBJECT
 
  public:
-  ScenePanel(widgets::PreviewWidget& preview, BackgroundTasks& tasks, QWidget* parent = nullptr);
+  ScenePanel(widgets::PreviewWidget& preview, Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   /// A scene of the project, a scene file or a mesh: read in the background, shown, then `shown` is called.
   void open(const QString& nameOrPath, std::function<void()> shown = {});
@@ -32,6 +33,7 @@ class ScenePanel : public QWidget {
   QComboBox& scenes() const { return *m_scenes; }
   QPushButton& measureButton() const { return *m_measure; }
   QPushButton& compareButton() const { return *m_compare; }
+  SceneNeighbours& neighbours() const { return *m_neighbours; }
   const std::optional<EffectCosts>& costs() const { return m_costs; }
   QString result() const;
 
@@ -53,6 +55,7 @@ class ScenePanel : public QWidget {
   QComboBox* m_scenes;
   QLabel *m_description, *m_result;
   QPushButton *m_measure, *m_compare;
+  SceneNeighbours* m_neighbours;
   widgets::EffectList* m_effects;
   std::optional<EffectCosts> m_costs;
 };

@@ -39,6 +39,14 @@ std::shared_ptr<const TracedMaterial> diffuseMaterial(const Rgb& reflectance) {
                                                                   ReflectionBound::ofDiffuse(maxChannel(reflectance))));
 }
 
+TracedMaterials lookedAtMaterials(const Scene& scene, const std::shared_ptr<const TracedMaterial>& first,
+                                  const TracedMaterials& others) {
+  TracedMaterials materials(std::size_t(lookedAtCount(scene)), first);
+  for (std::size_t i = 1; i < materials.size() && i <= others.size(); ++i)
+    if (others[i - 1]) materials[i] = others[i - 1];
+  return materials;
+}
+
 std::vector<std::shared_ptr<const TracedMaterial>> bindMaterials(
     const Scene& scene, std::span<const std::shared_ptr<const TracedMaterial>> lookedAt) {
   if (std::size_t(lookedAtCount(scene)) > lookedAt.size())

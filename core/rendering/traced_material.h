@@ -39,6 +39,13 @@ class TracedMaterial {
 /// A Lambertian material; `reflectance` in linear RGB. Nothing is estimated.
 std::shared_ptr<const TracedMaterial> diffuseMaterial(const Rgb& reflectance);
 
+using TracedMaterials = std::vector<std::shared_ptr<const TracedMaterial>>;
+
+/// The materials that a scene looks at: number 0 is `first`, number i is others[i - 1], or `first` again where there is
+/// none.
+TracedMaterials lookedAtMaterials(const Scene& scene, const std::shared_ptr<const TracedMaterial>& first,
+                                  const TracedMaterials& others = {});
+
 /// What each object of a scene is made of, in their order; null for what emits.
 /// @param lookedAt the materials that are looked at, by their number.
 /// @throws Error when the scene looks at more than are given.

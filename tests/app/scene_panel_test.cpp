@@ -7,11 +7,13 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 
 #include "app/gonio/view_state.h"
 #include "core/models/registry.h"
 #include "core/rendering/scene_file.h"
 #include "tests/app/glossy_material.h"
+#include "widgets/interpolation/material_well.h"
 #include "widgets/panels/effect_list.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -25,10 +27,12 @@ class ScenePanelTest : public QObject {
   void init() {
     preview_ = std::make_unique<widgets::PreviewWidget>();
     tasks_ = std::make_unique<app::BackgroundTasks>();
-    panel_ = std::make_unique<ScenePanel>(*preview_, *tasks_);
+    document_ = std::make_unique<app::Document>();
+    panel_ = std::make_unique<ScenePanel>(*preview_, *document_, *tasks_);
   }
   void cleanup() {
     panel_.reset();
+    document_.reset();
     tasks_.reset();
     preview_.reset();
   }
@@ -71,6 +75,40 @@ class ScenePanelTest : public QObject {
     QTRY_VERIFY(!panel_->costs() && !shows("ms ("));
   }
 
+  /// A scene of several places has a well for each but the first; what is put there is traced, and measured, with it.
+  void anotherMaterialStandsBeside() {
+    const auto wellsShown = [this] {
+      int shown = 0;
+      for (int place = 0; place < app::SceneNeighbours::count; ++place)
+        shown += !panel_->neighbours().well(place).isHidden();
+      return shown;
+    };
+    QVERIFY(panel_->neighbours().isHidden());
+    choose("row");
+    QTRY_COMPARE(wellsShown(), 3);
+    choose("two-spheres");
+    QTRY_COMPARE(wellsShown(), 1);
+    QVERIFY(!panel_->neighbours().well(0).currentButton()->isEnabled());
+    const auto material = app::test::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36});
+    document_->replaceMaterial(material, {});
+    preview_->setMaterial(material->table, {});
+    QTRY_VERIFY(preview_->material() && !preview_->isTraced());
+    panel_->neighbours().well(0).currentButton()->click();
+    QTRY_VERIFY(preview_->isTraced());
+    QVERIFY(preview_->others()[0] && preview_->others()[0] != preview_->material());
+    QVERIFY(!panel_->neighbours().well(0).content().name.isEmpty());
+    choose("sphere");
+    QTRY_VERIFY(!preview_->isTraced());  // it has no second place
+    choose("two-spheres");
+    QTRY_VERIFY(preview_->isTraced());
+    panel_->neighbours().well(0).clearButton()->click();
+    QVERIFY(!preview_->isTraced() && panel_->neighbours().well(0).content().name.isEmpty());
+    QSignalSpy failed(panel_.get(), &ScenePanel::failed);
+    panel_->neighbours().read(0, "/nowhere/metal.binary");
+    QTRY_COMPARE(failed.count(), 1);
+    QVERIFY(panel_->neighbours().well(0).content().failed && !preview_->isTraced());
+  }
+
   void aSceneThatCannotBeReadIsTold() {
     QSignalSpy failed(panel_.get(), &ScenePanel::failed);
     panel_->open("/nowhere/scene.json");
@@ -101,6 +139,7 @@ class ScenePanelTest : public QObject {
 
   std::unique_ptr<widgets::PreviewWidget> preview_;
   std::unique_ptr<app::BackgroundTasks> tasks_;
+  std::unique_ptr<app::Document> document_;
   std::unique_ptr<ScenePanel> panel_;
 };
 

@@ -249,8 +249,9 @@ void PreviewWidget::showOverlay() {
 void PreviewWidget::updateStatus(double milliseconds) {
   const QString curve = QString::fromUtf8(toneMapName(settings_.toneMap).data());
   const int followed = isTraced() ? first_.plan.reflections : SceneUniforms::mostReflections;
-  overlay_->setStatus(tr("%1 | exposure %2 | %3 | %4 ms%5 | %6\n%7")
-                          .arg(QString::fromStdString(scene_.name))
+  const QString subject = first_.name.isEmpty() ? QString() : tr("%1 | ").arg(first_.name);
+  overlay_->setStatus(tr("%1%2 | exposure %3 | %4 | %5 ms%6 | %7\n%8")
+                          .arg(subject, QString::fromStdString(scene_.name))
                           .arg(settings_.exposure, 0, 'f', 1)
                           .arg(curve)
                           .arg(milliseconds, 0, 'f', 1)

@@ -55,13 +55,16 @@ class PreviewWidget : public QOpenGLWidget {
   const Scene& scene() const { return scene_; }
   /// Puts an environment into the scene; null: a distant light in its place.
   void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
+  /// What the scene's other places show: number i is others[i - 1]; the subject itself where that is null or missing.
+  void setOthers(const TracedMaterials& others);
+  const TracedMaterials& others() const { return others_; }
   /// Effects that the user forces on or off.
   void setOverrides(const EffectOverrides& overrides);
   const EffectOverrides& overrides() const { return overrides_; }
   /// Of the first subject; for a grey surface until its material is known.
   const EffectPlan& plan() const { return first_.plan; }
-  /// Whether the scene is traced on the CPU.
-  bool isTraced() const { return !SceneUniforms::canDraw(scene_); }
+  /// Whether the scene is traced on the CPU: the shader knows neither meshes nor several materials.
+  bool isTraced() const;
   /// The first subject as rendering takes it; null while it is not known.
   const std::shared_ptr<const TracedMaterial>& material() const { return first_.material; }
   void setExposure(double stops);
@@ -153,6 +156,7 @@ class PreviewWidget : public QOpenGLWidget {
   FrameBudget budget_;
   Scene scene_, home_;
   EffectOverrides overrides_;
+  TracedMaterials others_;
   PreviewComparison comparison_;
   double range_ = 0;      ///< 0: not found yet
   int rangeSamples_ = 0;  ///< at which the range was found

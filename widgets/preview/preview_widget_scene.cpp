@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 // What the preview shows: subjects, scene, and the plan that follows from both.
-#include "core/rendering/scene_file.h"
+#include <algorithm>
+
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -60,7 +61,7 @@ void PreviewWidget::adopt(Side& side, const MaterialEstimate& estimate) {
 /// What the side's picture simulates; its picture starts anew only where that changes.
 void PreviewWidget::plan(Side& side) {
   static const std::shared_ptr<const TracedMaterial> grey = diffuseMaterial(Rgb(0.5));
-  adoptPlan(side, previewPlan(scene_, side.material ? side.material : grey, overrides_));
+  adoptPlan(side, previewPlan(scene_, side.material ? side.material : grey, overrides_, others_));
 }
 
 void PreviewWidget::adoptPlan(Side& side, const EffectPlan& plan) {
@@ -73,7 +74,8 @@ void PreviewWidget::adoptPlan(Side& side, const EffectPlan& plan) {
 void PreviewWidget::trace(Side& side) {
   if (!isTraced() || !side.material || side.subject.isEmpty()) return side.tracer.stop();
   if (&side == &second_ && !isComparing()) return;
-  side.tracer.trace(scene_, side.material, side.plan, pictureSize(), wantedSamples());
+  side.tracer.trace(scene_, lookedAtMaterials(scene_, side.material, others_), side.plan, pictureSize(),
+                    wantedSamples());
 }
 
 void PreviewWidget::showScene(const Scene& scene) {
@@ -114,6 +116,20 @@ void PreviewWidget::setEnvironment(const std::shared_ptr<const EnvironmentMap>& 
   else
     scene.directionalLights = home_.environment ? own : std::vector<DirectionalLight>{};
   setScene(scene);
+}
+
+bool PreviewWidget::isTraced() const {
+  if (!SceneUniforms::canDraw(scene_)) return true;
+  const auto shown = std::min(others_.size(), std::size_t(std::max(1, lookedAtCount(scene_)) - 1));
+  return std::any_of(others_.begin(), others_.begin() + std::ptrdiff_t(shown),
+                     [](const auto& material) { return material != nullptr; });
+}
+
+void PreviewWidget::setOthers(const TracedMaterials& others) {
+  if (others == others_) return;
+  others_ = others;
+  restart();
+  setScene(scene_);
 }
 
 void PreviewWidget::setOverrides(const EffectOverrides& overrides) {

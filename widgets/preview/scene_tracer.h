@@ -11,8 +11,8 @@
 
 namespace gonio::widgets {
 
-/// Traces scenes that the shader cannot draw (meshes) in another thread: a coarse picture first, then full size with
-/// ever more samples. The newest request alone is worked on.
+/// Traces scenes that the shader cannot draw (meshes, several materials) in another thread: a coarse picture first,
+/// then full size with ever more samples. The newest request alone is worked on.
 class SceneTracer : public QObject {
   Q_OBJECT
 
@@ -20,9 +20,9 @@ class SceneTracer : public QObject {
   explicit SceneTracer(QObject* parent = nullptr);
   ~SceneTracer() override;
 
-  /// Every material that is looked at is `material`. The picture before stays until the first new one is there.
-  void trace(const Scene& scene, std::shared_ptr<const TracedMaterial> material, const EffectPlan& plan,
-             const QSize& size, int samples);
+  /// @param lookedAt the materials that the scene looks at. The picture before stays until the first new one is there.
+  void trace(const Scene& scene, const TracedMaterials& lookedAt, const EffectPlan& plan, const QSize& size,
+             int samples);
   void stop();
 
   /// The picture reached so far; null before the first. Smaller than asked for while it is coarse.

@@ -135,10 +135,8 @@ void SceneUniforms::set(QOpenGLShaderProgram& program) const {
 }
 
 EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const TracedMaterial>& material,
-                       const EffectOverrides& overrides) {
-  const std::vector<std::shared_ptr<const TracedMaterial>> lookedAtMaterials(std::size_t(lookedAtCount(scene)),
-                                                                             material);
-  return planEffects(scene, bindMaterials(scene, lookedAtMaterials), overrides);
+                       const EffectOverrides& overrides, const TracedMaterials& others) {
+  return planEffects(scene, bindMaterials(scene, lookedAtMaterials(scene, material, others)), overrides);
 }
 
 }  // namespace gonio::widgets

@@ -44,8 +44,8 @@ class SceneUniforms {
        showEnvironment_ = false;
 };
 
-/// The plan of a scene in which every material that is looked at is this one.
+/// The plan of a scene of lookedAtMaterials().
 EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const TracedMaterial>& material,
-                       const EffectOverrides& overrides = {});
+                       const EffectOverrides& overrides = {}, const TracedMaterials& others = {});
 
 }  // namespace gonio::widgets

@@ -17,8 +17,6 @@ using namespace gonio::testing;
 
 namespace {
 
-using TracedMaterials = std::vector<std::shared_ptr<const TracedMaterial>>;
-
 const auto grey = diffuseMaterial(Rgb(0.5));
 
 EffectPlan planOf(const Scene& scene, const std::shared_ptr<const TracedMaterial>& material = grey,
@@ -146,6 +144,16 @@ class EffectPlanTest : public QObject {
         }
       }
     QVERIFY(changed > 0);
+  }
+
+  /// The first material stands wherever no other does.
+  void othersStandInTheirPlaces() {
+    const Scene row = openScene("row", 4);
+    const auto white = diffuseMaterial(Rgb(1)), black = diffuseMaterial(Rgb(0));
+    QVERIFY(lookedAtMaterials(row, grey) == TracedMaterials(4, grey));
+    QVERIFY((lookedAtMaterials(row, grey, {nullptr, white, black}) == TracedMaterials{grey, grey, white, black}));
+    QVERIFY((lookedAtMaterials(openScene("two-spheres", 4), grey, {white, black}) == TracedMaterials{grey, white}));
+    QVERIFY((lookedAtMaterials(openScene("sphere", 4), grey, {white, black}) == TracedMaterials{grey}));
   }
 
   void namesAndIds() {
