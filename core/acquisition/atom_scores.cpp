@@ -16,15 +16,24 @@ namespace {
 
 constexpr Eigen::Index blockAtoms = 1024;  // of 60 components: 240 KB, which stay in a core's cache
 constexpr Eigen::Index batchAtoms = 256;   // scored at once
+/// So many neighbours on the grid are judged by the one in their middle, where it tells enough.
+constexpr Eigen::Index groupAtoms = 8;
 /// After so many choices the atoms are written in coordinates of what is left: shorter ones.
 constexpr Eigen::Index choicesBetweenBases = 8;
 constexpr double unitRoundoff = 6e-8;
 constexpr float huge = 1e30f;
+constexpr float roundedUp = 1 + 1e-5f;
 
 void raise(std::atomic<float>& best, float value) {
   float seen = best.load(std::memory_order_relaxed);
   while (value > seen && !best.compare_exchange_weak(seen, value, std::memory_order_relaxed)) {
   }
+}
+
+/// The atom in the middle of an atom's group.
+Eigen::Index middleOf(Eigen::Index atom, Eigen::Index count) {
+  const Eigen::Index begin = atom / groupAtoms * groupAtoms;
+  return (begin + std::min(begin + groupAtoms, count)) / 2;
 }
 
 }  // namespace
@@ -41,6 +50,51 @@ struct AtomScores::Scan {
   std::atomic<float> best = 0;  ///< the largest score yet
 };
 
+/// The evaluation of one block.
+struct AtomScores::BlockScan {
+  Block& block;
+  Scan& scan;
+  std::vector<std::pair<float, Eigen::Index>>& found;
+  Eigen::ArrayXf bound;  ///< of every atom's score
+  std::vector<Eigen::Index> batch;
+  Eigen::MatrixXf gathered, products;
+
+  bool mayWin(Eigen::Index atom) const {
+    return bound[atom] + 2 * scan.scoreError >= scan.best.load(std::memory_order_relaxed);
+  }
+  void add(Eigen::Index atom) {
+    batch.push_back(atom);
+    if (Eigen::Index(batch.size()) == batchAtoms) evaluate();
+  }
+  /// The scores of the batch.
+  void evaluate() {
+    gathered.resize(block.atoms.rows(), Eigen::Index(batch.size()));
+    for (std::size_t k = 0; k < batch.size(); ++k) gathered.col(Eigen::Index(k)) = block.atoms.col(batch[k]);
+    products.noalias() = scan.transposedResidual * gathered;
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+      const Eigen::Index atom = batch[k];
+      const float value = products.col(Eigen::Index(k)).lpNorm<1>();
+      block.score[atom] = bound[atom] = value;
+      block.growth[atom] = 0;
+      block.normAtScore[atom] = block.squaredNorm[atom];
+      found.emplace_back(value, atom);
+      raise(scan.best, value);
+    }
+    batch.clear();
+  }
+  /// A score differs from that of the group's middle by at most gain times the distance.
+  void boundByMiddle(Eigen::Index begin, Eigen::Index middle) {
+    const Eigen::Index count = std::min(groupAtoms, bound.size() - begin);
+    auto group = bound.segment(begin, count);
+    group = group.min(bound[middle] + 2 * scan.scoreError + scan.gain * block.distance.segment(begin, count));
+  }
+  Eigen::Index winners(Eigen::Index begin) const {
+    Eigen::Index count = 0;
+    for (Eigen::Index atom = begin; atom < std::min(begin + groupAtoms, bound.size()); ++atom) count += mayWin(atom);
+    return count;
+  }
+};
+
 AtomScores::AtomScores(const DictionaryAtoms& atoms, double gain)
     : blocks_(std::size_t((atoms.count() + blockAtoms - 1) / blockAtoms)),
       basis_(Eigen::MatrixXd::Identity(atoms.length(), atoms.length())),
@@ -55,7 +109,15 @@ AtomScores::AtomScores(const DictionaryAtoms& atoms, double gain)
     block.growth.setZero(count);
     block.normAtScore.setOnes(count);
     block.highest = huge;
+    measureDistances(block);
   });
+}
+
+void AtomScores::measureDistances(Block& block) {
+  block.distance.resize(block.atoms.cols());
+  for (Eigen::Index atom = 0; atom < block.atoms.cols(); ++atom)
+    block.distance[atom] =
+        roundedUp * (block.atoms.col(atom) - block.atoms.col(middleOf(atom, block.atoms.cols()))).norm();
 }
 
 void AtomScores::exclude(Eigen::Index atom) {
@@ -70,6 +132,7 @@ void AtomScores::update(Block& block, const Scan& scan) const {
   if (scan.towardsNew.size() > 0) {
     block.atoms = (scan.towardsNew * block.atoms).eval();
     block.squaredNorm = block.atoms.colwise().squaredNorm().transpose().array();
+    measureDistances(block);
   } else {
     block.squaredNorm = (block.squaredNorm - along.square()).max(0);
   }
@@ -85,30 +148,31 @@ Eigen::ArrayXf AtomScores::bounds(const Block& block, const Scan& scan) const {
 
 void AtomScores::scoreBlock(Block& block, Scan& scan, std::vector<std::pair<float, Eigen::Index>>& found) const {
   update(block, scan);
-  Eigen::ArrayXf bound = bounds(block, scan);
-  std::vector<Eigen::Index> batch;
-  Eigen::MatrixXf gathered, products;
-  const auto score = [&] {
-    gathered.resize(block.atoms.rows(), Eigen::Index(batch.size()));
-    for (std::size_t k = 0; k < batch.size(); ++k) gathered.col(Eigen::Index(k)) = block.atoms.col(batch[k]);
-    products.noalias() = scan.transposedResidual * gathered;
-    for (std::size_t k = 0; k < batch.size(); ++k) {
-      const float value = products.col(Eigen::Index(k)).lpNorm<1>();
-      block.score[batch[k]] = bound[batch[k]] = value;
-      block.growth[batch[k]] = 0;
-      block.normAtScore[batch[k]] = block.squaredNorm[batch[k]];
-      found.emplace_back(value, batch[k]);
-      raise(scan.best, value);
+  BlockScan work{block, scan, found, bounds(block, scan), {}, {}, {}};
+  const Eigen::Index count = work.bound.size();
+  std::vector<Eigen::Index> open;  // the first atoms of groups that may have a winner
+  for (Eigen::Index begin = 0; begin < count; begin += groupAtoms) {
+    if (work.winners(begin) == 0) continue;
+    const Eigen::Index middle = middleOf(begin, count);
+    if (block.score[middle] < 0) {  // it is excluded and tells nothing
+      open.push_back(begin);
+      continue;
     }
-    batch.clear();
-  };
-  for (Eigen::Index atom = 0; atom < bound.size(); ++atom) {
-    if (!(bound[atom] + 2 * scan.scoreError >= scan.best.load(std::memory_order_relaxed))) continue;
-    batch.push_back(atom);
-    if (Eigen::Index(batch.size()) == batchAtoms) score();
+    work.boundByMiddle(begin, middle);
+    if (work.winners(begin) == 0) continue;
+    open.push_back(begin);
+    work.add(middle);
   }
-  if (!batch.empty()) score();
-  block.highest = bound.maxCoeff();
+  if (!work.batch.empty()) work.evaluate();
+  for (const Eigen::Index begin : open) {
+    const Eigen::Index middle = middleOf(begin, count);
+    const bool known = block.score[middle] >= 0;
+    if (known) work.boundByMiddle(begin, middle);
+    for (Eigen::Index atom = begin; atom < std::min(begin + groupAtoms, count); ++atom)
+      if (!(known && atom == middle) && work.mayWin(atom)) work.add(atom);
+  }
+  if (!work.batch.empty()) work.evaluate();
+  block.highest = work.bound.maxCoeff();
 }
 
 std::vector<Eigen::Index> AtomScores::candidates(const PursuitSpace& space, const TaskControl& control) {
@@ -143,6 +207,7 @@ std::vector<Eigen::Index> AtomScores::candidates(const PursuitSpace& space, cons
   for (std::size_t block = 0; block < blocks_.size(); ++block)
     for (const auto& [score, atom] : found[block])
       if (score >= least) result.push_back(Eigen::Index(block) * blockAtoms + atom);
+  std::sort(result.begin(), result.end());
   return result;
 }
 

@@ -29,13 +29,16 @@ class AtomScores {
   struct Block {
     Eigen::MatrixXf atoms;
     Eigen::ArrayXf squaredNorm;  ///< of what the choices leave of the atom
-    Eigen::ArrayXf score;        ///< when it was evaluated last; huge before, negative of an excluded atom
+    Eigen::ArrayXf score;        ///< when it was evaluated last; huge before, far below 0 of an excluded atom
     Eigen::ArrayXf growth;       ///< by how much it can have risen since: sum of |<removed, a>| reach
     Eigen::ArrayXf normAtScore;  ///< squaredNorm at that time
+    Eigen::ArrayXf distance;     ///< from the atom in the middle of its group, or more
     float highest;               ///< the largest bound of the block, as it was seen last
   };
   struct Scan;
+  struct BlockScan;
 
+  static void measureDistances(Block& block);
   void update(Block& block, const Scan& scan) const;
   Eigen::ArrayXf bounds(const Block& block, const Scan& scan) const;
   void scoreBlock(Block& block, Scan& scan, std::vector<std::pair<float, Eigen::Index>>& found) const;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "core/acquisition/unguided_selection.h"
 #include "core/math/decompositions.h"
@@ -92,12 +93,12 @@ class Search {
   ConditionSearchResult run(const TaskControl& control) {
     Spectrum spectrum(matrix_);
     ConditionSearchResult result{.startConditionNumber = spectrum.condition};
-    // Once around without a move is enough.
-    for (std::size_t still = 0, i = 0; still < rows_.size(); ++still, i = (i + 1) % rows_.size()) {
+    std::size_t still = 0;  // rows in a row that no move helps
+    for (std::size_t i = 0; still < rows_.size(); i = (i + 1) % rows_.size()) {
       control.throwIfStopped();
-      if (!moveRow(i, spectrum)) continue;
-      ++result.moves;
-      still = 0;
+      const bool moved = moveRow(i, spectrum);
+      still = moved ? 0 : still + 1;
+      result.moves += moved;
     }
     result.rows = rows_;
     result.conditionNumber = spectrum.condition;
@@ -162,10 +163,14 @@ ConditionSearchResult searchByCondition(const dictionary::PrincipalComponents& b
   if (count == 1) return longestRow(basis, rows);
   const CandidateGrid grid(basis, rows);
   std::vector<ConditionSearchResult> results(std::size_t(std::max(1, restarts)));
+  // Neighbouring seeds share no start.
+  std::mt19937_64 random(seed);
+  std::vector<std::uint64_t> seeds(results.size());
+  for (std::uint64_t& startSeed : seeds) startSeed = random();
   parallelForBlocks(
       results.size(), 1,
       [&](std::size_t start, std::size_t) {
-        std::vector<std::size_t> chosen = randomIndices(rows.size(), count, seed + start);
+        std::vector<std::size_t> chosen = randomIndices(rows.size(), count, seeds[start]);
         for (std::size_t& index : chosen) index = rows[index];
         results[start] = Search(basis, grid, std::move(chosen)).run(control);
       },
