@@ -34,8 +34,8 @@ int work(const tool::Tool& tool) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Measured materials (BRDFs) without a window: read, check, convert, fit, edit, factor, encode, blend, render,\n"
-      "compare, study.",
+      "Measured materials (BRDFs) without a window: read, check, convert, fit, edit, factor, encode, blend, plan\n"
+      "measurements and reconstruct from them, render, compare, study.",
       "goniotool");
   tool::Tool tool;
   app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
@@ -48,9 +48,10 @@ int main(int argc, char** argv) {
       "A MATERIAL is a MERL .binary, an RGL .bsdf, a .pdv file of factors or a .code (found by content), a .gonio\n"
       "document, or a bundled material such as library:sgd/chrome or library:rgl/paper_blue. Exit code: 0 success, 1 "
       "failure, 2 wrong usage.");
-  for (const auto add : {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit,
-                         tool::addEdit, tool::addFactor, tool::addDictionary, tool::addEncode, tool::addDecode,
-                         tool::addInterpolate, tool::addRender, tool::addScenes, tool::addCompare, tool::addStudy})
+  for (const auto add :
+       {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit, tool::addEdit,
+        tool::addFactor, tool::addDictionary, tool::addEncode, tool::addDecode, tool::addInterpolate, tool::addPlan,
+        tool::addMeasure, tool::addReconstruct, tool::addRender, tool::addScenes, tool::addCompare, tool::addStudy})
     add(app, tool);
   try {
     app.parse(argc, argv);

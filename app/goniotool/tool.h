@@ -42,6 +42,9 @@ void addDictionary(CLI::App& app, Tool& tool);
 void addEncode(CLI::App& app, Tool& tool);
 void addDecode(CLI::App& app, Tool& tool);
 void addInterpolate(CLI::App& app, Tool& tool);
+void addPlan(CLI::App& app, Tool& tool);
+void addMeasure(CLI::App& app, Tool& tool);
+void addReconstruct(CLI::App& app, Tool& tool);
 void addStudy(CLI::App& app, Tool& tool);
 
 }  // namespace gonio::tool

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/bases.h"
+
+#include <chrono>
+
+#include "app/goniotool/training_files.h"
+#include "core/io/bundled_library.h"
+
+namespace gonio::tool {
+
+namespace {
+
+std::vector<std::string> bundledMaterials() {
+  std::vector<std::string> paths;
+  for (const io::LibraryEntry& entry : io::bundledLibrary()) paths.push_back(std::string(io::libraryScheme) + entry.id);
+  return paths;
+}
+
+}  // namespace
+
+std::shared_ptr<const io::BasisFile> learnBasis(const std::vector<std::string>& sources,
+                                                const std::vector<std::string>& excluded, int mostComponents,
+                                                const Tool& tool, double& seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto materials = trainingMaterials(trainingFiles(sources.empty() ? bundledMaterials() : sources, excluded));
+  auto basis = std::make_shared<io::BasisFile>();
+  basis->components = dictionary::learnPrincipalComponents(
+      materials.names.size(), materials.load, {.mostComponents = mostComponents},
+      tool.control("learning from " + std::to_string(materials.names.size()) + " materials"));
+  basis->learnedFrom = materials.names;
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return basis;
+}
+
+std::filesystem::path basisBeside(const std::string& plan) {
+  return std::filesystem::path(plan).replace_extension(".basis");
+}
+
+}  // namespace gonio::tool

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/goniotool/tool.h"
+#include "core/io/basis_file.h"
+
+namespace gonio::tool {
+
+/// The principal components of materials as trainingFiles() finds them; of none, of the bundled library.
+/// @param seconds how long the learning took, reading included.
+std::shared_ptr<const io::BasisFile> learnBasis(const std::vector<std::string>& sources,
+                                                const std::vector<std::string>& excluded, int mostComponents,
+                                                const Tool& tool, double& seconds);
+
+/// Where the basis of a plan lies: beside it, PLAN.csv has PLAN.basis.
+std::filesystem::path basisBeside(const std::string& plan);
+
+}  // namespace gonio::tool

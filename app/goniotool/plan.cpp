@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include "app/goniotool/bases.h"
+#include "app/goniotool/report.h"
+#include "core/acquisition/sample_selection.h"
+#include "core/acquisition/sampling_plan.h"
+#include "core/io/plan_file.h"
+
+namespace gonio::tool {
+
+namespace {
+
+using namespace acquisition;
+
+/// In the order of SelectionMethod.
+constexpr std::array<const char*, 5> methodNames{"somp", "somp-first-columns", "condition-number", "random", "uniform"};
+
+struct Options {
+  std::vector<std::string> train, excluded, forbidden;
+  std::string out, method = methodNames[0];
+  SelectionOptions selection;
+  int basisComponents = 0;
+  double largestPolarDegrees = 85, separationDegrees = 0;
+  bool single = false;
+};
+
+/// "theta_o=70:90,phi=0:20".
+ForbiddenRegion forbiddenRegion(const std::string& text) {
+  ForbiddenRegion region;
+  const std::string expected = ", expected such as theta_o=70:90 or theta_i=0:10,phi=0:20 (degrees)";
+  for (const std::string& part : CLI::detail::split(text, ',')) {
+    const auto equals = part.find('='), colon = part.find(':');
+    double lowest = 0, highest = 0;
+    if (equals == std::string::npos || colon == std::string::npos || colon < equals ||
+        !CLI::detail::lexical_cast(part.substr(equals + 1, colon - equals - 1), lowest) ||
+        !CLI::detail::lexical_cast(part.substr(colon + 1), highest))
+      throw UsageError("plan: found --forbid " + text + expected);
+    const std::string name = part.substr(0, equals);
+    const AngleRange range{radians(lowest), radians(highest)};
+    if (name == "theta_i")
+      region.thetaI = range;
+    else if (name == "theta_o")
+      region.thetaO = range;
+    else if (name == "phi")
+      region.azimuthDifference = range;
+    else
+      throw UsageError("plan: found --forbid " + text + expected);
+  }
+  return region;
+}
+
+SelectionOptions selectionOptions(const Options& options) {
+  SelectionOptions selection = options.selection;
+  selection.method = SelectionMethod(std::ranges::find(methodNames, options.method) - methodNames.begin());
+  selection.measurable.largestPolarAngle = radians(options.largestPolarDegrees);
+  selection.measurable.smallestSeparation = radians(options.separationDegrees);
+  for (const std::string& text : options.forbidden) selection.measurable.forbidden.push_back(forbiddenRegion(text));
+  selection.measurable.check();
+  return selection;
+}
+
+double travelDegrees(const SamplingPlan& plan) {
+  DirectionPair at;
+  double sum = 0;
+  for (const std::size_t next : plan.travel()) {
+    sum += armTravel(at, plan.samples[next].directions);
+    at = plan.samples[next].directions;
+  }
+  return degrees(sum);
+}
+
+void report(const Options& options, const SamplingPlan& plan, const SampleSelection& selection,
+            const io::BasisFile& basis, double trainingSeconds, double seconds, const Tool& tool) {
+  const std::string basisPath = basisBeside(options.out).string();
+  Json json{{"samples", plan.samples.size()},
+            {"method", options.method},
+            {"seconds", seconds},
+            {"trainingSeconds", trainingSeconds},
+            {"materials", basis.learnedFrom.size()},
+            {"signals", basis.components.svd.v.rows()},
+            {"components", basis.components.count()},
+            {"conditionNumber", decibelsJson(selection.conditionNumber)},
+            {"residuals", selection.residuals},
+            {"travel", travelDegrees(plan)},
+            {"out", options.out},
+            {"basis", basisPath}};
+  if (!selection.warning.empty()) json["warnings"] = Json::array({selection.warning});
+  print(tool, json,
+        options.out + ": " + std::to_string(plan.samples.size()) + " samples by " + options.method + " in " +
+            number(seconds) + " s, condition number " + number(selection.conditionNumber) + ", travel of the arms " +
+            number(travelDegrees(plan)) + " degrees\n" + basisPath + ": " + std::to_string(basis.components.count()) +
+            " components of " + std::to_string(basis.learnedFrom.size()) + " materials, learned in " +
+            number(trainingSeconds) + " s\n" + (selection.warning.empty() ? "" : selection.warning + "\n"));
+}
+
+int plan(const Options& options, const Tool& tool) {
+  const SelectionOptions chosen = selectionOptions(options);
+  const std::filesystem::path basisPath = basisBeside(options.out);
+  if (basisPath == std::filesystem::path(options.out))
+    throw UsageError("plan: --out " + options.out + " is the name of its basis; name the plan such as PLAN.csv");
+  double trainingSeconds = 0;
+  const int components = std::max({chosen.samples, chosen.components, options.basisComponents});
+  const auto basis = learnBasis(options.train, options.excluded, components, tool, trainingSeconds);
+  const auto start = std::chrono::steady_clock::now();
+  const SampleSelection selection = selectSamples(basis->components, chosen, tool.control("choosing directions"));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  SamplingPlan plan = planFor(basis->components.mapping.grid, selection.cells);
+  plan.method = options.method;
+  io::writePlan(
+      plan, options.out,
+      {"learned from " + std::to_string(basis->learnedFrom.size()) + " materials",
+       "angles in degrees, i is the light, o the viewer; of an isotropic material only phi_o - phi_i matters"});
+  io::writeBasis(basis->components, basis->components.count(), basis->learnedFrom, basisPath,
+                 options.single ? io::BasisPrecision::single : io::BasisPrecision::half);
+  report(options, plan, selection, *basis, trainingSeconds, seconds, tool);
+  return 0;
+}
+
+}  // namespace
+
+void addPlan(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  SelectionOptions& selection = options->selection;
+  CLI::App* command = app.add_subcommand("plan", "The directions at which to measure a material");
+  command->add_option("--train", options->train,
+                      "Folders of .binary and .bsdf files, or files, to learn from (the bundled library)");
+  command->add_option("--exclude", options->excluded, "Names of materials to leave out")->delimiter(',');
+  command->add_option("--samples", selection.samples, "How many directions")->required()->check(CLI::Range(1, 4096));
+  command->add_option("--out", options->out, "CSV to write; beside it comes its basis, of the suffix .basis")
+      ->required();
+  command->add_option("--method", options->method, "somp, somp-first-columns, condition-number, random, uniform (somp)")
+      ->check(CLI::IsMember(std::vector<std::string>(methodNames.begin(), methodNames.end())));
+  command->add_option("--components", selection.components, "That the choice looks at (as many as samples)")
+      ->check(CLI::Range(1, 65535));
+  command->add_option("--basis-components", options->basisComponents, "That the basis keeps (as many as samples)")
+      ->check(CLI::Range(1, 65535));
+  command->add_option("--max-polar", options->largestPolarDegrees, "Largest polar angle of both arms, degrees (85)")
+      ->check(CLI::Range(0.0, 90.0));
+  command->add_option("--min-separation", options->separationDegrees, "Of the two arms, degrees (0)")
+      ->check(CLI::Range(0.0, 180.0));
+  command
+      ->add_option("--forbid", options->forbidden,
+                   "What the rig cannot reach, such as theta_o=70:90 or theta_i=0:10,phi=0:20; repeatable")
+      ->allow_extra_args(false);
+  command->add_option("--seed", selection.seed, "Of condition-number and random (1)");
+  command->add_option("--restarts", selection.restarts, "Of condition-number")->check(CLI::Range(1, 10000));
+  command->add_flag("--single", options->single, "The basis in single precision, not in half");
+  command->callback([options, &tool] { tool.run = [options, &tool] { return plan(*options, tool); }; });
+}
+
+}  // namespace gonio::tool

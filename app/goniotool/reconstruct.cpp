@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <algorithm>
+#include <chrono>
+
+#include "app/goniotool/bases.h"
+#include "app/goniotool/materials.h"
+#include "app/goniotool/report.h"
+#include "core/acquisition/reconstruction.h"
+#include "core/io/plan_file.h"
+#include "core/io/values_file.h"
+
+namespace gonio::tool {
+
+namespace {
+
+using namespace acquisition;
+
+struct Options {
+  std::string plan, values, out, basis, ridge = "40", method{reconstructionMethodNames[0]}, uncertainty;
+  std::vector<std::string> train, excluded;
+  ReconstructionOptions reconstruction;
+};
+
+ReconstructionOptions reconstructionOptions(const Options& options) {
+  ReconstructionOptions result = options.reconstruction;
+  result.method = ReconstructionMethod(std::ranges::find(reconstructionMethodNames, options.method) -
+                                       reconstructionMethodNames.begin());
+  result.ridge.reset();
+  if (options.ridge != "auto") {
+    double ridge = 0;
+    if (!CLI::detail::lexical_cast(options.ridge, ridge) || !(ridge >= 0))
+      throw UsageError("reconstruct: found --ridge " + options.ridge + ", expected a number, 0 or more, or auto");
+    result.ridge = ridge;
+  }
+  result.uncertainty = result.method == ReconstructionMethod::ridge;
+  if (!options.uncertainty.empty() && !result.uncertainty)
+    throw UsageError("reconstruct: --uncertainty is of --method ridge alone");
+  return result;
+}
+
+/// Named, else learned, else the one beside the plan.
+std::shared_ptr<const io::BasisFile> basisOf(const Options& options, std::size_t samples, const Tool& tool,
+                                             double& trainingSeconds) {
+  if (!options.basis.empty()) return io::readBasis(options.basis);
+  const std::filesystem::path beside = basisBeside(options.plan);
+  if (!options.train.empty()) {
+    const int components = options.reconstruction.components;
+    return learnBasis(options.train, options.excluded, components > 0 ? components : int(samples), tool,
+                      trainingSeconds);
+  }
+  if (!std::filesystem::exists(beside))
+    throw Error(beside.string() +
+                ": not found: the basis that goniotool plan writes beside a plan; name another by "
+                "--basis or materials to learn from by --train");
+  return io::readBasis(beside);
+}
+
+/// The deviations as a table: of each cell its own in all channels.
+std::shared_ptr<const TabulatedBrdf> deviationTable(const dictionary::MappedCells& mapping,
+                                                    const std::vector<float>& deviation) {
+  std::vector<TabulatedBrdf::Value> values(mapping.grid.size(), TabulatedBrdf::Value(0));
+  std::vector<std::uint8_t> valid(mapping.grid.size(), 0);
+  for (std::size_t i = 0; i < deviation.size(); ++i) {
+    values[mapping.cells[i]] = TabulatedBrdf::Value(deviation[i]);
+    valid[mapping.cells[i]] = 1;
+  }
+  return std::make_shared<const TabulatedBrdf>(mapping.grid, std::move(values), std::move(valid));
+}
+
+float medianOf(std::vector<float> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void report(const Options& options, const Reconstruction& found, std::size_t samples, double seconds,
+            double trainingSeconds, const Tool& tool) {
+  Json json{{"method", options.method},
+            {"samples", samples},
+            {"components", found.components},
+            {"ridge", found.ridge},
+            {"leaveOneOutError", decibelsJson(found.leaveOneOutError)},
+            {"cappedValues", found.cappedCount},
+            {"seconds", seconds},
+            {"out", options.out}};
+  std::string text = options.out + ": from " + std::to_string(samples) + " samples, " +
+                     std::to_string(found.components) + " components, ridge " + number(found.ridge) + ", " +
+                     number(seconds) + " s\n";
+  if (std::isfinite(found.leaveOneOutError))
+    text += "a sample is predicted from the others to " + number(found.leaveOneOutError) +
+            " of its mapped value (root mean square)\n";
+  if (!found.deviation.empty()) {
+    const double median = medianOf(found.deviation);
+    json["medianDeviation"] = median;
+    text += "median uncertainty of a mapped value " + number(median) + "\n";
+  }
+  if (trainingSeconds > 0) json["trainingSeconds"] = trainingSeconds;
+  if (!options.uncertainty.empty()) json["uncertainty"] = options.uncertainty;
+  print(tool, json, text);
+}
+
+int reconstruct(const Options& options, const Tool& tool) {
+  checkOutput(options.out);
+  if (!options.uncertainty.empty()) checkOutput(options.uncertainty);
+  const ReconstructionOptions chosen = reconstructionOptions(options);
+  const SamplingPlan plan = io::readPlan(options.plan);
+  const MeasuredValues values = io::readValues(options.values, plan);
+  double trainingSeconds = 0;
+  const auto basis = basisOf(options, plan.samples.size(), tool, trainingSeconds);
+  const auto start = std::chrono::steady_clock::now();
+  const Reconstruction found =
+      acquisition::reconstruct(basis->components, plan, values, chosen, tool.control("reconstructing"));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  writeMaterial(*found.table, options.out);
+  if (!options.uncertainty.empty())
+    writeMaterial(*deviationTable(basis->components.mapping, found.deviation), options.uncertainty);
+  report(options, found, plan.samples.size(), seconds, trainingSeconds, tool);
+  return 0;
+}
+
+}  // namespace
+
+void addReconstruct(CLI::App& app, Tool& tool) {
+  const auto options = std::make_shared<Options>();
+  ReconstructionOptions& reconstruction = options->reconstruction;
+  CLI::App* command = app.add_subcommand("reconstruct", "A whole material from the values measured by a plan");
+  command->add_option("--plan", options->plan, "CSV of the directions")->required();
+  command->add_option("--values", options->values, "CSV of what was measured there")->required();
+  command->add_option("--out", options->out, "The material (.binary)")->required();
+  command->add_option("--basis", options->basis, "A .basis file (the one beside the plan)");
+  command->add_option("--train", options->train, "Learn the basis from these folders or files instead");
+  command->add_option("--exclude", options->excluded, "Names of materials to leave out of that")->delimiter(',');
+  command->add_option("--method", options->method, "ridge or sparse (ridge)")
+      ->check(
+          CLI::IsMember(std::vector<std::string>(reconstructionMethodNames.begin(), reconstructionMethodNames.end())));
+  command->add_option("--ridge", options->ridge, "A number, or auto for the one by leave-one-out (40)");
+  command->add_option("--components", reconstruction.components, "Of the basis (as many as samples)")
+      ->check(CLI::Range(1, 65535));
+  command->add_option("--atoms", reconstruction.atoms, "Components that sparse takes (by leave-one-out)")
+      ->check(CLI::Range(1, 65535));
+  command->add_option("--uncertainty", options->uncertainty,
+                      "Standard deviations of the mapped values as a table (.binary)");
+  command->callback([options, &tool] { tool.run = [options, &tool] { return reconstruct(*options, tool); }; });
+}
+
+}  // namespace gonio::tool
