@@ -138,6 +138,9 @@ class ReaderMutationTest : public QObject {
     readImageBytes(exrSeed());
     readDocumentBytes(documentSeed());
     readSceneBytes(sceneSeed());
+    readPlanBytes(planSeed());
+    readValuesBytes(valuesSeed());
+    readBasisBytes(basisSeed());
   }
 
   void merl() { check("merl.binary", merlSeed(), readMaterialBytes); }
@@ -150,6 +153,9 @@ class ReaderMutationTest : public QObject {
   void hdr() { check("picture.hdr", hdrSeed(), readImageBytes); }
   void exr() { check("picture.exr", exrSeed(), readImageBytes); }
   void document() { check("edit.gonio", documentSeed(), readDocumentBytes); }
+  void plan() { check("plan.csv", planSeed(), readPlanBytes); }
+  void values() { check("values.csv", valuesSeed(), readValuesBytes); }
+  void basis() { check("pca.basis", basisSeed(), readBasisBytes); }
   void scene() { check("scene.json", sceneSeed(), readSceneBytes); }
 };
 

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "core/io/basis_file.h"
 #include "core/io/code_file.h"
 #include "tests/core/io/synthetic_tensors.h"
+#include "tests/support/smooth_materials.h"
 
 /// Small valid files of every format, from which mutations start.
 namespace gonio::fuzz {
@@ -67,6 +69,24 @@ inline Bytes dictionarySeed() {
   const auto path = test::outputPath("fuzz/seed.dictionary");
   io::writeDictionary(ensemble, path);
   return test::readFile(path);
+}
+
+/// With a byte order mark, comments, semicolons and decimal commas.
+inline Bytes planSeed() {
+  return bytesOf(
+      "\xEF\xBB\xBF# method: somp\r\nindex;theta_i;phi_i;theta_o;phi_o;theta_h;order\r\n1;10,5;0;20;180;4;2\r\n"
+      "2;30;-45,25;40;90;5;1\r\n3;85;359;\"0\";0;6;3\r\n");
+}
+
+inline Bytes valuesSeed() {
+  return bytesOf("index,r,g,b,noise_r,noise_g,noise_b\n1,0.5,1e-3,7,0.1,0.2,0\n3,1,2,3,4,5,6\n2,+0,0,0,1,1,1\n");
+}
+
+/// Two components over a grid of 3 x 2 x 2.
+inline Bytes basisSeed() {
+  const auto basis =
+      testing::learnFrom(testing::smoothMaterials(2, {.thetaHCount = 3, .thetaDCount = 2, .phiDCount = 2}));
+  return io::encodeBasis(basis, 2, {"one", "two"});
 }
 
 /// Names of the rows, a byte 0, then a table of two rows.

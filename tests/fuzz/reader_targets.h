@@ -9,12 +9,15 @@
 
 #include "core/editing/edit_document.h"
 #include "core/geometry/mesh_intersector.h"
+#include "core/io/basis_file.h"
 #include "core/io/code_file.h"
 #include "core/io/image_io.h"
 #include "core/io/material.h"
 #include "core/io/npf_file.h"
 #include "core/io/obj_file.h"
 #include "core/io/pdv_file.h"
+#include "core/io/plan_file.h"
+#include "core/io/values_file.h"
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/scene_file.h"
 
@@ -66,6 +69,42 @@ inline void readDictionaryBytes(std::span<const std::byte> bytes) {
     throw std::logic_error("a dictionary that is not orthonormal");
 }
 
+inline std::string_view textOf(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// What was read stands above the horizon and is the same when it is written and read again, to its six decimals.
+inline void readPlanBytes(std::span<const std::byte> bytes) {
+  const acquisition::SamplingPlan plan = io::parsePlan(textOf(bytes));
+  const acquisition::SamplingPlan again = io::parsePlan(io::planCsv(plan));
+  for (std::size_t i = 0; i < plan.samples.size(); ++i) {
+    const DirectionPair &pair = plan.samples[i].directions, &other = again.samples[i].directions;
+    if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) throw std::logic_error("a direction below the horizon");
+    if (!(acquisition::armTravel(pair, other) < 1e-6)) throw std::logic_error("a direction that is lost in its file");
+  }
+}
+
+/// Of a plan with the indices 1 to 3.
+inline void readValuesBytes(std::span<const std::byte> bytes) {
+  acquisition::SamplingPlan plan;
+  for (const int index : {1, 2, 3}) plan.samples.push_back({index, {}, index});
+  const acquisition::MeasuredValues values = io::parseValues(textOf(bytes), plan);
+  if (values.rgb.size() != 3 || (!values.noise.empty() && values.noise.size() != 3))
+    throw std::logic_error("not one value a sample");
+  for (const auto* list : {&values.rgb, &values.noise})
+    for (const Rgb& value : *list)
+      for (int channel = 0; channel < 3; ++channel)
+        if (!std::isfinite(value[channel]) || value[channel] < 0) throw std::logic_error("a value that is none");
+}
+
+/// What was read decodes.
+inline void readBasisBytes(std::span<const std::byte> bytes) {
+  const auto basis = io::readBasis(io::MemorySource(bytes));
+  dictionary::ComponentCode code;
+  for (Eigen::VectorXf& channel : code.channels) channel.setOnes(basis->components.count());
+  checkValues(*dictionary::decode(basis->components, code));
+}
+
 /// What was read has unit normals, and rays meet it.
 inline void readObjBytes(std::span<const std::byte> bytes) {
   const auto mesh = std::make_shared<const TriangleMesh>(io::readObj(io::MemorySource(bytes)));
@@ -86,7 +125,7 @@ inline void readImageBytes(std::span<const std::byte> bytes) {
 }
 
 inline void readDocumentBytes(std::span<const std::byte> bytes) {
-  const auto document = editing::documentFromText({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  const auto document = editing::documentFromText(std::string(textOf(bytes)));
   for (const editing::Edit& edit : document.edits) {
     if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit))
       differential->model->instantiate(differential->edited);
@@ -98,7 +137,7 @@ inline void readDocumentBytes(std::span<const std::byte> bytes) {
 
 /// What was read can be planned. Files that the text names are not opened.
 inline void readSceneBytes(std::span<const std::byte> bytes) {
-  const Scene scene = parseScene({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, 2);
+  const Scene scene = parseScene(std::string(textOf(bytes)), 2);
   const std::vector<std::shared_ptr<const TracedMaterial>> grey(2, diffuseMaterial(Rgb(0.5)));
   const EffectPlan plan = planEffects(scene, bindMaterials(scene, grey));
   if (plan.reflections < 0 || !(plan.remainder >= 0) || !(scene.camera.distance > 0))
