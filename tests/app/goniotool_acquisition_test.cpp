@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <cmath>
+
+#include "core/acquisition/sampling_plan.h"
+#include "core/io/basis_file.h"
+#include "core/io/plan_file.h"
+#include "core/metrics/brdf_metrics.h"
+#include "tests/app/goniotool_runner.h"
+
+using namespace gonio;
+using namespace gonio::test;
+
+/// goniotool plan, measure and reconstruct: from materials to a plan, to values, to a material.
+class GoniotoolAcquisitionTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    for (int i = 0; i < 4; ++i)
+      folder_.writeTable(QString("train%1.binary").arg(i), "ggx",
+                         {{Rgb(0.1 + 0.1 * i, 0.3, 0.5 - 0.1 * i), Rgb(0.9 - 0.2 * i), Rgb(0.1 + 0.15 * i), Rgb(0.1)}},
+                         HalfDifferenceGrid());
+    plan_ = folder_.path("plan.csv");
+    planned_ = runJson({"plan", "--train", folder_.path(), "--samples", "12", "--max-polar", "80", "--min-separation",
+                        "3", "--forbid", "theta_o=60:90", "--out", plan_});
+    VERIFY_SUCCESS(planned_);
+  }
+
+  void plan() {
+    QCOMPARE(planned_.json["method"].get<std::string>(), std::string("somp"));
+    QCOMPARE(planned_.json["signals"].get<int>(), 12);
+    QCOMPARE(planned_.json["materials"].get<int>(), 4);
+    const auto plan = io::readPlan(plan_.toStdString());
+    QCOMPARE(plan.samples.size(), planned_.json["samples"].get<std::size_t>());
+    QCOMPARE(plan.method, std::string("somp"));
+    for (const acquisition::PlannedSample& sample : plan.samples) {
+      QVERIFY(polarAngle(sample.directions.wi) < radians(80.001));
+      QVERIFY(polarAngle(sample.directions.wo) < radians(60));
+      QVERIFY(glm::length(sample.directions.wi - sample.directions.wo) > 2 * std::sin(radians(1.49)));
+    }
+    const auto basis = io::readBasis(std::filesystem::path(planned_.json["basis"].get<std::string>()));
+    QCOMPARE(QString::fromStdString(planned_.json["basis"]), folder_.path("plan.basis"));
+    QCOMPARE(basis->learnedFrom.size(), std::size_t(4));
+    QCOMPARE(basis->components.count(), planned_.json["components"].get<int>());
+  }
+
+  /// With the three arguments alone: the basis beside the plan. A material of the training set comes back with a small
+  /// ridge, by the basis or by learning again.
+  void reconstructs() {
+    const QString values = folder_.path("values.csv"), out = folder_.path("out.binary");
+    const QString material = folder_.path("train1.binary");
+    VERIFY_SUCCESS(runJson({"measure", material, "--plan", plan_, "--out", values}));
+    const ToolResult plain = runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out});
+    VERIFY_SUCCESS(plain);
+    QCOMPARE(plain.json["ridge"].get<double>(), 40.0);
+    const auto errorOf = [&] { return metrics::brdfErrors(*readTable(material), *readTable(out))[0]; };
+    const double published = errorOf();
+    const QString uncertainty = folder_.path("uncertainty.binary");
+    const ToolResult exact = runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge",
+                                      "1e-6", "--uncertainty", uncertainty});
+    VERIFY_SUCCESS(exact);
+    QVERIFY2(errorOf() < 0.02 * published, qPrintable(QString::number(errorOf() / published)));
+    QVERIFY(exact.json["medianDeviation"].get<double>() < plain.json["medianDeviation"].get<double>());
+    QCOMPARE(readTable(uncertainty)->validCount(), readTable(out)->validCount());
+    VERIFY_SUCCESS(runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge", "1e-6",
+                            "--train", folder_.path(), "--exclude", "out,uncertainty"}));
+    QVERIFY(errorOf() < 0.02 * published);
+    const ToolResult automatic =
+        runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge", "auto"});
+    VERIFY_SUCCESS(automatic);
+    QVERIFY(automatic.json["ridge"].get<double>() < 40);
+    VERIFY_SUCCESS(runJson(
+        {"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--method", "sparse", "--atoms", "3"}));
+    for (const char* name : {"out.binary", "uncertainty.binary"}) QFile::remove(folder_.path(name));
+  }
+
+  void noise() {
+    const QString values = folder_.path("noisy.csv"), again = folder_.path("again.csv");
+    const QStringList measure{"measure",        folder_.path("train2.binary"),
+                              "--plan",         plan_,
+                              "--noise",        "0.1",
+                              "--floor",        "0.001",
+                              "--misalignment", "0.5",
+                              "--out"};
+    VERIFY_SUCCESS(runJson(measure + QStringList{values}));
+    VERIFY_SUCCESS(runJson(measure + QStringList{again}));
+    QVERIFY(bytesOf(values).startsWith("index,r,g,b,noise_r,noise_g,noise_b\n") && bytesOf(values) == bytesOf(again));
+    VERIFY_SUCCESS(runJson(measure + QStringList{again, "--seed", "2"}));
+    QVERIFY(bytesOf(values) != bytesOf(again));
+    const ToolResult found =
+        runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", folder_.path("noisy.binary")});
+    VERIFY_SUCCESS(found);
+    QFile::remove(folder_.path("noisy.binary"));
+  }
+
+  void mistakesAreTold() {
+    const QString values = folder_.path("bad.csv"), out = folder_.path("never.binary");
+    folder_.writeText("bad.csv", "index,r,g,b\n1,1,1,1\n1,2,2,2\n");
+    const ToolResult twice = runTool({"reconstruct", "--plan", plan_, "--values", values, "--out", out});
+    QCOMPARE(twice.code, 1);
+    QCOMPARE(twice.errorLines(), 1);
+    QVERIFY(twice.error.contains("bad.csv") && twice.error.contains("line 3"));
+    folder_.writeText("alone.csv", "index,theta_i,phi_i,theta_o,phi_o\n1,20,0,30,180\n");
+    folder_.writeText("one.csv", "index,r,g,b\n1,1,1,1\n");
+    const QStringList alone{"reconstruct", "--plan", folder_.path("alone.csv"), "--values", folder_.path("one.csv"),
+                            "--out",       out};
+    const ToolResult noBasis = runTool(alone);
+    QCOMPARE(noBasis.code, 1);
+    QVERIFY(noBasis.error.contains("alone.basis"));
+    VERIFY_SUCCESS(runTool(alone + QStringList{"--basis", folder_.path("plan.basis")}));
+    QVERIFY(QFile::remove(out));
+    QCOMPARE(runTool(alone + QStringList{"--ridge", "much"}).code, 2);
+    QCOMPARE(runTool(alone + QStringList{"--method", "sparse", "--uncertainty", out}).code, 2);
+    const QStringList plan{"plan", "--train", folder_.path("train0.binary"), "--samples", "3", "--out"};
+    QCOMPARE(runTool(plan + QStringList{folder_.path("x.csv"), "--forbid", "theta=1:2"}).code, 2);
+    QCOMPARE(runTool(plan + QStringList{folder_.path("x.basis")}).code, 2);
+    QCOMPARE(runTool({"plan", "--samples", "0", "--out", folder_.path("x.csv")}).code, 2);
+    QVERIFY(!QFile::exists(folder_.path("x.csv")) && !QFile::exists(out));
+  }
+
+  void zEveryKeyIsDocumented() {
+    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
+    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
+  }
+
+ private:
+  TestFolder folder_{"goniotool-acquisition"};
+  QString plan_;
+  ToolResult planned_;
+};
+
+QTEST_GUILESS_MAIN(GoniotoolAcquisitionTest)
+#include "goniotool_acquisition_test.moc"
