@@ -63,7 +63,8 @@ GramSvd decomposeGramSvd(TallMatrix matrix, int mostComponents, const TaskContro
       control.between(gramShare, 1));
   matrix.columns = count;
   matrix.values.resize(rows * std::size_t(count));
-  matrix.values.shrink_to_fit();
+  // Giving memory back takes a copy for a moment: not worth it for a few columns of gigabytes.
+  if (matrix.values.size() < matrix.values.capacity() / 2) matrix.values.shrink_to_fit();
   result.u = std::move(matrix);
   return result;
 }
