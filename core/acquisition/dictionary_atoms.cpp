@@ -2,36 +2,16 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/acquisition/dictionary_atoms.h"
 
-#include <cmath>
-
-#include "core/math/parallel.h"
+#include <utility>
 
 namespace gonio::acquisition {
 
-namespace {
-
-constexpr std::size_t blockAtoms = 4096;
-constexpr float shortest = 1e-15f;
-
-}  // namespace
-
 DictionaryAtoms::DictionaryAtoms(const dictionary::PrincipalComponents& basis, int components,
-                                 const std::vector<std::size_t>& rows)
+                                 std::vector<std::size_t> rows)
     : basis_(basis),
       inverseSigma_(basis.svd.singularValues[components - 1] *
                     basis.svd.singularValues.head(components).cwiseInverse()),
-      rows_(rows) {
-  std::vector<char> usable(rows_.size());
-  parallelForBlocks(rows_.size(), blockAtoms, [&](std::size_t begin, std::size_t end) {
-    const auto u = basis_.svd.u.view();
-    for (Eigen::Index k = 0; k < length(); ++k)
-      for (std::size_t atom = begin; atom < end; ++atom) usable[atom] |= u(Eigen::Index(rows_[atom]), k) != 0;
-  });
-  std::size_t kept = 0;
-  for (std::size_t atom = 0; atom < rows_.size(); ++atom)
-    if (usable[atom]) rows_[kept++] = rows_[atom];
-  rows_.resize(kept);
-}
+      rows_(std::move(rows)) {}
 
 Eigen::VectorXd DictionaryAtoms::column(std::size_t row) const {
   return basis_.svd.u.view()
@@ -44,6 +24,7 @@ Eigen::VectorXd DictionaryAtoms::column(std::size_t row) const {
 
 Eigen::MatrixXf DictionaryAtoms::inSinglePrecision(Eigen::Index begin, Eigen::Index end) const {
   const auto u = basis_.svd.u.view();
+  constexpr float shortest = 1e-15f;
   Eigen::MatrixXf atoms(length(), end - begin);
   for (Eigen::Index k = 0; k < length(); ++k)
     for (Eigen::Index atom = begin; atom < end; ++atom)
@@ -51,7 +32,7 @@ Eigen::MatrixXf DictionaryAtoms::inSinglePrecision(Eigen::Index begin, Eigen::In
   for (Eigen::Index atom = begin; atom < end; ++atom) {
     auto column = atoms.col(atom - begin);
     const float norm = column.norm();
-    // The shortest have lost digits.
+    // Below this digits are lost; 0 stays 0.
     if (norm > shortest)
       column /= norm;
     else

@@ -11,11 +11,12 @@
 namespace gonio::acquisition {
 
 /// What each cell tells about a code: the columns of D^-1 = Sigma_p^-1 U_p^T, the left inverse of the dictionary of the
-/// first p components, at unit length. Rows are indices into the basis' mapping, atoms into these rows.
+/// first p components, at unit length; a column of 0 stays 0, and its score with it. Rows are indices into the basis'
+/// mapping, atoms into these rows.
 class DictionaryAtoms {
  public:
-  /// @param rows ascending; those whose column is 0 are left out.
-  DictionaryAtoms(const dictionary::PrincipalComponents& basis, int components, const std::vector<std::size_t>& rows);
+  /// @param components 1 or more. @param rows ascending. The basis must outlive this.
+  DictionaryAtoms(const dictionary::PrincipalComponents& basis, int components, std::vector<std::size_t> rows);
 
   Eigen::Index count() const { return Eigen::Index(rows_.size()); }
   Eigen::Index length() const { return inverseSigma_.size(); }

@@ -3,7 +3,9 @@
 #include "core/acquisition/condition_search.h"
 
 #include <QTest>
+#include <chrono>
 #include <numeric>
+#include <thread>
 
 #include "core/acquisition/unguided_selection.h"
 #include "core/math/parallel.h"
@@ -177,11 +179,15 @@ class ConditionSearchTest : public QObject {
     }
   }
 
+  /// In the middle of one search.
   void cancelled() {
+    const auto basis = smoothBasis(60, 5);
     std::stop_source source;
-    source.request_stop();
-    const auto basis = smoothBasis(10, 5);
-    QVERIFY_EXCEPTION_THROWN(searchByCondition(basis, allRows(basis), 7, 1, 4, {.stop = source.get_token()}),
+    const std::jthread stopper([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      source.request_stop();
+    });
+    QVERIFY_EXCEPTION_THROWN(searchByCondition(basis, allRows(basis), 60, 1, 1, {.stop = source.get_token()}),
                              Cancelled);
   }
 };
