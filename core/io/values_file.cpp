@@ -2,13 +2,17 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/io/values_file.h"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
 
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/io/csv_text.h"
+#include "core/math/spectrum.h"
 #include "core/support/naming_file.h"
 #include "core/support/number_text.h"
 
@@ -20,29 +24,84 @@ using acquisition::MeasuredValues;
 using acquisition::SamplingPlan;
 
 constexpr std::uint64_t mostBytes = 1 << 24;
-using Columns = std::array<std::size_t, 3>;
+constexpr double shortestWavelength = 100, longestWavelength = 3000;
+constexpr std::size_t leastWavelengths = 3;
 
-Columns valueColumns(const CsvText& csv) {
-  return {csv.neededColumn("r"), csv.neededColumn("g"), csv.neededColumn("b")};
+/// A value is the sum of fields times weights.
+struct ValueColumns {
+  std::vector<std::size_t> columns;
+  std::vector<Rgb> weights;
+};
+using NoiseColumns = std::array<std::size_t, 3>;
+
+/// "550", "550nm", "550.5 nm".
+std::optional<double> wavelengthOf(const std::string& name) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), value);
+  if (error != std::errc() || !(value >= shortestWavelength && value <= longestWavelength)) return std::nullopt;
+  const std::string rest(end, name.data() + name.size());
+  if (rest.empty() || rest == "nm" || rest == " nm") return value;
+  return std::nullopt;
+}
+
+ValueColumns wavelengthColumns(const CsvText& csv) {
+  std::map<double, std::size_t> byWavelength;
+  for (std::size_t column = 0; column < csv.names.size(); ++column)
+    if (const auto wavelength = wavelengthOf(csv.names[column]))
+      if (!byWavelength.emplace(*wavelength, column).second)
+        throw Error("line " + std::to_string(csv.namesLine) + ": found two columns of " + numberText(*wavelength) +
+                    " nm, expected one");
+  if (byWavelength.size() < leastWavelengths) return {};
+  std::vector<double> wavelengths;
+  ValueColumns result;
+  for (const auto& [wavelength, column] : byWavelength) {
+    wavelengths.push_back(wavelength);
+    result.columns.push_back(column);
+  }
+  result.weights = spectrumWeights(wavelengths);
+  return result;
+}
+
+/// r, g, b; or where there are none of these, wavelengths.
+ValueColumns valueColumns(const CsvText& csv) {
+  if (!csv.column("r") && !csv.column("g") && !csv.column("b"))
+    if (ValueColumns spectrum = wavelengthColumns(csv); !spectrum.columns.empty()) return spectrum;
+  return {{csv.neededColumn("r"), csv.neededColumn("g"), csv.neededColumn("b")},
+          {Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1)}};
 }
 
 /// Of each channel its own, or one for all.
-std::optional<Columns> noiseColumns(const CsvText& csv) {
-  if (const auto all = csv.column("noise")) return Columns{*all, *all, *all};
+std::optional<NoiseColumns> noiseColumns(const CsvText& csv) {
+  if (const auto all = csv.column("noise")) return NoiseColumns{*all, *all, *all};
   if (!csv.column("noise_r") && !csv.column("noise_g") && !csv.column("noise_b")) return std::nullopt;
-  return Columns{csv.neededColumn("noise_r"), csv.neededColumn("noise_g"), csv.neededColumn("noise_b")};
+  return NoiseColumns{csv.neededColumn("noise_r"), csv.neededColumn("noise_g"), csv.neededColumn("noise_b")};
 }
 
-Rgb rgbOf(const CsvText& csv, const CsvText::Row& row, const Columns& columns) {
-  Rgb value;
-  for (int channel = 0; channel < 3; ++channel) {
-    const std::size_t column = columns[std::size_t(channel)];
-    value[channel] = csv.number(row, column);
-    if (value[channel] < 0)
-      throw Error(lineText(row) + ": found " + numberText(value[channel]) + " for " + csv.names[column] +
-                  ", expected a number, 0 or more");
-  }
+double notNegative(const CsvText& csv, const CsvText::Row& row, std::size_t column) {
+  const double value = csv.number(row, column);
+  if (value < 0)
+    throw Error(lineText(row) + ": found " + numberText(value) + " for " + csv.names[column] +
+                ", expected a number, 0 or more");
   return value;
+}
+
+Rgb valueOf(const CsvText& csv, const CsvText::Row& row, const ValueColumns& values) {
+  Rgb sum(0);
+  for (std::size_t i = 0; i < values.columns.size(); ++i)
+    sum += notNegative(csv, row, values.columns[i]) * values.weights[i];
+  for (int channel = 0; channel < 3; ++channel)
+    if (!std::isfinite(sum[channel])) throw Error(lineText(row) + ": found values too large for a colour");
+  // A colour outside sRGB has a negative channel.
+  return glm::max(sum, Rgb(0));
+}
+
+/// One column for all tells the noise of each field: their errors are independent.
+Rgb noiseOf(const CsvText& csv, const CsvText::Row& row, const NoiseColumns& noise, const ValueColumns& values) {
+  if (noise[0] != noise[1])
+    return {notNegative(csv, row, noise[0]), notNegative(csv, row, noise[1]), notNegative(csv, row, noise[2])};
+  Rgb squares(0);
+  for (const Rgb& weight : values.weights) squares += weight * weight;
+  return notNegative(csv, row, noise[0]) * glm::sqrt(squares);
 }
 
 /// Which row is that of each sample.
@@ -92,12 +151,12 @@ void writeValues(const SamplingPlan& plan, const MeasuredValues& values, const s
 
 MeasuredValues parseValues(std::string_view text, const SamplingPlan& plan) {
   const CsvText csv = readCsvText(text);
-  const Columns columns = valueColumns(csv);
-  const std::optional<Columns> noise = noiseColumns(csv);
+  const ValueColumns columns = valueColumns(csv);
+  const std::optional<NoiseColumns> noise = noiseColumns(csv);
   MeasuredValues values;
   for (const CsvText::Row* row : rowsOf(csv, plan)) {
-    values.rgb.push_back(rgbOf(csv, *row, columns));
-    if (noise) values.noise.push_back(rgbOf(csv, *row, *noise));
+    values.rgb.push_back(valueOf(csv, *row, columns));
+    if (noise) values.noise.push_back(noiseOf(csv, *row, *noise, columns));
   }
   return values;
 }

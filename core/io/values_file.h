@@ -11,6 +11,9 @@
 /// Measured values of a sampling plan as CSV (csv_text.h): the columns index, r, g, b (linear sRGB, 1/sr, without the
 /// cosine), and where standard deviations are known noise_r, noise_g, noise_b, or one column noise for all three.
 /// Rows in any order; other columns are passed over.
+///
+/// Without r, g and b, three or more columns that are named by their wavelength, "550", "550nm" or "550 nm", are a
+/// spectrum: it becomes linear sRGB (spectrumWeights()), negative channels 0; `noise` is that of each wavelength.
 namespace gonio::io {
 
 /// With all digits. @param values one a sample of the plan.

@@ -140,6 +140,7 @@ class ReaderMutationTest : public QObject {
     readSceneBytes(sceneSeed());
     readPlanBytes(planSeed());
     readValuesBytes(valuesSeed());
+    readValuesBytes(spectraSeed());
     readBasisBytes(basisSeed());
   }
 
@@ -155,6 +156,7 @@ class ReaderMutationTest : public QObject {
   void document() { check("edit.gonio", documentSeed(), readDocumentBytes); }
   void plan() { check("plan.csv", planSeed(), readPlanBytes); }
   void values() { check("values.csv", valuesSeed(), readValuesBytes); }
+  void spectra() { check("spectra.csv", spectraSeed(), readValuesBytes); }
   void basis() { check("pca.basis", basisSeed(), readBasisBytes); }
   void scene() { check("scene.json", sceneSeed(), readSceneBytes); }
 };

@@ -82,6 +82,10 @@ inline Bytes valuesSeed() {
   return bytesOf("index,r,g,b,noise_r,noise_g,noise_b\n1,0.5,1e-3,7,0.1,0.2,0\n3,1,2,3,4,5,6\n2,+0,0,0,1,1,1\n");
 }
 
+inline Bytes spectraSeed() {
+  return bytesOf("index,450,550nm,600 nm,noise\n1,0.5,1e-3,7,0.1\n3,1,2,3,4\n2,+0,0,1e300,1\n");
+}
+
 /// Two components over a grid of 3 x 2 x 2.
 inline Bytes basisSeed() {
   const auto basis =

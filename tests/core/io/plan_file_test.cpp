@@ -107,6 +107,7 @@ class PlanFileTest : public QObject {
     VERIFY_ERROR(names + "1,10,0,20\n", "line 2: found 4 columns, expected 5");
     VERIFY_ERROR(names + "1,10,0,20,0,5\n", "line 2: found 6 columns, expected 5");
     VERIFY_ERROR(names + "\n1,10,0,20,0\n1,11,0,20,0\n", "line 4: found the index 1 again, first in line 3");
+    VERIFY_ERROR("index,theta_i,phi_i,theta_o,phi_o\r\n\r\n1,2,3,4,x\r\n", "line 3: ");
     VERIFY_ERROR(names + "0,10,0,20,0\n", "line 2: found the index 0");
     VERIFY_ERROR(names + "1.5,10,0,20,0\n", "line 2: found '1.5' for index, expected a whole number");
     VERIFY_ERROR(names + "1,ten,0,20,0\n", "line 2: found 'ten' for theta_i, expected a finite number");

@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include "core/math/spectrum.h"
 #include "tests/core/io/test_files.h"
 
 using namespace gonio;
@@ -54,6 +55,28 @@ class ValuesFileTest : public QObject {
       QVERIFY(parseValues(text, plan()).rgb == expected);
     const MeasuredValues noisy = parseValues("index,r,g,b,noise\n2,1,1,1,0.1\n5,1,1,1,0\n7,1,1,1,0.3\n", plan());
     QVERIFY(noisy.noise == (std::vector<Rgb>{Rgb(0.1), Rgb(0), Rgb(0.3)}));
+  }
+
+  /// Named by wavelength, in any order; a grey stays grey; the noise of one wavelength spreads by the weights.
+  void spectra() {
+    const std::string rows = "2,0.5,0.5,0.5,0.5,0.1\n5,0,1,0,0,0\n7,0.1,0.2,0.3,0.4,1\n";
+    const MeasuredValues found = parseValues("index,600,450nm,500 nm,700,noise\n" + rows, plan());
+    QVERIFY(glm::length(found.rgb[0] - Rgb(0.5)) < 1e-12);
+    QVERIFY(found.rgb[1].z > 0.3 && found.rgb[1].x >= 0 && found.rgb[1].y >= 0);
+    const std::vector<Rgb> weights = spectrumWeights(std::vector<double>{450, 500, 600, 700});
+    const Rgb expected = 0.2 * weights[0] + 0.3 * weights[1] + 0.1 * weights[2] + 0.4 * weights[3];
+    QVERIFY(glm::length(found.rgb[2] - expected) < 1e-12);
+    Rgb squares(0);
+    for (const Rgb& weight : weights) squares += weight * weight;
+    QVERIFY(glm::length(found.noise[2] - glm::sqrt(squares)) < 1e-12);
+    QVERIFY(glm::length(found.noise[0] - 0.1 * glm::sqrt(squares)) < 1e-12);
+    // Beside r, g, b they are columns that nobody asked for.
+    QVERIFY(parseValues("index,r,g,b,450,550,650\n2,1,1,1,0,0,0\n5,1,1,1,0,0,0\n7,1,1,1,0,0,0\n", plan()).rgb[0] ==
+            Rgb(1));
+    VERIFY_ERROR("index,450,550\n", "expected one named r");
+    VERIFY_ERROR("index,450,550,550nm,650\n", "two columns of 550 nm");
+    VERIFY_ERROR("index,450,550,650\n2,1,-1,1\n5,1,1,1\n7,1,1,1\n", "line 2: found -1 for 550");
+    VERIFY_ERROR("index,580,640,700\n2,1.79e308,0,0\n5,1,1,1\n7,1,1,1\n", "too large");
   }
 
   void errorsNameTheLine() {

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/math/spectrum.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace gonio {
+
+namespace {
+
+/// A bell that falls off differently to either side.
+double bell(double x, double centre, double widthBelow, double widthAbove) {
+  const double t = (x - centre) / (x < centre ? widthBelow : widthAbove);
+  return std::exp(-0.5 * t * t);
+}
+
+/// IEC 61966-2-1.
+Rgb linearSrgb(const glm::dvec3& xyz) {
+  return {3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z, -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
+          0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z};
+}
+
+}  // namespace
+
+glm::dvec3 colourMatching(double nanometres) {
+  const double x = nanometres;
+  return {1.056 * bell(x, 599.8, 37.9, 31.0) + 0.362 * bell(x, 442.0, 16.0, 26.7) - 0.065 * bell(x, 501.1, 20.4, 26.2),
+          0.821 * bell(x, 568.8, 46.9, 40.5) + 0.286 * bell(x, 530.9, 16.3, 31.1),
+          1.217 * bell(x, 437.0, 11.8, 36.0) + 0.681 * bell(x, 459.0, 26.0, 13.8)};
+}
+
+std::vector<Rgb> spectrumWeights(std::span<const double> nanometres) {
+  assert(!nanometres.empty() && std::is_sorted(nanometres.begin(), nanometres.end()));
+  std::vector<Rgb> weights(nanometres.size(), Rgb(0));
+  Rgb white(0);
+  for (double at = shortestVisible; at <= longestVisible; at += 1) {
+    const Rgb colour = linearSrgb(colourMatching(at));
+    white += colour;
+    const auto above = std::lower_bound(nanometres.begin(), nanometres.end(), at);
+    const auto right = std::size_t(std::min(above, nanometres.end() - 1) - nanometres.begin());
+    if (above == nanometres.begin() || above == nanometres.end()) {
+      weights[right] += colour;
+      continue;
+    }
+    const double share = (at - nanometres[right - 1]) / (nanometres[right] - nanometres[right - 1]);
+    weights[right - 1] += (1 - share) * colour;
+    weights[right] += share * colour;
+  }
+  for (Rgb& weight : weights) weight /= white;
+  return weights;
+}
+
+}  // namespace gonio
