@@ -58,9 +58,10 @@ std::vector<float> deviations(const PrincipalComponents& basis, const Eigen::Mat
   parallelForBlocks(
       result.size(), blockCells,
       [&](std::size_t begin, std::size_t end) {
-        const auto first = Eigen::Index(begin), count = Eigen::Index(end - begin);
-        Eigen::Map<Eigen::VectorXf>(result.data(), Eigen::Index(result.size())).segment(first, count) =
-            (u.middleRows(first, count) * scaled).rowwise().norm();
+        // Into aligned memory of its own: how Eigen sums depends on where the result lies.
+        const Eigen::VectorXf lengths =
+            (u.middleRows(Eigen::Index(begin), Eigen::Index(end - begin)) * scaled).rowwise().norm();
+        std::copy(lengths.begin(), lengths.end(), result.begin() + std::ptrdiff_t(begin));
       },
       control);
   return result;
