@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+#include "core/acquisition/measurable_directions.h"
+
+class QPushButton;
+class QTableWidget;
+
+namespace gonio::widgets {
+
+/// The boxes of angles that a rig cannot reach, as rows of degrees: from and to of the light's polar angle, of the
+/// viewer's, and of the difference of their azimuths. A cell that is no number, or out of its range, goes back to what
+/// it was; of a row whose ends are the wrong way round both are exchanged.
+class ForbiddenRegionsEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ForbiddenRegionsEditor(QWidget* parent = nullptr);
+
+  void setRegions(const std::vector<acquisition::ForbiddenRegion>& regions);
+  const std::vector<acquisition::ForbiddenRegion>& regions() const { return m_regions; }
+  QTableWidget& table() const { return *m_table; }
+  QPushButton& addButton() const { return *m_add; }
+  QPushButton& removeButton() const { return *m_remove; }
+
+ Q_SIGNALS:
+  void regionsEdited();
+
+ private:
+  void cellChanged(int row, int column);
+  void fill();
+
+  QTableWidget* m_table;
+  QPushButton *m_add, *m_remove;
+  std::vector<acquisition::ForbiddenRegion> m_regions;
+};
+
+}  // namespace gonio::widgets

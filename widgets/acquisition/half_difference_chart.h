@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QImage>
+
+#include "core/coordinates/half_difference_grid.h"
+#include "widgets/acquisition/sample_chart.h"
+
+namespace gonio::widgets {
+
+/// What can be said of a cell of the grid.
+enum class CellState : std::uint8_t {
+  measurable,
+  belowHorizon,  ///< of light or viewer
+  grazing,       ///< beyond the largest polar angle
+  forbidden,     ///< the rig cannot reach it
+  unlearned      ///< not valid in every material of the training set
+};
+
+/// The cells of a grid at one phi_d.
+struct HalfDifferenceSlice {
+  double phiD = halfPi;                ///< rad, [0, pi)
+  int thetaHCount = 0, thetaDCount = 0;
+  std::vector<CellState> states;       ///< theta_d runs fastest
+  std::vector<float> deviations;       ///< of the logarithm, NaN where there is none; or empty
+};
+
+/// Samples over the two angles of half-difference space, theta_h upward with the spacing of measured tables (wide at
+/// the highlight), at one phi_d: what cannot be measured there is shaded, what is uncertain is told in false colour.
+/// Samples near that phi_d are full, others hollow.
+class HalfDifferenceChart : public SampleChart {
+  Q_OBJECT
+
+ public:
+  /// How near the slice a sample counts as in it, rad.
+  static constexpr double sliceWidth = radians(15);
+
+  explicit HalfDifferenceChart(QWidget* parent = nullptr);
+
+  void setSlice(HalfDifferenceSlice slice);
+  const HalfDifferenceSlice& slice() const { return m_slice; }
+  /// The deviation that has the last colour; the first is 0.
+  void setRange(double range);
+  double range() const { return m_range; }
+
+  /// Where angles are drawn (rad), in the widget's pixels.
+  QPointF placeOf(double thetaH, double thetaD) const;
+  QList<QPointF> places(int sample) const override;
+  /// Whether a sample is drawn as one of the slice.
+  bool isInSlice(int sample) const;
+  /// The middle of a cell, and the cell at a place (-1 outside).
+  QPointF cellCentre(int thetaH, int thetaD) const;
+  int cellAt(const QPointF& place) const;
+
+  QSize sizeHint() const override;
+
+ protected:
+  QString toolTipOf(int sample) const override;
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QRectF plot() const;
+  bool hasDeviations() const { return !m_slice.deviations.empty(); }
+  std::vector<CellState> shownStates() const;
+  void paintImage();
+  void drawShading(QPainter& painter) const;
+  void drawAxes(QPainter& painter) const;
+  void drawSamples(QPainter& painter) const;
+  void drawColourBar(QPainter& painter) const;
+  void drawLegend(QPainter& painter) const;
+
+  HalfDifferenceSlice m_slice;
+  double m_range = 1;
+  QImage m_image;  ///< one pixel a cell, theta_d to the right, theta_h upward
+};
+
+}  // namespace gonio::widgets

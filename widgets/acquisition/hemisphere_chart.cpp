@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/acquisition/hemisphere_chart.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <cmath>
+
+#include "widgets/plots/plot_style.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+constexpr int ringStep = 15, rayStep = 30;
+constexpr double dotRadius = 4, markedRadius = 6;
+/// Of the rays that carry the rings' labels: off the axes, where few samples lie.
+constexpr double labelAzimuth = radians(-75);
+
+const SeriesRole lightRole = SeriesRole::edited, viewerRole = SeriesRole::fit;
+
+/// A disc for the light, a diamond for the viewer: told apart without their colours.
+void drawLight(QPainter& painter, const QPointF& at, double radius) { painter.drawEllipse(at, radius, radius); }
+void drawViewer(QPainter& painter, const QPointF& at, double radius) {
+  const double r = 1.25 * radius;
+  painter.drawPolygon(
+      QPolygonF{at + QPointF(0, -r), at + QPointF(r, 0), at + QPointF(0, r), at + QPointF(-r, 0)});
+}
+
+}  // namespace
+
+HemisphereChart::HemisphereChart(QWidget* parent) : SampleChart(parent) {
+  setAccessibleName(tr("Directions on the hemisphere"));
+  setAccessibleDescription(tr("Light and viewer of each sample; left and right go through them in their order."));
+}
+
+QSize HemisphereChart::sizeHint() const { return QSize(20, 20) * fontMetrics().height(); }
+
+void HemisphereChart::setLargestPolarAngle(double angle) {
+  m_largestPolarAngle = angle;
+  update();
+}
+
+QRectF HemisphereChart::disc() const {
+  const double em = fontMetrics().height();
+  const QRectF room = QRectF(rect()).adjusted(2.6 * em, 1.5 * em, -2.6 * em, -3.2 * em);
+  const double side = std::max(em, std::min(room.width(), room.height()));
+  return QRectF(room.center() - QPointF(side, side) / 2, QSizeF(side, side));
+}
+
+QPointF HemisphereChart::placeOf(const Direction& direction) const {
+  const QRectF at = disc();
+  const double share = polarAngle(direction) / halfPi, phi = azimuth(direction);
+  return at.center() + 0.5 * at.width() * share * QPointF(std::cos(phi), -std::sin(phi));
+}
+
+QList<QPointF> HemisphereChart::places(int sample) const {
+  const DirectionPair& pair = samples()[std::size_t(sample)];
+  return {placeOf(pair.wi), placeOf(pair.wo)};
+}
+
+void HemisphereChart::drawGrid(QPainter& painter) const {
+  const PlotStyle style = PlotStyle::of(palette());
+  const QRectF rim = disc();
+  const auto ring = [&](double share) {
+    const double r = 0.5 * rim.width() * share;
+    return QRectF(rim.center() - QPointF(r, r), QSizeF(2 * r, 2 * r));
+  };
+  if (m_largestPolarAngle < halfPi) {
+    QPainterPath beyond;
+    beyond.addEllipse(rim);
+    beyond.addEllipse(ring(m_largestPolarAngle / halfPi));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QBrush(style.grid, Qt::BDiagPattern));
+    painter.drawPath(beyond);
+  }
+  painter.setPen(style.gridPen());
+  painter.setBrush(Qt::NoBrush);
+  for (int angle = ringStep; angle < 90; angle += ringStep) painter.drawEllipse(ring(angle / 90.0));
+  for (int angle = 0; angle < 360; angle += rayStep)
+    painter.drawLine(rim.center(), placeOf(fromSpherical(halfPi, radians(angle))));
+  painter.setPen(QPen(style.text, 1));
+  painter.drawEllipse(rim);
+}
+
+void HemisphereChart::drawLabels(QPainter& painter) const {
+  const PlotStyle style = PlotStyle::of(palette());
+  const QRectF rim = disc();
+  const double em = fontMetrics().height();
+  painter.setPen(style.text);
+  const double r = rim.width() / 2;
+  drawCentred(painter, rim.center() + QPointF(r + 1.3 * em, 0), tr("φ 0°"));
+  drawCentred(painter, rim.center() + QPointF(0, -r - 0.7 * em), QStringLiteral("90°"));
+  drawCentred(painter, rim.center() + QPointF(-r - 1.4 * em, 0), QStringLiteral("180°"));
+  drawCentred(painter, rim.center() + QPointF(0, r + 0.7 * em), QStringLiteral("270°"));
+  QColor paper = style.background;
+  paper.setAlpha(190);
+  for (int angle = 30; angle < 90; angle += 30) {
+    const QPointF at = placeOf(fromSpherical(radians(angle), labelAzimuth));
+    const QString text = tr("θ %1°").arg(angle);
+    const double half = fontMetrics().horizontalAdvance(text) / 2.0 + 2;
+    painter.fillRect(QRectF(at - QPointF(half, em / 2), QSizeF(2 * half, em)), paper);
+    drawCentred(painter, at, text);
+  }
+}
+
+void HemisphereChart::drawSample(QPainter& painter, int sample, bool marked) const {
+  const PlotStyle style = PlotStyle::of(palette());
+  const QList<QPointF> at = places(sample);
+  QColor line = marked ? style.accent : style.text;
+  if (!marked) line.setAlphaF(0.35f);
+  painter.setPen(QPen(line, marked ? 2.0 : 1.0));
+  painter.drawLine(at[0], at[1]);
+  const double radius = marked ? markedRadius : dotRadius;
+  painter.setPen(QPen(marked ? style.accent : style.background, marked ? 2 : 1));
+  painter.setBrush(style.colour(lightRole));
+  drawLight(painter, at[0], radius);
+  painter.setBrush(style.colour(viewerRole));
+  drawViewer(painter, at[1], radius);
+}
+
+void HemisphereChart::drawLegend(QPainter& painter) const {
+  const PlotStyle style = PlotStyle::of(palette());
+  const double em = fontMetrics().height(), y = height() - 0.8 * em;
+  double x = 0.8 * em;
+  const auto entry = [&](SeriesRole role, const QString& text, void (*shape)(QPainter&, const QPointF&, double)) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(style.colour(role));
+    shape(painter, QPointF(x, y), dotRadius);
+    painter.setPen(style.text);
+    painter.drawText(QPointF(x + 0.6 * em, y + 0.35 * em), text);
+    x += 1.8 * em + fontMetrics().horizontalAdvance(text);
+  };
+  entry(lightRole, tr("light"), drawLight);
+  entry(viewerRole, tr("viewer"), drawViewer);
+  if (m_largestPolarAngle < halfPi) {
+    painter.setPen(QPen(style.grid, 1));
+    painter.setBrush(QBrush(style.text, Qt::BDiagPattern));
+    painter.drawRect(QRectF(x - 0.4 * em, y - 0.35 * em, 0.9 * em, 0.7 * em));
+    painter.setPen(style.text);
+    painter.drawText(QPointF(x + 0.9 * em, y + 0.35 * em),
+                     tr("beyond %1°").arg(degrees(m_largestPolarAngle), 0, 'g', 3));
+  }
+}
+
+void HemisphereChart::paintEvent(QPaintEvent*) {
+  const PlotStyle style = PlotStyle::of(palette());
+  QPainter painter(this);
+  painter.fillRect(rect(), style.background);
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawGrid(painter);
+  drawLabels(painter);
+  for (int i = 0; i < int(samples().size()); ++i)
+    if (i != current()) drawSample(painter, i, false);
+  if (current() >= 0) drawSample(painter, current(), true);
+  drawNumbers(painter);
+  drawLegend(painter);
+  drawHint(painter, disc());
+  drawFocus(painter);
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_hemisphere_chart.cpp"

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+
+namespace gonio::widgets {
+
+/// Pictures of a material and of its reconstruction side by side, with their difference in false colour and what its
+/// colours mean. As large as the room allows, in one row or more.
+class ReconstructionView : public QWidget {
+  Q_OBJECT
+
+ public:
+  struct Content {
+    QImage reference, reconstruction, errorMap;  ///< null ones are left out but the reconstruction
+    QString referenceName;
+    double errorRange = 0;  ///< the difference that has the last colour
+  };
+
+  explicit ReconstructionView(QWidget* parent = nullptr);
+
+  void setContent(const Content& content);
+  /// Shown in the middle while there is no reconstruction.
+  void setHint(const QString& hint);
+  /// The squares of the pictures, in the widget's pixels: reference, reconstruction, error map, as far as they are
+  /// there.
+  QList<QRectF> squares() const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  struct Picture {
+    QImage image;
+    QString caption;
+  };
+  std::vector<Picture> pictures() const;
+  void drawLegend(QPainter& painter, const QRectF& square) const;
+
+  Content m_content;
+  QString m_hint;
+};
+
+}  // namespace gonio::widgets

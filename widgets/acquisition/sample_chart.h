@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "core/coordinates/half_difference.h"
+
+namespace gonio::widgets {
+
+/// The angles of a sample for people, one line: "7: θi 31.2°, φi 0.0° · θo ... · θh ..., θd ..., φd ...".
+QString sampleText(int number, const DirectionPair& directions);
+
+/// A drawing of the pairs of directions at which a material is measured, numbered from 1 in their order. The pointer
+/// and the arrow keys go from sample to sample; whoever owns several charts keeps their marks together.
+class SampleChart : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SampleChart(QWidget* parent = nullptr);
+
+  /// The mark stays where there is still such a sample.
+  void setSamples(std::vector<DirectionPair> samples);
+  const std::vector<DirectionPair>& samples() const { return m_samples; }
+  /// The sample that is marked, from 0; -1: none.
+  void setCurrent(int sample);
+  int current() const { return m_current; }
+  /// Shown in the middle while there are no samples.
+  void setHint(const QString& hint);
+
+  /// The dots of a sample, in the widget's pixels.
+  virtual QList<QPointF> places(int sample) const = 0;
+  /// The sample with the dot nearest to a place, -1 where none is within reach.
+  int sampleAt(const QPointF& place) const;
+
+  QSize minimumSizeHint() const override;
+
+ Q_SIGNALS:
+  /// The pointer or the keys moved the mark.
+  void currentChanged(int sample);
+  /// A click, or Enter on the marked one.
+  void chosen(int sample);
+
+ protected:
+  /// What a tooltip says of a sample.
+  virtual QString toolTipOf(int sample) const;
+  /// Numbers beside the first dot of each sample, where they cover no other number and no dot; that of the marked
+  /// sample always.
+  void drawNumbers(QPainter& painter) const;
+  static void drawCentred(QPainter& painter, const QPointF& at, const QString& text);
+  /// The hint, or nothing where there are samples.
+  void drawHint(QPainter& painter, const QRectF& within) const;
+  /// Frame around the focused chart.
+  void drawFocus(QPainter& painter) const;
+
+  bool event(QEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void moveTo(int sample);
+  void drawNumber(QPainter& painter, int sample, std::vector<QRectF>& taken) const;
+
+  std::vector<DirectionPair> m_samples;
+  int m_current = -1;
+  QString m_hint;
+};
+
+}  // namespace gonio::widgets
