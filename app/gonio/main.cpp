@@ -8,6 +8,7 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 
+#include "app/gonio/acquisition_panel.h"
 #include "app/gonio/factor_curves_panel.h"
 #include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/interpolation_panel.h"
@@ -40,6 +41,8 @@ struct Options {
   std::size_t encoded;
   QString thumbnails;
   QString scene;
+  int acquired;
+  int acquisitionPage;
 };
 
 Options readOptions(const QApplication& application) {
@@ -67,13 +70,15 @@ Options readOptions(const QApplication& application) {
   QCommandLineOption factors("factors");  // shows the factor curves
   factors.setFlags(QCommandLineOption::HiddenFromHelp);
   parser.addOption(factors);
-  hidden("study", "LABEL");          // measures representations, and shows the one of this name
-  hidden("widen", "FACTOR");         // stretches F2
-  hidden("take-f1", "FILE");         // takes F1 of another material over
-  hidden("interpolate", "A,B,...");  // shows the Interpolation dock with these materials
-  hidden("encoded", "COUNT");        // shows the code of so many coefficients
-  hidden("thumbnails", "FOLDER");    // draws the pictures of the library, for scripts/thumbnails.sh
-  hidden("scene", "NAME");           // shows the Scene dock with this scene
+  hidden("study", "LABEL");           // measures representations, and shows the one of this name
+  hidden("widen", "FACTOR");          // stretches F2
+  hidden("take-f1", "FILE");          // takes F1 of another material over
+  hidden("interpolate", "A,B,...");   // shows the Interpolation dock with these materials
+  hidden("encoded", "COUNT");         // shows the code of so many coefficients
+  hidden("thumbnails", "FOLDER");     // draws the pictures of the library, for scripts/thumbnails.sh
+  hidden("acquire", "COUNT");         // acquires the material from so many samples
+  hidden("acquisition-page", "0-2");  // of the Acquisition dock
+  hidden("scene", "NAME");            // shows the Scene dock with this scene
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
   return {parser.positionalArguments(),
@@ -91,7 +96,9 @@ Options readOptions(const QApplication& application) {
           parser.value("interpolate").split(',', Qt::SkipEmptyParts),
           parser.value("encoded").toULongLong(),
           parser.value("thumbnails"),
-          parser.value("scene")};
+          parser.value("scene"),
+          parser.value("acquire").toInt(),
+          parser.value("acquisition-page").toInt()};
 }
 
 QString asGiven(const QString& file) {
@@ -123,6 +130,18 @@ void measureRepresentations(MainWindow& window, const QString& label) {
   });
 }
 
+/// Acquires the material that is opened, and shows a page of the panel then.
+void acquire(MainWindow& window, int samples, int page) {
+  window.showAcquisitionLayout();
+  AcquisitionPanel& panel = window.acquisition();
+  panel.controls().setSamples(samples);
+  QObject::connect(&window.document(), &Document::materialChanged, &panel, &AcquisitionPanel::start,
+                   Qt::QueuedConnection);
+  QObject::connect(
+      &panel.session(), &AcquisitionSession::resultChanged, &panel,
+      [&panel, page] { panel.pages().setCurrentIndex(page); }, Qt::QueuedConnection);
+}
+
 /// Puts the window into the state that a picture is to show.
 void prepare(MainWindow& window, const Options& options) {
   if (!options.plot.isEmpty()) window.plots().showKind(options.plot);
@@ -151,6 +170,7 @@ void prepare(MainWindow& window, const Options& options) {
     if (i >= interpolation.ends().count()) interpolation.ends().addPlace();
     interpolation.ends().read(int(i), options.blended[i]);
   }
+  if (options.acquired > 0) acquire(window, options.acquired, options.acquisitionPage);
   if (!options.study.isEmpty()) measureRepresentations(window, options.study);
   if (!options.models) return;
   window.showDock(QStringLiteral("models"));

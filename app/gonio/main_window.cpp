@@ -12,6 +12,7 @@
 #include <QUndoView>
 #include <QVBoxLayout>
 
+#include "app/gonio/acquisition_panel.h"
 #include "app/gonio/analyse_menu.h"
 #include "app/gonio/comparison_panel.h"
 #include "app/gonio/dropped_files.h"
@@ -79,6 +80,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_interpolation(new InterpolationPanel(m_document, m_tasks)),
       m_study(new StudyPanel(m_document, m_tasks)),
       m_scenePanel(new ScenePanel(*m_preview, m_document, m_tasks)),
+      m_acquisition(new AcquisitionPanel(m_document, m_tasks)),
       m_messages(new widgets::MessageBar),
       m_progress(new widgets::ProgressStrip),
       m_dropOverlay(nullptr),
@@ -250,8 +252,8 @@ bool MainWindow::mayDiscard() {
 bool MainWindow::isSettled() const {
   const auto task = m_tasks.topmost();
   return (!task || task->quiet) && m_inspector->isSettled() && m_comparisonPanel->isSettled() && m_plots->isSettled() &&
-         m_factors->isSettled() && m_interpolation->isSettled() && m_libraryController.isVisibleComplete() &&
-         (!m_preview->hasMaterial() || m_preview->converged());
+         m_factors->isSettled() && m_interpolation->isSettled() && m_acquisition->isSettled() &&
+         m_libraryController.isVisibleComplete() && (!m_preview->hasMaterial() || m_preview->converged());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -28,6 +28,7 @@ class QUndoView;
 
 namespace gonio::app {
 
+class AcquisitionPanel;
 class ComparisonPanel;
 class FactorCurvesPanel;
 class FitRankingPanel;
@@ -61,6 +62,7 @@ class MainWindow : public QMainWindow {
   FitRankingPanel& ranking() { return *m_ranking; }
   StudyPanel& study() { return *m_study; }
   ScenePanel& scenePanel() { return *m_scenePanel; }
+  AcquisitionPanel& acquisition() { return *m_acquisition; }
   QList<QDockWidget*> docks() const { return m_docks; }
 
   /// Opens a file after asking what to do with unsaved changes.
@@ -72,6 +74,8 @@ class MainWindow : public QMainWindow {
   bool save();
   bool saveAs();
   void resetLayout();
+  /// The Acquisition workspace: its dock, with the preview above it.
+  void showAcquisitionLayout();
   /// Brings a dock to the front, or takes it away; by its object name.
   void showDock(const QString& name, bool shown = true);
   /// Offers work that an earlier run left behind.
@@ -89,6 +93,7 @@ class MainWindow : public QMainWindow {
   void buildCentre();
   void buildDocks();
   void buildBottomDocks();
+  void connectAcquisition();
   QDockWidget* addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
   void buildStatusBar();
   void connectDocument();
@@ -121,6 +126,7 @@ class MainWindow : public QMainWindow {
   InterpolationPanel* m_interpolation;
   StudyPanel* m_study;
   ScenePanel* m_scenePanel;
+  AcquisitionPanel* m_acquisition;
   widgets::MessageBar* m_messages;
   widgets::ProgressStrip* m_progress;
   widgets::DropOverlay* m_dropOverlay;

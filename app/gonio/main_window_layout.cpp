@@ -3,17 +3,21 @@
 // Where the parts of the window stand.
 #include <QDockWidget>
 #include <QLabel>
+#include <QListView>
 #include <QStatusBar>
 #include <QUndoView>
 #include <QVBoxLayout>
 
+#include "app/gonio/acquisition_panel.h"
 #include "app/gonio/comparison_panel.h"
 #include "app/gonio/factor_curves_panel.h"
 #include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/interpolation_panel.h"
 #include "app/gonio/main_window.h"
+#include "app/gonio/reference_dialog.h"
 #include "app/gonio/scene_panel.h"
 #include "app/gonio/study_panel.h"
+#include "widgets/library/library_model.h"
 #include "widgets/library/library_view.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/panels/plausibility_badges.h"
@@ -25,7 +29,7 @@
 namespace gonio::app {
 
 namespace {
-constexpr int bottomDockLines = 22;
+constexpr int bottomDockLines = 22, acquisitionDockLines = 30;
 }
 
 void MainWindow::buildCentre() {
@@ -82,8 +86,11 @@ void MainWindow::buildBottomDocks() {
   tabifyDockWidget(models, factors);
   tabifyDockWidget(factors, interpolation);
   tabifyDockWidget(interpolation, study);
+  QDockWidget* acquisition = addDock(tr("Acquisition"), "acquisition", m_acquisition, Qt::BottomDockWidgetArea);
   tabifyDockWidget(study, scene);
-  for (QDockWidget* dock : {plots, comparison, models, factors, interpolation, study, scene}) dock->hide();
+  tabifyDockWidget(scene, acquisition);
+  for (QDockWidget* dock : {plots, comparison, models, factors, interpolation, study, scene, acquisition}) dock->hide();
+  connectAcquisition();
   connect(m_libraryView, &widgets::LibraryView::interpolationRequested, this, [this](const QString& id) {
     showDock(QStringLiteral("interpolation"));
     m_interpolation->take(id);
@@ -96,6 +103,34 @@ void MainWindow::buildBottomDocks() {
           });
   connect(m_plots, &PlotsPanel::exported, &m_controller, &DocumentController::exported);
   connect(m_plots, &PlotsPanel::failed, &m_controller, &DocumentController::failed);
+}
+
+void MainWindow::connectAcquisition() {
+  m_acquisition->controls().setShownIds([this] {
+    const QAbstractItemModel& shown = *m_libraryView->list()->model();
+    QStringList ids;
+    for (int row = 0; row < shown.rowCount(); ++row)
+      ids << shown.index(row, 0).data(widgets::LibraryModel::IdRole).toString();
+    return ids;
+  });
+  connect(m_acquisition, &AcquisitionPanel::subjectWanted, this, [this] {
+    auto* dialog = new ReferenceDialog(m_libraryController.model(), this);
+    dialog->setWindowTitle(tr("Material to Measure"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ReferenceDialog::chosen, m_acquisition, &AcquisitionPanel::measure);
+    dialog->open();
+  });
+  connect(m_acquisition, &AcquisitionPanel::exported, &m_controller, &DocumentController::exported);
+  connect(m_acquisition, &AcquisitionPanel::failed, this, &MainWindow::showFailure);
+}
+
+void MainWindow::showAcquisitionLayout() {
+  resetLayout();
+  for (const auto& name : {QStringLiteral("library"), QStringLiteral("inspector")}) showDock(name, false);
+  showDock(QStringLiteral("acquisition"));
+  for (QDockWidget* dock : m_docks)
+    if (dock->widget() == m_acquisition)
+      resizeDocks({dock}, {acquisitionDockLines * fontMetrics().height()}, Qt::Vertical);
 }
 
 void MainWindow::showDock(const QString& name, bool shown) {

@@ -3,7 +3,9 @@
 #include "app/gonio/material_menu.h"
 
 #include <QMenuBar>
+#include <QPushButton>
 
+#include "app/gonio/acquisition_panel.h"
 #include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/interpolation_panel.h"
 #include "app/gonio/main_window.h"
@@ -28,6 +30,12 @@ MaterialMenu::MaterialMenu(MainWindow& window) : QObject(&window) {
   QAction* keep = menu->addAction(tr("&Keep Blend as Material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
                                   &window.interpolation(), &InterpolationPanel::keep);
   keep->setToolTip(tr("The blend of the Interpolation dock becomes the open material; undo brings back what was open"));
+  QAction* acquire =
+      menu->addAction(tr("Ac&quire..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A), this, [&window] {
+        window.showDock(QStringLiteral("acquisition"));
+        window.acquisition().startButton().setFocus();
+      });
+  acquire->setToolTip(tr("Where to measure a material, and the whole material from a few measurements"));
   QAction* cancel =
       menu->addAction(tr("&Cancel"), QKeySequence(Qt::Key_Escape), &window.tasks(), &BackgroundTasks::cancelTopmost);
   cancel->setToolTip(tr("Stops the newest work in progress"));

@@ -45,13 +45,15 @@ void ViewMenu::addLayouts(QMenu* menu) {
     m_window.showDock(QStringLiteral("models"));
     m_window.showDock(QStringLiteral("plots"));
   });
+  menu->addAction(tr("Ac&quire"), QKeySequence(Qt::CTRL | Qt::Key_4), &m_window, &MainWindow::showAcquisitionLayout);
 }
 
 void ViewMenu::addDocks(QMenu* menu) {
   int number = 1;
   for (QDockWidget* dock : m_window.docks()) {
     QAction* action = dock->toggleViewAction();
-    action->setShortcut(QKeySequence(Qt::ALT | Qt::Key(Qt::Key_0 + number++)));
+    // Alt+1 to Alt+9, then Alt+0; there are no more digits.
+    if (number <= 10) action->setShortcut(QKeySequence(Qt::ALT | Qt::Key(Qt::Key_0 + number++ % 10)));
     menu->addAction(action);
   }
 }

@@ -21,8 +21,7 @@ constexpr double markerSize = 7, ringSize = 15;
 constexpr double reach = 12;
 }  // namespace
 
-ErrorCurve::ErrorCurve(QWidget* parent)
-    : QWidget(parent), m_chart(new QCustomPlot(this)), m_hint(new QLabel(m_chart)) {
+ErrorCurve::ErrorCurve(QWidget* parent) : QWidget(parent), m_chart(new QCustomPlot(this)), m_hint(new QLabel(m_chart)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_chart);
@@ -91,7 +90,7 @@ void ErrorCurve::addAxes(const PlotStyle& style) {
   m_chart->xAxis->setLabel(tr("samples m"));
   m_chart->yAxis->setLabel(m_title);
   for (QCPAxis* axis : {m_chart->xAxis2, m_chart->yAxis2}) axis->setTicks(false);
-  int most = 10;
+  int most = std::max(10, m_marked);
   double lowest = INFINITY, highest = -INFINITY;
   for (int i = 0; i < int(m_points.size()); ++i) {
     if (!place(i)) continue;
@@ -119,8 +118,8 @@ void ErrorCurve::addPoints(const PlotStyle& style) {
   };
   const QColor colour = style.colour(SeriesRole::fit);
   QCPGraph* line = graph(QPen(colour, 1.8), QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, markerSize));
-  QCPGraph* ring = graph(Qt::NoPen, QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(style.accent, 2),
-                                                    QBrush(Qt::NoBrush), ringSize));
+  QCPGraph* ring = graph(
+      Qt::NoPen, QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(style.accent, 2), QBrush(Qt::NoBrush), ringSize));
   for (int i = 0; i < int(m_points.size()); ++i) {
     if (!place(i)) continue;
     const Point& one = m_points[std::size_t(i)];
@@ -140,9 +139,9 @@ bool ErrorCurve::eventFilter(QObject* watched, QEvent* event) {
   const int point = pointAt(help->pos());
   if (point < 0) return false;
   const Point& one = m_points[std::size_t(point)];
-  QToolTip::showText(help->globalPos(), tr("%n samples\n", nullptr, one.samples) +
-                                            QStringLiteral("%1: %2").arg(m_title, formatNumber(one.value)),
-                     this);
+  QToolTip::showText(
+      help->globalPos(),
+      tr("%n samples\n", nullptr, one.samples) + QStringLiteral("%1: %2").arg(m_title, formatNumber(one.value)), this);
   return true;
 }
 

@@ -86,7 +86,7 @@ void HalfDifferenceChart::setRange(double range) {
 QRectF HalfDifferenceChart::plot() const {
   const double em = fontMetrics().height();
   const double right = hasDeviations() ? 5.6 * em : 1.2 * em;
-  return QRectF(rect()).adjusted(3.6 * em, 0.9 * em, -right, -4.6 * em);
+  return QRectF(rect()).adjusted(3.6 * em, 0.9 * em, -right, -5.5 * em);
 }
 
 QPointF HalfDifferenceChart::placeOf(double thetaH, double thetaD) const {
@@ -191,7 +191,7 @@ void HalfDifferenceChart::drawAxes(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(style.text, 1));
   painter.drawRect(at);
-  drawCentred(painter, {at.center().x(), at.bottom() + 1.9 * em},
+  drawCentred(painter, {at.center().x(), at.bottom() + 2.2 * em},
               tr("θd [°], at φd = %1").arg(degreesText(m_slice.phiD)));
   painter.save();
   painter.translate(0.8 * em, at.center().y());
@@ -259,7 +259,7 @@ std::vector<CellState> HalfDifferenceChart::shownStates() const {
 void HalfDifferenceChart::drawLegend(QPainter& painter) const {
   const PlotStyle style = PlotStyle::of(palette());
   const double em = fontMetrics().height(), left = 0.6 * em, gap = 1.1 * em;
-  double x = left, y = height() - 1.95 * em;
+  double x = left, y = height() - 1.85 * em;
   const auto entry = [&](const QString& text, const auto& symbol) {
     const double wide = 1.3 * em + fontMetrics().horizontalAdvance(text);
     if (x > left && x + wide > width()) {

@@ -20,10 +20,10 @@ enum class CellState : std::uint8_t {
 
 /// The cells of a grid at one phi_d.
 struct HalfDifferenceSlice {
-  double phiD = halfPi;                ///< rad, [0, pi)
+  double phiD = halfPi;  ///< rad, [0, pi)
   int thetaHCount = 0, thetaDCount = 0;
-  std::vector<CellState> states;       ///< theta_d runs fastest
-  std::vector<float> deviations;       ///< of the logarithm, NaN where there is none; or empty
+  std::vector<CellState> states;  ///< theta_d runs fastest
+  std::vector<float> deviations;  ///< of the logarithm, NaN where there is none; or empty
 };
 
 /// Samples over the two angles of half-difference space, theta_h upward with the spacing of measured tables (wide at

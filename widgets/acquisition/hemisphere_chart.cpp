@@ -14,8 +14,9 @@ namespace {
 
 constexpr int ringStep = 15, rayStep = 30;
 constexpr double dotRadius = 4, markedRadius = 6;
-/// Of the rays that carry the rings' labels: off the axes, where few samples lie.
-constexpr double labelAzimuth = radians(-75);
+/// Of the ray that carries the rings' labels. Nodes of a grid have their half vector at azimuth 0: few samples lie on
+/// the other side.
+constexpr double labelAzimuth = radians(188);
 
 const SeriesRole lightRole = SeriesRole::edited, viewerRole = SeriesRole::fit;
 
@@ -23,8 +24,7 @@ const SeriesRole lightRole = SeriesRole::edited, viewerRole = SeriesRole::fit;
 void drawLight(QPainter& painter, const QPointF& at, double radius) { painter.drawEllipse(at, radius, radius); }
 void drawViewer(QPainter& painter, const QPointF& at, double radius) {
   const double r = 1.25 * radius;
-  painter.drawPolygon(
-      QPolygonF{at + QPointF(0, -r), at + QPointF(r, 0), at + QPointF(0, r), at + QPointF(-r, 0)});
+  painter.drawPolygon(QPolygonF{at + QPointF(0, -r), at + QPointF(r, 0), at + QPointF(0, r), at + QPointF(-r, 0)});
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ void HemisphereChart::setLargestPolarAngle(double angle) {
 
 QRectF HemisphereChart::disc() const {
   const double em = fontMetrics().height();
-  const QRectF room = QRectF(rect()).adjusted(2.6 * em, 1.5 * em, -2.6 * em, -3.2 * em);
+  const QRectF room = QRectF(rect()).adjusted(2.5 * em, 1.5 * em, -2.3 * em, -3.2 * em);
   const double side = std::max(em, std::min(room.width(), room.height()));
   return QRectF(room.center() - QPointF(side, side) / 2, QSizeF(side, side));
 }
@@ -97,7 +97,7 @@ void HemisphereChart::drawLabels(QPainter& painter) const {
   paper.setAlpha(190);
   for (int angle = 30; angle < 90; angle += 30) {
     const QPointF at = placeOf(fromSpherical(radians(angle), labelAzimuth));
-    const QString text = tr("θ %1°").arg(angle);
+    const QString text = angle == 30 ? tr("θ %1°").arg(angle) : QStringLiteral("%1°").arg(angle);
     const double half = fontMetrics().horizontalAdvance(text) / 2.0 + 2;
     painter.fillRect(QRectF(at - QPointF(half, em / 2), QSizeF(2 * half, em)), paper);
     drawCentred(painter, at, text);

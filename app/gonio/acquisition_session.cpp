@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition_session.h"
+
+#include <QDir>
+#include <QPointer>
+#include <algorithm>
+
+#include "core/io/material.h"
+
+namespace gonio::app {
+
+namespace {
+/// One key for all steps: a step takes the place of the one before.
+const QString stepKey = QStringLiteral("acquisition"), referenceKey = QStringLiteral("acquisition reference"),
+              openKey = QStringLiteral("open acquisition");
+
+/// A file of this name that is not there yet: "name.binary", "name 2.binary". Another document may stand on the first.
+QString freePath(const QString& folder, QString name) {
+  name.replace('/', '-');
+  QString path = QDir(folder).filePath(name + QStringLiteral(".binary"));
+  for (int i = 2; QFile::exists(path); ++i)
+    path = QDir(folder).filePath(QStringLiteral("%1 %2.binary").arg(name).arg(i));
+  return path;
+}
+}  // namespace
+
+AcquisitionSession::AcquisitionSession(BackgroundTasks& tasks, QObject* parent) : QObject(parent), m_tasks(tasks) {
+  connect(&m_tasks, &BackgroundTasks::changed, this, &AcquisitionSession::progressed);
+}
+
+void AcquisitionSession::setStep(Step step) {
+  m_step = step;
+  Q_EMIT progressed();
+}
+
+double AcquisitionSession::share() const {
+  const auto task = m_tasks.topmost();
+  return task && isBusy() ? task->share : 0;
+}
+
+std::function<void(const QString&)> AcquisitionSession::failure(const QString& title) {
+  return [this, title](const QString& error) {
+    setStep(Step::idle);
+    Q_EMIT failed(title, error);
+  };
+}
+
+std::function<void()> AcquisitionSession::stopped() {
+  return [this] { cancel(); };
+}
+
+void AcquisitionSession::cancel() {
+  m_tasks.drop(stepKey);
+  // What was chosen before the stop is no plan.
+  const bool unfinished = m_step == Step::learning || m_step == Step::choosing;
+  setStep(Step::idle);
+  if (unfinished) forgetPlan();
+}
+
+// --- The material that is measured
+
+bool AcquisitionSession::isReadingReference() const { return m_tasks.isRunning(referenceKey); }
+
+void AcquisitionSession::readReference(std::function<AcquisitionReferencePtr(const TaskControl&)> read) {
+  m_reference.reset();
+  m_tasks.run<AcquisitionReferencePtr>(
+      {tr("Preparing %1").arg(m_referenceName), referenceKey}, std::move(read),
+      [this](const AcquisitionReferencePtr& reference) { install(reference); },
+      [this](const QString& error) {
+        const QString name = m_referenceName;
+        clearReference();
+        Q_EMIT failed(tr("Cannot measure %1").arg(name), error);
+      },
+      [this] { clearReference(); });
+  Q_EMIT referenceChanged();
+}
+
+void AcquisitionSession::setReference(const QString& id) {
+  m_referenceId = id;
+  m_referenceName = id.section('/', -1);
+  readReference(
+      [id, picture = m_picture](const TaskControl& control) { return readAcquisitionReference(id, picture, control); });
+}
+
+void AcquisitionSession::setReference(const QString& id, const QString& name, TableMaker makeTable) {
+  m_referenceId = id;
+  m_referenceName = name;
+  readReference([id, name, make = std::move(makeTable), picture = m_picture](const TaskControl& control) {
+    constexpr double madeShare = 0.4;
+    return acquisitionReference(id, name, make(control.between(0, madeShare)), picture, control.between(madeShare, 1));
+  });
+}
+
+void AcquisitionSession::clearReference() {
+  m_tasks.drop(referenceKey);
+  m_referenceId.clear();
+  m_referenceName.clear();
+  install(nullptr);
+}
+
+void AcquisitionSession::install(const AcquisitionReferencePtr& reference) {
+  m_reference = reference;
+  if (reference) m_referenceName = reference->name;
+  Q_EMIT referenceChanged();
+  if (m_step == Step::learning || m_step == Step::choosing) return;
+  if (m_simulated) return measureReference();
+  if (hasPlan() && !m_values.rgb.empty()) reconstruct();
+}
+
+bool AcquisitionSession::isReferenceLearned() const {
+  return !m_referenceId.isEmpty() && without(m_learned, m_referenceId) != m_learned;
+}
+
+// --- The directions
+
+void AcquisitionSession::forgetPlan() {
+  ++m_run;
+  m_chosen.clear();
+  m_selection = {};
+  m_plan = {};
+  m_values = {};
+  m_simulated = true;
+  forgetResult();
+  Q_EMIT directionsChanged();
+  Q_EMIT planChanged();
+  Q_EMIT valuesChanged();
+}
+
+void AcquisitionSession::forgetResult() {
+  m_result.reset();
+  m_curve.clear();
+  Q_EMIT resultChanged();
+  Q_EMIT curveChanged();
+}
+
+std::vector<DirectionPair> AcquisitionSession::directions() const {
+  std::vector<DirectionPair> pairs;
+  for (const std::uint32_t cell : m_chosen) pairs.push_back(m_basis->mapping.grid.directions(cell));
+  return pairs;
+}
+
+void AcquisitionSession::plan(const PlanSettings& settings) {
+  m_tasks.drop(stepKey);
+  forgetPlan();
+  m_settings = settings;
+  const QStringList ids =
+      settings.leaveOutReference ? without(settings.training.ids, m_referenceId) : settings.training.ids;
+  if (m_basis && ids == m_learned)
+    choose();
+  else
+    learn(ids);
+}
+
+void AcquisitionSession::learn(const QStringList& ids) {
+  using Basis = std::shared_ptr<const dictionary::PrincipalComponents>;
+  // Gigabytes, of a large set: the old one goes before the new one comes.
+  m_basis.reset();
+  m_learned.clear();
+  m_tasks.run<Basis>(
+      {tr("Learning %n materials", nullptr, int(ids.size())), stepKey},
+      [ids](const TaskControl& control) { return learnBasis(ids, control); },
+      [this, ids](const Basis& basis) {
+        m_basis = basis;
+        m_learned = ids;
+        choose();
+      },
+      failure(tr("Cannot learn the training set")), stopped());
+  setStep(Step::learning);
+}
+
+void AcquisitionSession::choose() {
+  acquisition::SelectionOptions options;
+  options.method = m_settings.method;
+  options.samples = m_settings.samples;
+  options.measurable = m_settings.measurable;
+  options.seed = m_settings.seed;
+  const auto tell = [session = QPointer(this), tasks = &m_tasks, run = m_run](std::uint32_t cell) {
+    QMetaObject::invokeMethod(
+        tasks,
+        [session, run, cell] {
+          if (session) session->takeChosen(run, cell);
+        },
+        Qt::QueuedConnection);
+  };
+  m_tasks.run<Planned>(
+      {tr("Choosing %n directions", nullptr, options.samples), stepKey},
+      [basis = m_basis, options, tell](const TaskControl& control) {
+        Planned planned;
+        planned.selection = acquisition::selectSamples(*basis, options, control, tell);
+        planned.plan = acquisition::planFor(basis->mapping.grid, planned.selection.cells);
+        return planned;
+      },
+      [this](const Planned& planned) {
+        m_chosen = planned.selection.cells;
+        m_selection = planned.selection;
+        m_plan = planned.plan;
+        setStep(Step::idle);
+        Q_EMIT directionsChanged();
+        Q_EMIT planChanged();
+        if (m_simulated) measureReference();
+      },
+      failure(tr("Cannot choose directions")), stopped());
+  setStep(Step::choosing);
+}
+
+void AcquisitionSession::takeChosen(int run, std::uint32_t cell) {
+  if (run != m_run || m_step != Step::choosing) return;
+  m_chosen.push_back(cell);
+  Q_EMIT directionsChanged();
+}
+
+// --- The values
+
+void AcquisitionSession::simulate(const acquisition::MeasurementNoise& noise) {
+  m_noise = noise;
+  m_simulated = true;
+  if (hasPlan()) measureReference();
+}
+
+void AcquisitionSession::measureReference() {
+  forgetResult();
+  m_values = {};
+  if (hasPlan() && m_reference) {
+    try {
+      m_values = acquisition::measure(*m_reference->table, m_plan, m_noise);
+    } catch (const Error& error) {
+      Q_EMIT failed(tr("Cannot measure %1").arg(m_referenceName), QString::fromUtf8(error.what()));
+    }
+    m_valuesName = tr("simulated from %1").arg(m_referenceName);
+  }
+  Q_EMIT valuesChanged();
+  if (!m_values.rgb.empty()) reconstruct();
+}
+
+void AcquisitionSession::setValues(const acquisition::MeasuredValues& values, const QString& name) {
+  if (values.rgb.size() != m_plan.samples.size())
+    throw Error("found " + std::to_string(values.rgb.size()) + " values, expected one for each of the plan's " +
+                std::to_string(m_plan.samples.size()) + " samples");
+  m_simulated = false;
+  m_values = values;
+  m_valuesName = name;
+  forgetResult();
+  Q_EMIT valuesChanged();
+  reconstruct();
+}
+
+// --- The material
+
+void AcquisitionSession::setReconstruction(const acquisition::ReconstructionOptions& options) {
+  m_options = options;
+  if (hasPlan() && !m_values.rgb.empty()) reconstruct();
+}
+
+AcquisitionInput AcquisitionSession::input() const { return {m_basis, m_plan, m_values, m_options}; }
+
+void AcquisitionSession::reconstruct() {
+  m_curve.clear();
+  Q_EMIT curveChanged();
+  m_tasks.run<AcquisitionResultPtr>(
+      {tr("Reconstructing the material"), stepKey},
+      [input = input(), reference = m_reference](const TaskControl& control) {
+        return acquire(input, reference, control);
+      },
+      [this, input = input()](const AcquisitionResultPtr& result) {
+        m_result = result;
+        setStep(Step::idle);
+        Q_EMIT resultChanged();
+        if (m_reference) startCurve(input);
+      },
+      failure(tr("Cannot reconstruct the material")), stopped());
+  setStep(Step::reconstructing);
+}
+
+void AcquisitionSession::startCurve(const AcquisitionInput& input) {
+  const auto tell = [session = QPointer(this), tasks = &m_tasks, result = m_result](int samples,
+                                                                                    const AcquisitionError& error) {
+    QMetaObject::invokeMethod(
+        tasks,
+        [session, result, samples, error] {
+          if (!session || session->m_result != result) return;
+          session->m_curve.push_back({samples, error});
+          Q_EMIT session->curveChanged();
+        },
+        Qt::QueuedConnection);
+  };
+  m_tasks.run<bool>(
+      {tr("Measuring the error over the number of samples"), stepKey},
+      [input, reference = m_reference, tell](const TaskControl& control) {
+        measureCurve(input, reference, tell, control);
+        return true;
+      },
+      [this](bool) { setStep(Step::idle); }, failure(tr("Cannot measure the error over the number of samples")),
+      stopped());
+  setStep(Step::measuringCurve);
+}
+
+QString AcquisitionSession::resultName() const {
+  const QString of = m_referenceName.isEmpty() ? tr("material") : m_referenceName;
+  return tr("%1 from %n samples", nullptr, int(m_plan.samples.size())).arg(of);
+}
+
+void AcquisitionSession::open(Document& document, const QString& folder) {
+  if (!m_result) return;
+  const QString name = resultName();
+  m_tasks.run<LoadedMaterialPtr>(
+      {tr("Opening %1").arg(name), openKey},
+      [table = m_result->reconstruction->table, folder, name](const TaskControl& control) {
+        if (!QDir().mkpath(folder)) throw Error(folder.toStdString() + ": the folder cannot be made");
+        const std::string path = freePath(folder, name).toStdString();
+        io::writeMerl(*table, path);
+        return loadMaterial(path, control);
+      },
+      [&document, name](const LoadedMaterialPtr& material) {
+        document.replaceMaterial(material, tr("Open %1").arg(name));
+      },
+      [this, name](const QString& error) { Q_EMIT failed(tr("Cannot open %1").arg(name), error); });
+}
+
+bool AcquisitionSession::isOpening() const { return m_tasks.isRunning(openKey); }
+
+}  // namespace gonio::app
+
+#include "moc_acquisition_session.cpp"

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <span>
+
+#include "core/acquisition/measurable_directions.h"
+#include "core/dictionary/principal_components.h"
+#include "widgets/acquisition/half_difference_chart.h"
+
+namespace gonio::app {
+
+/// What the chart shows at the k-th phi_d of a grid: what can be measured there, and how uncertain each cell is.
+/// @param mapping null before a basis is learned: every cell above the horizon counts.
+/// @param deviations one a cell of the mapping, or none. O(cells of the slice).
+widgets::HalfDifferenceSlice sliceAt(int k, const HalfDifferenceGrid& grid,
+                                     const acquisition::MeasurableDirections& measurable,
+                                     const dictionary::MappedCells* mapping, std::span<const float> deviations);
+
+}  // namespace gonio::app
