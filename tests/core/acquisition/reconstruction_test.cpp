@@ -8,78 +8,19 @@
 #include <limits>
 #include <random>
 
-#include "core/brdf/log_relative.h"
 #include "core/math/parallel.h"
+#include "tests/core/acquisition/reconstruction_oracles.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/smooth_materials.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
 using namespace gonio::dictionary;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// Every `step`th cell of the basis, beginning with one.
-SamplingPlan everyCell(const PrincipalComponents& basis, std::size_t step, std::size_t first = 3) {
-  std::vector<std::uint32_t> cells;
-  for (std::size_t i = first; i < basis.mapping.cells.size(); i += step)
-    if (basis.mapping.grid.node(basis.mapping.cells[i]).thetaD > 0) cells.push_back(basis.mapping.cells[i]);
-  return planFor(basis.mapping.grid, cells);
-}
-
-std::size_t positionOf(const PrincipalComponents& basis, const PlannedSample& sample) {
-  const auto& cells = basis.mapping.cells;
-  const auto found = std::find(cells.begin(), cells.end(), nearestNode(basis.mapping.grid, sample.directions));
-  return std::size_t(found - cells.begin());
-}
-
-/// D = U Sigma at the samples, and the mapped values, by their definitions.
-MatrixXd rowsAt(const PrincipalComponents& basis, const SamplingPlan& plan, int components) {
-  const auto u = basis.svd.u.view();
-  MatrixXd rows(Eigen::Index(plan.samples.size()), components);
-  for (Eigen::Index s = 0; s < rows.rows(); ++s)
-    for (int k = 0; k < components; ++k)
-      rows(s, k) = u(Eigen::Index(positionOf(basis, plan.samples[std::size_t(s)])), k) * basis.svd.singularValues[k];
-  return rows;
-}
-MatrixXd mappedAt(const PrincipalComponents& basis, const SamplingPlan& plan, const MeasuredValues& values) {
-  MatrixXd mapped(Eigen::Index(plan.samples.size()), 3);
-  for (Eigen::Index s = 0; s < mapped.rows(); ++s) {
-    const std::size_t i = positionOf(basis, plan.samples[std::size_t(s)]);
-    for (int channel = 0; channel < 3; ++channel) {
-      const double weighted = values.rgb[std::size_t(s)][channel] * basis.mapping.weights[i];
-      mapped(s, channel) = std::log((weighted + 1e-3) / (basis.mapping.reference[i] + 1e-3)) - basis.mean[i];
-    }
-  }
-  return mapped;
-}
-
-/// c of a reconstruction's code U (Sigma c).
-MatrixXd coefficients(const PrincipalComponents& basis, const Reconstruction& found) {
-  MatrixXd c(found.code.components(), 3);
-  for (Eigen::Index channel = 0; channel < 3; ++channel)
-    c.col(channel) =
-        found.code.channels[std::size_t(channel)].cast<double>().cwiseQuotient(basis.svd.singularValues.head(c.rows()));
-  return c;
-}
-
-/// Largest difference of two tables in mapped values.
-double difference(const PrincipalComponents& basis, const TabulatedBrdf& a, const TabulatedBrdf& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < basis.mapping.cells.size(); ++i)
-    for (int channel = 0; channel < 3; ++channel) {
-      const auto mapped = [&](const TabulatedBrdf& table) {
-        return logRelative(table.values()[basis.mapping.cells[i]][channel], basis.mapping.weights[i],
-                           basis.mapping.reference[i]);
-      };
-      largest = std::max(largest, std::abs(mapped(a) - mapped(b)));
-    }
-  return largest;
-}
 
 ReconstructionOptions ridgeOf(std::optional<double> ridge, int components = 0) {
   return {.ridge = ridge, .components = components};
