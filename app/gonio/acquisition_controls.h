@@ -67,6 +67,14 @@ class AcquisitionControls : public QWidget {
   void reconstructionEdited();
 
  private:
+  /// Items of the boxes.
+  enum Training { measured, fits, library, shownInLibrary, otherSet, folder };
+  enum SubjectItem { openMaterial, chosenMaterial, noMaterial, chooseMaterial };
+  enum ReconstructionItem { chosenRidge, publishedRidge, sparse };
+  /// Of a ridge that is chosen: more than samples, since the ridge keeps them in check. The time of the uncertainty
+  /// grows with their square.
+  static constexpr int mostComponents = 100;
+
   void buildTraining(QFormLayout& form);
   void buildSubject(QFormLayout& form);
   void buildSamples(QFormLayout& form);
@@ -77,6 +85,7 @@ class AcquisitionControls : public QWidget {
   void askForFolder();
   void refresh();
   TrainingSet training() const;
+  bool isNoisy() const;
 
   std::function<QStringList()> m_shownIds;
   TrainingSet m_otherTraining;  ///< a folder's

@@ -14,8 +14,6 @@
 
 #include "app/gonio/acquisition_slice.h"
 #include "app/gonio/autosave.h"
-#include "core/io/plan_file.h"
-#include "core/io/values_file.h"
 #include "widgets/acquisition/error_curve.h"
 #include "widgets/acquisition/half_difference_chart.h"
 #include "widgets/acquisition/hemisphere_chart.h"
@@ -34,11 +32,12 @@ AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, Q
       m_session(tasks),
       m_controls(new AcquisitionControls),
       m_start(new QPushButton),
-      m_open(new QPushButton(tr("O&pen as Material"))),
+      m_open(new QPushButton(tr("Open as Mater&ial"))),
       m_copy(new QPushButton(tr("&Copy"))),
-      m_save(new QPushButton(tr("Sa&ve Plan..."))),
+      m_save(new QPushButton(tr("Save Plan..."))),
+      m_openPlan(new QPushButton(tr("Open Plan..."))),
       m_paste(new QPushButton(tr("Pas&te Values"))),
-      m_read(new QPushButton(tr("Open Val&ues..."))),
+      m_read(new QPushButton(tr("&Open Values..."))),
       m_progress(new QProgressBar),
       m_status(new QLabel),
       m_numbers(new QLabel),
@@ -61,6 +60,7 @@ AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, Q
   connectSession();
   connectCharts();
   connectButtons();
+  m_session.setReconstruction(m_controls->reconstruction());
   showDirections();
   showSlice();
   showResult();
@@ -120,51 +120,6 @@ void AcquisitionPanel::start() {
   m_pageChosen = false;
   m_pages->setCurrentIndex(samplesPage);
   m_session.plan(m_controls->planSettings());
-}
-
-// --- The values
-
-QStringList AcquisitionPanel::planComments() const {
-  const PlanSettings& settings = m_session.settings();
-  return {tr("Plan of %n samples, %1", nullptr, int(m_session.samplingPlan().samples.size()))
-              .arg(m_controls->methodBox().itemText(int(settings.method))),
-          tr("learned from %n materials (%1)", nullptr, m_session.learnedMaterials()).arg(settings.training.name)};
-}
-
-QString AcquisitionPanel::planText() const {
-  std::vector<std::string> comments;
-  for (const QString& comment : planComments()) comments.push_back(comment.toStdString());
-  return QString::fromStdString(io::planCsv(m_session.samplingPlan(), comments));
-}
-
-void AcquisitionPanel::savePlan(const QString& path) {
-  std::vector<std::string> comments;
-  for (const QString& comment : planComments()) comments.push_back(comment.toStdString());
-  try {
-    io::writePlan(m_session.samplingPlan(), path.toStdString(), comments);
-    Q_EMIT exported(path);
-  } catch (const Error& error) {
-    Q_EMIT failed(tr("Cannot save the plan"), QString::fromUtf8(error.what()));
-  }
-}
-
-void AcquisitionPanel::paste(const QString& text) {
-  try {
-    if (text.trimmed().isEmpty()) throw Error(tr("There is no text on the clipboard.").toStdString());
-    // Cells of a spreadsheet come with tabs between them.
-    const QString commas = text.contains(',') ? text : QString(text).replace('\t', ',');
-    m_session.setValues(io::parseValues(commas.toStdString(), m_session.samplingPlan()), tr("pasted"));
-  } catch (const Error& error) {
-    Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
-  }
-}
-
-void AcquisitionPanel::readValues(const QString& path) {
-  try {
-    m_session.setValues(io::readValues(path.toStdString(), m_session.samplingPlan()), path.section('/', -1));
-  } catch (const Error& error) {
-    Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
-  }
 }
 
 // --- What is shown
@@ -284,6 +239,7 @@ void AcquisitionPanel::refresh() {
   m_progress->setValue(int(std::lround(m_progress->maximum() * m_session.share())));
   m_status->setText(nextStep());
   for (QPushButton* button : {m_copy, m_save, m_paste, m_read}) button->setEnabled(planned);
+  m_openPlan->setEnabled(!startCancels());
   m_open->setEnabled(m_session.result() && !m_session.isOpening());
   const QString empty = busy ? QString() : tr("Start chooses directions here.");
   m_hemisphere->setHint(empty);

@@ -61,6 +61,8 @@ class AcquisitionPanel : public QWidget {
   /// Values as comma-separated text, one row a sample. Tells what is wrong with them.
   void paste(const QString& text);
   void readValues(const QString& path);
+  /// A plan that was saved before, here or by goniotool: learns the training set and takes its directions.
+  void readPlan(const QString& path);
   void savePlan(const QString& path);
   /// The material that is measured: a file or one of the library.
   void measure(const QString& id);
@@ -89,6 +91,7 @@ class AcquisitionPanel : public QWidget {
   void connectButtons();
   void askForValues();
   void askForPlanFile();
+  void askForPlan();
   /// The document's material, where that is what is measured.
   void takeOpenMaterial();
   bool startCancels() const;
@@ -110,7 +113,7 @@ class AcquisitionPanel : public QWidget {
   std::vector<editing::Edit> m_takenEdits;
   bool m_pageChosen = false;  ///< by the user, since the last start
   AcquisitionControls* m_controls;
-  QPushButton *m_start, *m_open, *m_copy, *m_save, *m_paste, *m_read;
+  QPushButton *m_start, *m_open, *m_copy, *m_save, *m_openPlan, *m_paste, *m_read;
   QProgressBar* m_progress;
   QLabel *m_status, *m_numbers;
   widgets::HemisphereChart* m_hemisphere;

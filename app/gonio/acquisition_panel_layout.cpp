@@ -79,7 +79,7 @@ QWidget* AcquisitionPanel::buildCharts() {
          "samples leave (0.1 is about 10 %)."));
   m_slice->setRange(0, HalfDifferenceGrid().phiDCount - 1);
   m_slice->setValue(HalfDifferenceGrid().phiDCount / 2);
-  auto* label = new QLabel(tr("Sl&ice φd"));
+  auto* label = new QLabel(tr("Slice φd"));
   label->setBuddy(m_slice);
   auto* row = new QHBoxLayout;
   row->addWidget(label);
@@ -98,9 +98,9 @@ QWidget* AcquisitionPanel::buildCharts() {
 }
 
 QWidget* AcquisitionPanel::buildPages() {
-  m_pages->addTab(buildSamplesPage(), tr("Sa&mples"));
+  m_pages->addTab(buildSamplesPage(), tr("Samples"));
   m_pages->addTab(buildReconstructionPage(), tr("&Reconstruction"));
-  m_pages->addTab(buildCurvePage(), tr("Error o&ver m"));
+  m_pages->addTab(buildCurvePage(), tr("Error over m"));
   m_pages->setDocumentMode(true);
   return m_pages;
 }
@@ -122,12 +122,16 @@ QWidget* AcquisitionPanel::buildSamplesPage() {
       tr("Takes measured values from the clipboard: rows of index, r, g, b in 1/sr with a header, of a spreadsheet or "
          "as comma-separated text"));
   m_read->setToolTip(tr("The same from a CSV file"));
-  auto* row = new QHBoxLayout;
-  for (QPushButton* button : {m_copy, m_save, m_paste, m_read}) row->addWidget(button);
-  row->addStretch();
+  m_openPlan->setToolTip(tr(
+      "Takes the directions of a plan that was saved before, instead of choosing them; the training set is learned"));
   auto* page = new QWidget;
   auto* layout = column(page);
-  layout->addLayout(row);
+  for (const auto& buttons : {std::vector{m_copy, m_save, m_openPlan}, std::vector{m_paste, m_read}}) {
+    auto* row = new QHBoxLayout;
+    for (QPushButton* button : buttons) row->addWidget(button);
+    row->addStretch();
+    layout->addLayout(row);
+  }
   layout->addWidget(m_table, 1);
   return page;
 }
@@ -216,6 +220,7 @@ void AcquisitionPanel::connectButtons() {
   connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(planText()); });
   connect(m_paste, &QPushButton::clicked, this, [this] { paste(QApplication::clipboard()->text()); });
   connect(m_read, &QPushButton::clicked, this, &AcquisitionPanel::askForValues);
+  connect(m_openPlan, &QPushButton::clicked, this, &AcquisitionPanel::askForPlan);
   connect(m_save, &QPushButton::clicked, this, &AcquisitionPanel::askForPlanFile);
 }
 
@@ -224,6 +229,14 @@ void AcquisitionPanel::askForValues() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, &AcquisitionPanel::readValues);
+  dialog->open();
+}
+
+void AcquisitionPanel::askForPlan() {
+  auto* dialog = new QFileDialog(this, tr("Open Plan"), {}, tr("Plans (*.csv);;All files (*)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &AcquisitionPanel::readPlan);
   dialog->open();
 }
 

@@ -57,6 +57,8 @@ class AcquisitionSession : public QObject {
   /// Chooses directions anew: learns the training set, unless the last plan was of the same one, and tells each
   /// direction as it is chosen. With a reference it is measured then.
   void plan(const PlanSettings& settings);
+  /// Takes a plan that was made before instead of choosing one, at the nearest cells of what `settings` learn.
+  void plan(const PlanSettings& settings, const acquisition::SamplingPlan& given);
   /// Stops what is under way. What is there stays.
   void cancel();
   Step step() const { return m_step; }
@@ -114,13 +116,18 @@ class AcquisitionSession : public QObject {
     acquisition::SampleSelection selection;
     acquisition::SamplingPlan plan;
   };
+  /// One key for all steps: a step takes the place of the one before.
+  inline static const QString stepKey = QStringLiteral("acquisition");
   void setStep(Step step);
   void forgetPlan();
   void forgetResult();
   void install(const AcquisitionReferencePtr& reference);
   void readReference(std::function<AcquisitionReferencePtr(const TaskControl&)> read);
+  void start(const PlanSettings& settings, const std::optional<acquisition::SamplingPlan>& given);
   void learn(const QStringList& ids);
   void choose();
+  void takeGiven();
+  void installPlan(const Planned& planned);
   void takeChosen(int run, std::uint32_t cell);
   void measureReference();
   void reconstruct();
@@ -135,8 +142,9 @@ class AcquisitionSession : public QObject {
   AcquisitionReferencePtr m_reference;
   PlanSettings m_settings;
   std::shared_ptr<const dictionary::PrincipalComponents> m_basis;
-  QStringList m_learned;  ///< that m_basis is of
-  int m_run = 0;          ///< numbers the plans: directions of an earlier one are late
+  QStringList m_learned;                             ///< that m_basis is of
+  std::optional<acquisition::SamplingPlan> m_given;  ///< to be taken as it is
+  int m_run = 0;                                     ///< numbers the plans: directions of an earlier one are late
   std::vector<std::uint32_t> m_chosen;
   acquisition::SampleSelection m_selection;
   acquisition::SamplingPlan m_plan;

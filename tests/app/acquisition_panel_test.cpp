@@ -139,6 +139,18 @@ class AcquisitionPanelTest : public QObject {
     QCOMPARE(io::readPlan(path.toStdString()).samples[3].order, editor.panel.session().samplingPlan().samples[3].order);
     editor.panel.savePlan("/nowhere/plan.csv");
     QVERIFY(editor.failure().contains("/nowhere/plan.csv"));
+    // Read again, also by another editor: the same cells in the same order.
+    const auto cells = editor.panel.session().selection().cells;
+    editor.panel.controls().setSamples(5);
+    editor.panel.controls().methodBox().setCurrentIndex(4);
+    editor.panel.readPlan(path);
+    QVERIFY(editor.settle());
+    QCOMPARE(editor.panel.session().selection().cells, cells);
+    QCOMPARE(editor.panel.controls().planSettings().samples, 8);
+    QVERIFY(editor.panel.session().result() && editor.panel.session().curve().size() == curveCounts(8).size());
+    editor.panel.readPlan("/nowhere/plan.csv");
+    QVERIFY(editor.failure().contains("/nowhere/plan.csv"));
+    QVERIFY(editor.panel.session().hasPlan());
   }
 
   /// What is wrong with a value is told with its line; the values that were there stay.

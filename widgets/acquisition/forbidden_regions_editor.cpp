@@ -31,8 +31,8 @@ double largest(int column) { return column < 4 ? 90 : 180; }
 ForbiddenRegionsEditor::ForbiddenRegionsEditor(QWidget* parent)
     : QWidget(parent),
       m_table(new QTableWidget(0, columnCount)),
-      m_add(new QPushButton(tr("&Add"))),
-      m_remove(new QPushButton(tr("Remo&ve"))) {
+      m_add(new QPushButton(tr("Add"))),
+      m_remove(new QPushButton(tr("Remove"))) {
   m_table->setHorizontalHeaderLabels({tr("θi from"), tr("to"), tr("θo from"), tr("to"), tr("Δφ from"), tr("to")});
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   m_table->horizontalHeader()->setMinimumSectionSize(0);

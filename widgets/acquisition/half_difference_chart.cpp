@@ -20,47 +20,6 @@ namespace {
 
 constexpr double dotRadius = 4.5, markedRadius = 6.5;
 constexpr plots::ThetaHSpacing spacing = plots::ThetaHSpacing::squareRoot;
-constexpr CellState shadedStates[] = {CellState::belowHorizon, CellState::grazing, CellState::forbidden,
-                                      CellState::unlearned};
-
-QString stateName(CellState state) {
-  switch (state) {
-    case CellState::belowHorizon:
-      return HalfDifferenceChart::tr("below the horizon");
-    case CellState::grazing:
-      return HalfDifferenceChart::tr("grazing");
-    case CellState::forbidden:
-      return HalfDifferenceChart::tr("out of the rig's reach");
-    case CellState::unlearned:
-      return HalfDifferenceChart::tr("not in all materials");
-    case CellState::measurable:
-      break;
-  }
-  return HalfDifferenceChart::tr("measurable");
-}
-
-/// Told apart by their hatching.
-Qt::BrushStyle hatching(CellState state) {
-  switch (state) {
-    case CellState::belowHorizon:
-      return Qt::SolidPattern;
-    case CellState::grazing:
-      return Qt::BDiagPattern;
-    case CellState::forbidden:
-      return Qt::DiagCrossPattern;
-    case CellState::unlearned:
-      return Qt::Dense5Pattern;
-    case CellState::measurable:
-      break;
-  }
-  return Qt::NoBrush;
-}
-
-QBrush brushOf(CellState state, const PlotStyle& style) {
-  QColor colour = style.text;
-  colour.setAlphaF(state == CellState::belowHorizon ? 0.28f : 0.6f);
-  return QBrush(colour, hatching(state));
-}
 
 }  // namespace
 
@@ -154,7 +113,7 @@ void HalfDifferenceChart::drawShading(QPainter& painter) const {
       int end = j;
       while (end < m_slice.thetaDCount && row[end] == state) ++end;
       if (state != CellState::measurable) {
-        painter.setBrush(brushOf(state, style));
+        painter.setBrush(stateBrush(state, style));
         const double top = std::round(at.bottom() - (i + 1) * height), bottom = std::round(at.bottom() - i * height);
         const double left = std::round(at.left() + j * width), right = std::round(at.left() + end * width);
         painter.drawRect(QRectF(left, top, right - left, bottom - top));
@@ -285,7 +244,7 @@ void HalfDifferenceChart::drawLegend(QPainter& painter) const {
   for (const CellState state : shownStates())
     entry(stateName(state), [&](const QPointF& at) {
       painter.setPen(QPen(style.text, 1));
-      painter.setBrush(brushOf(state, style));
+      painter.setBrush(stateBrush(state, style));
       painter.drawRect(QRectF(at - QPointF(0.45, 0.35) * em, QSizeF(0.9, 0.7) * em));
     });
 }

@@ -5,18 +5,10 @@
 #include <QImage>
 
 #include "core/coordinates/half_difference_grid.h"
+#include "widgets/acquisition/cell_state.h"
 #include "widgets/acquisition/sample_chart.h"
 
 namespace gonio::widgets {
-
-/// What can be said of a cell of the grid.
-enum class CellState : std::uint8_t {
-  measurable,
-  belowHorizon,  ///< of light or viewer
-  grazing,       ///< beyond the largest polar angle
-  forbidden,     ///< the rig cannot reach it
-  unlearned      ///< not valid in every material of the training set
-};
 
 /// The cells of a grid at one phi_d.
 struct HalfDifferenceSlice {

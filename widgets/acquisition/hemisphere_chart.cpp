@@ -93,15 +93,18 @@ void HemisphereChart::drawLabels(QPainter& painter) const {
   drawCentred(painter, rim.center() + QPointF(0, -r - 0.7 * em), QStringLiteral("90°"));
   drawCentred(painter, rim.center() + QPointF(-r - 1.4 * em, 0), QStringLiteral("180°"));
   drawCentred(painter, rim.center() + QPointF(0, r + 0.7 * em), QStringLiteral("270°"));
-  QColor paper = style.background;
-  paper.setAlpha(190);
+  for (const auto& [text, box] : ringLabels()) painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);
+}
+
+std::vector<std::pair<QString, QRectF>> HemisphereChart::ringLabels() const {
+  std::vector<std::pair<QString, QRectF>> labels;
   for (int angle = 30; angle < 90; angle += 30) {
-    const QPointF at = placeOf(fromSpherical(radians(angle), labelAzimuth));
     const QString text = angle == 30 ? tr("θ %1°").arg(angle) : QStringLiteral("%1°").arg(angle);
-    const double half = fontMetrics().horizontalAdvance(text) / 2.0 + 2;
-    painter.fillRect(QRectF(at - QPointF(half, em / 2), QSizeF(2 * half, em)), paper);
-    drawCentred(painter, at, text);
+    const QSizeF size(fontMetrics().horizontalAdvance(text) + 4, fontMetrics().height());
+    const QPointF at = placeOf(fromSpherical(radians(angle), labelAzimuth));
+    labels.emplace_back(text, QRectF(at - QPointF(size.width(), size.height()) / 2, size));
   }
+  return labels;
 }
 
 void HemisphereChart::drawSample(QPainter& painter, int sample, bool marked) const {
@@ -153,7 +156,9 @@ void HemisphereChart::paintEvent(QPaintEvent*) {
   for (int i = 0; i < int(samples().size()); ++i)
     if (i != current()) drawSample(painter, i, false);
   if (current() >= 0) drawSample(painter, current(), true);
-  drawNumbers(painter);
+  std::vector<QRectF> taken;
+  for (const auto& label : ringLabels()) taken.push_back(label.second);
+  drawNumbers(painter, std::move(taken));
   drawLegend(painter);
   drawHint(painter, disc());
   drawFocus(painter);

@@ -32,6 +32,8 @@ class HemisphereChart : public SampleChart {
   QRectF disc() const;
   void drawGrid(QPainter& painter) const;
   void drawLabels(QPainter& painter) const;
+  /// What the rings are, and where it stands.
+  std::vector<std::pair<QString, QRectF>> ringLabels() const;
   void drawSample(QPainter& painter, int sample, bool marked) const;
   void drawLegend(QPainter& painter) const;
 

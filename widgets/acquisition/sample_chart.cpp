@@ -101,8 +101,7 @@ void SampleChart::drawNumber(QPainter& painter, int sample, std::vector<QRectF>&
   }
 }
 
-void SampleChart::drawNumbers(QPainter& painter) const {
-  std::vector<QRectF> taken;
+void SampleChart::drawNumbers(QPainter& painter, std::vector<QRectF> taken) const {
   for (int i = 0; i < int(m_samples.size()); ++i)
     for (const QPointF& dot : places(i))
       taken.emplace_back(dot - QPointF(dotRadius, dotRadius), QSizeF(2 * dotRadius, 2 * dotRadius));

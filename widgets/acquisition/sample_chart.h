@@ -45,9 +45,9 @@ class SampleChart : public QWidget {
  protected:
   /// What a tooltip says of a sample.
   virtual QString toolTipOf(int sample) const;
-  /// Numbers beside the first dot of each sample, where they cover no other number and no dot; that of the marked
-  /// sample always.
-  void drawNumbers(QPainter& painter) const;
+  /// Numbers beside the first dot of each sample, where they cover no other number, no dot and nothing else that is
+  /// `taken`; that of the marked sample always.
+  void drawNumbers(QPainter& painter, std::vector<QRectF> taken = {}) const;
   static void drawCentred(QPainter& painter, const QPointF& at, const QString& text);
   /// The hint, or nothing where there are samples.
   void drawHint(QPainter& painter, const QRectF& within) const;

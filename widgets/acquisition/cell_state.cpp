@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/acquisition/cell_state.h"
+
+#include <QCoreApplication>
+
+namespace gonio::widgets {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("CellState", text); }
+
+Qt::BrushStyle hatching(CellState state) {
+  switch (state) {
+    case CellState::belowHorizon:
+      return Qt::SolidPattern;
+    case CellState::grazing:
+      return Qt::BDiagPattern;
+    case CellState::forbidden:
+      return Qt::DiagCrossPattern;
+    case CellState::unlearned:
+      return Qt::Dense5Pattern;
+    case CellState::measurable:
+      break;
+  }
+  return Qt::NoBrush;
+}
+
+}  // namespace
+
+QString stateName(CellState state) {
+  switch (state) {
+    case CellState::belowHorizon:
+      return tr("below the horizon");
+    case CellState::grazing:
+      return tr("grazing");
+    case CellState::forbidden:
+      return tr("out of the rig's reach");
+    case CellState::unlearned:
+      return tr("not in all materials");
+    case CellState::measurable:
+      break;
+  }
+  return tr("measurable");
+}
+
+QBrush stateBrush(CellState state, const PlotStyle& style) {
+  QColor colour = style.text;
+  colour.setAlphaF(state == CellState::belowHorizon ? 0.28f : 0.6f);
+  return QBrush(colour, hatching(state));
+}
+
+}  // namespace gonio::widgets
