@@ -144,10 +144,10 @@ void AcquisitionControls::buildReconstruction(QFormLayout& form) {
   form.addRow(heading(tr("Reconstruction")));
   m_reconstruction = new QComboBox;
   const std::pair<QString, QString> methods[] = {
-      {tr("Ridge, η by leave-one-out"),
-       tr("Tikhonov regularisation over up to %1 components, with the η that predicts each sample best from all others")
-           .arg(mostComponents)},
-      {tr("Ridge, η = %1, as published").arg(acquisition::publishedRidge),
+      {tr("Ridge, chosen η"), tr("Tikhonov regularisation over up to %1 components, with the η that predicts each "
+                                 "sample best from all others (leave-one-out)")
+                                  .arg(mostComponents)},
+      {tr("Ridge, published η = %1").arg(acquisition::publishedRidge),
        tr("With the η of the publications, over as many components as samples. It was found for some 400 training "
           "signals; with fewer it flattens too much.")},
       {tr("Sparse"), tr("Few components, chosen by orthogonal matching pursuit; tells no uncertainty")}};

@@ -19,6 +19,9 @@ constexpr double gapEms = 0.8, captionEms = 1.3, legendEms = 2.2;
 
 ReconstructionView::ReconstructionView(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Reconstruction beside its reference"));
+  setToolTip(
+      tr("The material that is measured, what its samples give, and the difference of the two pictures: |L1 - L2| of "
+         "their luminances, in the scene's unit of radiance"));
 }
 
 QSize ReconstructionView::sizeHint() const { return QSize(26, 13) * fontMetrics().height(); }
@@ -38,7 +41,7 @@ std::vector<ReconstructionView::Picture> ReconstructionView::pictures() const {
   std::vector<Picture> shown;
   if (!m_content.reference.isNull()) shown.push_back({m_content.reference, m_content.referenceName});
   if (!m_content.reconstruction.isNull()) shown.push_back({m_content.reconstruction, tr("reconstruction")});
-  if (!m_content.errorMap.isNull()) shown.push_back({m_content.errorMap, tr("error")});
+  if (!m_content.errorMap.isNull()) shown.push_back({m_content.errorMap, tr("luminance error")});
   return shown;
 }
 
