@@ -32,4 +32,5 @@ picture factors-swapped dark library:sgd/gold-metallic-paint --factors --take-f1
 picture interpolation light library:sgd/gold-metallic-paint \
   --interpolate library:sgd/gold-metallic-paint,library:sgd/blue-metallic-paint2
 picture editor-study light library:sgd/gold-metallic-paint --study "PDV factors, two curves, 1 term"
+picture editor-acquisition dark library:rgl/vch_golden_yellow --acquire 40 --acquisition-page 1
 picture editor-representation dark library:sgd/brass --encoded 64 --compare split

@@ -47,9 +47,7 @@ void AcquisitionPanel::readPlan(const QString& path) {
 void AcquisitionPanel::paste(const QString& text) {
   try {
     if (text.trimmed().isEmpty()) throw Error(tr("There is no text on the clipboard.").toStdString());
-    // Cells of a spreadsheet come with tabs between them.
-    const QString commas = text.contains(',') ? text : QString(text).replace('\t', ',');
-    m_session.setValues(io::parseValues(commas.toStdString(), m_session.samplingPlan()), tr("pasted"));
+    m_session.setValues(io::parseValues(text.toStdString(), m_session.samplingPlan()), tr("pasted"));
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
   }

@@ -118,9 +118,9 @@ QWidget* AcquisitionPanel::buildSamplesPage() {
   m_table->setAccessibleName(tr("Samples"));
   m_copy->setToolTip(tr("Copies the plan as comma-separated text"));
   m_save->setToolTip(tr("Writes the plan as CSV: a row for each pair of directions, in degrees"));
-  m_paste->setToolTip(
-      tr("Takes measured values from the clipboard: rows of index, r, g, b in 1/sr with a header, of a spreadsheet or "
-         "as comma-separated text"));
+  m_paste->setToolTip(tr(
+      "Takes measured values from the clipboard, of a spreadsheet or as comma-separated text: a header, then rows of "
+      "index, r, g, b in 1/sr"));
   m_read->setToolTip(tr("The same from a CSV file"));
   m_openPlan->setToolTip(tr(
       "Takes the directions of a plan that was saved before, instead of choosing them; the training set is learned"));

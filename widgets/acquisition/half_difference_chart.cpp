@@ -176,7 +176,11 @@ void HalfDifferenceChart::drawSamples(QPainter& painter) const {
   for (int i = 0; i < int(samples().size()); ++i)
     if (i != current()) draw(i);
   if (current() >= 0) draw(current());
-  drawNumbers(painter);
+  // The margins belong to the axes.
+  const QRectF at = plot(), whole = rect();
+  drawNumbers(painter, {QRectF(whole.topLeft(), QPointF(at.left(), whole.bottom())),
+                        QRectF(QPointF(at.right(), whole.top()), whole.bottomRight()),
+                        QRectF(QPointF(whole.left(), at.bottom()), whole.bottomRight())});
 }
 
 void HalfDifferenceChart::drawColourBar(QPainter& painter) const {
