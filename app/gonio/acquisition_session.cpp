@@ -124,9 +124,13 @@ void AcquisitionSession::measureReference() {
       Q_EMIT failed(tr("Cannot measure %1").arg(m_referenceName), QString::fromUtf8(error.what()));
     }
     m_valuesName = tr("simulated from %1").arg(m_referenceName);
+    m_valuesOf = m_referenceName;
   }
   Q_EMIT valuesChanged();
-  if (!m_values.rgb.empty()) reconstruct();
+  if (!m_values.rgb.empty()) return reconstruct();
+  // What runs would tell of values that are gone.
+  m_tasks.drop(stepKey);
+  setStep(Step::idle);
 }
 
 void AcquisitionSession::setValues(const acquisition::MeasuredValues& values, const QString& name) {
@@ -136,6 +140,7 @@ void AcquisitionSession::setValues(const acquisition::MeasuredValues& values, co
   m_simulated = false;
   m_values = values;
   m_valuesName = name;
+  m_valuesOf = name.contains('.') ? name.section('.', 0, -2) : tr("Material");
   forgetResult();
   Q_EMIT valuesChanged();
   reconstruct();
@@ -158,8 +163,9 @@ void AcquisitionSession::reconstruct() {
       [input = input(), reference = m_reference](const TaskControl& control) {
         return acquire(input, reference, control);
       },
-      [this, input = input()](const AcquisitionResultPtr& result) {
+      [this, input = input(), of = m_valuesOf](const AcquisitionResultPtr& result) {
         m_result = result;
+        m_resultOf = of;
         setStep(Step::idle);
         Q_EMIT resultChanged();
         if (m_reference) startCurve(input);
@@ -192,8 +198,7 @@ void AcquisitionSession::startCurve(const AcquisitionInput& input) {
 }
 
 QString AcquisitionSession::resultName() const {
-  const QString of = m_referenceName.isEmpty() ? tr("material") : m_referenceName;
-  return tr("%1 from %n samples", nullptr, int(m_plan.samples.size())).arg(of);
+  return tr("%1 from %n samples", nullptr, int(m_plan.samples.size())).arg(m_resultOf);
 }
 
 void AcquisitionSession::open(Document& document, const QString& folder) {

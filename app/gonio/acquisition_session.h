@@ -151,6 +151,7 @@ class AcquisitionSession : public QObject {
   acquisition::MeasurementNoise m_noise;
   acquisition::MeasuredValues m_values;
   QString m_valuesName;
+  QString m_valuesOf, m_resultOf;  ///< which material was measured
   bool m_simulated = true;
   acquisition::ReconstructionOptions m_options;
   AcquisitionResultPtr m_result;

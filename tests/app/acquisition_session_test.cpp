@@ -181,17 +181,37 @@ class AcquisitionSessionTest : public QObject {
     QVERIFY_THROWS_EXCEPTION(Error, session.setValues(values, "short"));
     QVERIFY(!session.result());
     values.rgb.assign(6, Rgb(0.1));
-    session.setValues(values, "file");
+    session.setValues(values, "rig.csv");
     QVERIFY(acquisition.waitForAll());
+    QCOMPARE(session.resultName(), QString("rig from 6 samples"));
     QVERIFY(session.result() && !session.result()->error && session.result()->errorMap.isNull());
     QVERIFY(!session.result()->picture.isNull() && session.curve().empty() && !session.isSimulated());
     // A material to compare with leaves them as they are.
     QVERIFY(acquisition.measure(acquisition.library.subject));
     QVERIFY(!session.isSimulated() && session.values().rgb[0] == Rgb(0.1) && session.result()->error);
+    QCOMPARE(session.resultName(), QString("rig from 6 samples"));
     // Noise: simulated again, and another value.
     session.simulate({.relative = 0.1});
     QVERIFY(acquisition.waitForAll());
     QVERIFY(session.isSimulated() && session.values().rgb[0] != Rgb(0.1) && !session.values().noise.empty());
+  }
+
+  /// Without a material nothing is reconstructed, also what has begun; until another one is read the result is named
+  /// after the one that it is of.
+  void whatIsMeasuredIsTakenAway() {
+    Acquisition acquisition;
+    AcquisitionSession& session = acquisition.session;
+    QVERIFY(acquisition.measure(acquisition.library.subject));
+    QVERIFY(acquisition.plan(acquisition.library.settings(6)));
+    session.setReference(acquisition.library.training.ids[0]);
+    QCOMPARE(session.resultName(), QString("subject from 6 samples"));
+    QVERIFY(acquisition.waitForAll());
+    session.simulate({.relative = 0.1});
+    QVERIFY(session.isBusy());
+    session.clearReference();
+    QVERIFY(acquisition.waitForAll());
+    QVERIFY(!session.isBusy() && !session.result() && session.values().rgb.empty() && session.curve().empty());
+    QVERIFY(session.hasPlan());
   }
 
   void theResultIsAMaterialLikeAnyOther() {
