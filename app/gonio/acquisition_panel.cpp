@@ -8,12 +8,12 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <QStandardPaths>
 #include <QTabWidget>
 #include <QTableView>
 #include <cmath>
 
 #include "app/gonio/acquisition_slice.h"
-#include "app/gonio/autosave.h"
 #include "widgets/acquisition/error_curve.h"
 #include "widgets/acquisition/half_difference_chart.h"
 #include "widgets/acquisition/hemisphere_chart.h"
@@ -228,6 +228,7 @@ QString AcquisitionPanel::nextStep() const {
   if (m_session.isReferenceLearned() && m_session.result())
     return tr("%1 is in the training set: the error is too small. Start anew to leave it out.")
         .arg(m_session.referenceName());
+  if (!m_session.result()) return tr("Stopped before the material was reconstructed: start anew.");
   return tr("Values: %1").arg(m_session.valuesName());
 }
 
@@ -246,7 +247,9 @@ void AcquisitionPanel::refresh() {
   m_chart->setHint(empty);
   const QString values = !planned ? tr("Start chooses directions; the material is reconstructed from its values there.")
                          : busy   ? tr("Working...")
-                                  : tr("Paste or open the values that were measured at the samples.");
+                         : m_session.values().rgb.empty()
+                             ? tr("Paste or open the values that were measured at the samples.")
+                             : nextStep();
   m_view->setHint(values);
   m_curve->setHint(!m_session.reference() ? tr("The error needs a material to compare with: choose one to measure.")
                    : busy                 ? tr("Working...")
@@ -260,7 +263,8 @@ void AcquisitionPanel::openResult() {
     m_controls->setChosenSubject(m_session.referenceName());
     m_controls->subjectBox().setItemData(m_controls->subjectBox().currentIndex(), m_session.referenceId());
   }
-  m_session.open(m_document, Autosave::defaultDataFolder() + QStringLiteral("/acquired"));
+  m_session.open(m_document,
+                 QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/acquired"));
 }
 
 }  // namespace gonio::app

@@ -136,7 +136,7 @@ void acquire(MainWindow& window, int samples, int page) {
   AcquisitionPanel& panel = window.acquisition();
   panel.controls().setSamples(samples);
   QObject::connect(&window.document(), &Document::materialChanged, &panel, &AcquisitionPanel::start,
-                   Qt::QueuedConnection);
+                   Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
   QObject::connect(
       &panel.session(), &AcquisitionSession::resultChanged, &panel,
       [&panel, page] { panel.pages().setCurrentIndex(page); }, Qt::QueuedConnection);

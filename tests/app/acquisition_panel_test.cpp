@@ -105,6 +105,25 @@ class AcquisitionPanelTest : public QObject {
     QCOMPARE(editor.panel.hemisphere().samples().size(), std::size_t(0));
   }
 
+  /// A plan whose reconstruction was stopped stays, and the panel says so.
+  void aStoppedReconstructionIsTold() {
+    Editor editor;
+    AcquisitionPanel& panel = editor.panel;
+    const auto stop = connect(&panel.session(), &AcquisitionSession::progressed, &panel, [&panel] {
+      if (panel.session().step() == AcquisitionSession::Step::reconstructing) panel.session().cancel();
+    });
+    editor.open(editor.library.subject);
+    panel.startButton().click();
+    QVERIFY(editor.settle());
+    QVERIFY(panel.session().hasPlan() && !panel.session().result());
+    QCOMPARE(panel.status(), "Stopped before the material was reconstructed: start anew.");
+    QVERIFY(editor.button("Start") && editor.button("Save Plan...")->isEnabled());
+    disconnect(stop);
+    panel.startButton().click();
+    QVERIFY(editor.settle());
+    QVERIFY(panel.session().result());
+  }
+
   /// A mark in either chart or in the table is one in all three; a click shows the slice of the sample.
   void marksAreKeptTogether() {
     Editor editor;

@@ -2,12 +2,14 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/main_window.h"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QStandardPaths>
 #include <QTest>
 
+#include "app/gonio/acquisition_panel.h"
 #include "app/gonio/command_search.h"
 #include "app/gonio/help_pages.h"
 #include "core/models/model.h"
@@ -100,7 +102,7 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
-  /// The three layouts show what their work needs; the first is the usual one.
+  /// The four layouts show what their work needs; the first is the usual one.
   void layouts() {
     auto* window = new MainWindow;
     window->show();
@@ -119,7 +121,10 @@ class MainWindowTest : public QObject {
     QVERIFY(window->comparison().comparison().mode != widgets::CompareMode::off);
     run("View > Layouts > Analyse");
     QVERIFY(isShown("plots") && isShown("models") && isShown("library"));
+    run("View > Layouts > Acquire");
+    QVERIFY(isShown("acquisition") && !isShown("library") && !isShown("inspector") && !isShown("plots"));
     run("View > Layouts > Edit");
+    QVERIFY(!isShown("acquisition"));
     QVERIFY(isShown("library") && isShown("inspector") && !isShown("plots") && !isShown("comparison"));
     delete window;
   }
@@ -145,6 +150,20 @@ class MainWindowTest : public QObject {
     QTest::keyPress(search, Qt::Key_Backslash, {});
     QCOMPARE(shown->text(), "Fit: GGX");
     QTest::keyRelease(search, Qt::Key_Backslash);
+    delete window;
+  }
+
+  /// A search of the library leaves fewer materials to learn from.
+  void acquisitionsLearnFromWhatTheLibraryShows() {
+    auto* window = new MainWindow;
+    AcquisitionControls& controls = window->acquisition().controls();
+    controls.trainingBox().setCurrentIndex(3);
+    QCOMPARE(controls.trainingBox().currentText(), "What the library shows");
+    QCOMPARE(controls.planSettings().training.ids.size(), window->library().model().rowCount());
+    window->libraryView().search()->setText("paper_");
+    const QStringList ids = controls.planSettings().training.ids;
+    QVERIFY(!ids.isEmpty() && ids.size() < window->library().model().rowCount());
+    for (const QString& id : ids) QVERIFY2(id.startsWith("library:") && id.contains("paper_"), qPrintable(id));
     delete window;
   }
 
