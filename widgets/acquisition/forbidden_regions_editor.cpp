@@ -33,7 +33,7 @@ ForbiddenRegionsEditor::ForbiddenRegionsEditor(QWidget* parent)
       m_table(new QTableWidget(0, columnCount)),
       m_add(new QPushButton(tr("Add"))),
       m_remove(new QPushButton(tr("Remove"))) {
-  m_table->setHorizontalHeaderLabels({tr("θi from"), tr("to"), tr("θo from"), tr("to"), tr("Δφ from"), tr("to")});
+  m_table->setHorizontalHeaderLabels({tr("θi ≥"), tr("θi ≤"), tr("θo ≥"), tr("θo ≤"), tr("Δφ ≥"), tr("Δφ ≤")});
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   m_table->horizontalHeader()->setMinimumSectionSize(0);
   m_table->verticalHeader()->hide();
