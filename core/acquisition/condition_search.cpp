@@ -92,17 +92,13 @@ class Search {
 
   ConditionSearchResult run(const TaskControl& control) {
     Spectrum spectrum(matrix_);
-    ConditionSearchResult result{.startConditionNumber = spectrum.condition};
     std::size_t still = 0;  // rows in a row that no move helps
     for (std::size_t i = 0; still < rows_.size(); i = (i + 1) % rows_.size()) {
       control.throwIfStopped();
       const bool moved = moveRow(i, spectrum);
       still = moved ? 0 : still + 1;
-      result.moves += moved;
     }
-    result.rows = rows_;
-    result.conditionNumber = spectrum.condition;
-    return result;
+    return {.rows = rows_, .conditionNumber = spectrum.condition};
   }
 
  private:
@@ -150,8 +146,7 @@ ConditionSearchResult longestRow(const dictionary::PrincipalComponents& basis, c
   const auto longest = *std::max_element(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
     return std::abs(u(Eigen::Index(a), 0)) < std::abs(u(Eigen::Index(b), 0));
   });
-  const double condition = u(Eigen::Index(longest), 0) != 0 ? 1 : infinite;
-  return {.rows = {longest}, .conditionNumber = condition, .startConditionNumber = condition};
+  return {.rows = {longest}, .conditionNumber = u(Eigen::Index(longest), 0) != 0 ? 1 : infinite};
 }
 
 }  // namespace

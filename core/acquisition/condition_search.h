@@ -11,10 +11,8 @@
 namespace gonio::acquisition {
 
 struct ConditionSearchResult {
-  std::vector<std::size_t> rows;    ///< of the basis' mapping, distinct
-  double conditionNumber = 0;       ///< of these rows of U Sigma, infinite where they are dependent
-  double startConditionNumber = 0;  ///< of the random rows from which the best search came
-  int moves = 0;                    ///< of that search
+  std::vector<std::size_t> rows;  ///< of the basis' mapping, distinct
+  double conditionNumber = 0;     ///< of these rows of U Sigma, infinite where they are dependent
 };
 
 /// The search of Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for Reflectance Acquisition": `samples` rows

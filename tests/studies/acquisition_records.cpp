@@ -8,9 +8,9 @@
 #include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "core/support/error.h"
+#include "tests/studies/study_files.h"
 
 namespace gonio::study {
 
@@ -45,9 +45,7 @@ AcquisitionRecords::AcquisitionRecords(std::filesystem::path path) : path_(std::
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
     if (number == 1 && line == header) continue;
-    std::istringstream fields(line);
-    std::vector<std::string> parts;
-    for (std::string part; std::getline(fields, part, ',');) parts.push_back(part);
+    const std::vector<std::string> parts = split(line);
     if (parts.size() != 9) throw Error(path_.string() + ": line " + std::to_string(number) + " has not nine fields");
     records_.push_back({parts[0], parts[1], parts[2], parts[3], std::stoi(parts[4]), std::stoull(parts[5]),
                         std::stod(parts[6]), std::stod(parts[7]), std::stod(parts[8])});

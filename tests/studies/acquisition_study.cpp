@@ -3,20 +3,19 @@
 //
 // acquisition_study --csv FILE [--samples M,M,..] [--fold K]... [--seeds N] [--only SELECTION]... [--every N]
 // [--reconstructions ID,..] [--measured FOLDER] FOLDER...: how well materials that a training set has not seen are told
-// from few measurements. 10-fold cross-validation over the .binary files of the folders: of each folder in the order of
-// names, number i belongs to fold i mod 10; principal components are learned from the other nine folds, directions are
-// chosen over them, and each held-out material (every Nth with --every) is measured there without noise and
-// reconstructed. With --measured all files of the folders teach, but those whose name a file of FOLDER has, and the
-// files of FOLDER (any format) are reconstructed. Selections: somp, somp-first-columns, condition-number, random,
-// uniform, and pdv, the two curves of a rig with two arms (half the readings each), which no training set is needed
-// for; those that draw are repeated with N seeds (5). A line a case; records are kept in the file, and what is in it is
-// not computed again. At the end tables.
+// from few measurements. 10-fold cross-validation over the .binary and .bsdf files of the folders: folder after folder,
+// those of each in the order of names, numbered from 0 through all folders; number i belongs to fold i mod 10. Principal
+// components are learned from the other nine folds, directions are chosen over them, and each held-out material (every
+// Nth with --every) is measured there without noise and reconstructed. With --measured all files of the folders teach,
+// but those whose name a file of FOLDER has, and the files of FOLDER (.binary and .bsdf) are reconstructed. Selections:
+// somp, somp-first-columns, condition-number, random, uniform, and pdv, the two curves of a rig with two arms (half the
+// readings each), which no training set is needed for; those that draw are repeated with N seeds (5). A line a case;
+// records are kept in the file, and what is in it is not computed again. At the end tables.
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 
 #include "core/acquisition/factor_measurement.h"
 #include "core/acquisition/reconstruction.h"
@@ -27,6 +26,7 @@
 #include "core/support/error.h"
 #include "tests/studies/acquisition_records.h"
 #include "tests/studies/comparison_judge.h"
+#include "tests/studies/study_files.h"
 #include "tests/studies/study_main.h"
 
 using namespace gonio;
@@ -63,13 +63,6 @@ const Way ways[] = {{"ridge-40", {.uncertainty = false}},
                     {"ridge-40-all", {.components = 1 << 20, .uncertainty = false}},
                     {"ridge-auto-all", {.ridge = std::nullopt, .components = 1 << 20, .uncertainty = false}},
                     {"sparse", {.method = acquisition::ReconstructionMethod::sparse, .uncertainty = false}}};
-
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
-  return parts;
-}
 
 struct Options {
   fs::path csv, measured;
@@ -113,13 +106,7 @@ struct Options {
   }
 };
 
-std::vector<fs::path> filesOf(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".binary" || entry.path().extension() == ".bsdf") files.push_back(entry.path());
-  std::ranges::sort(files, {}, [](const fs::path& file) { return file.stem(); });
-  return files;
-}
+const std::initializer_list<std::string_view> extensions{".binary", ".bsdf"};
 
 /// "satin_purple" of "satin_purple_rgb.bsdf" and of "satin_purple.binary".
 std::string materialName(const fs::path& file) {
@@ -235,7 +222,7 @@ void crossValidate(const std::vector<fs::path>& files, const Options& options, A
 }
 
 void testMeasured(const std::vector<fs::path>& files, const Options& options, AcquisitionRecords& records) {
-  const std::vector<fs::path> tested = filesOf(options.measured);
+  const std::vector<fs::path> tested = filesOf({options.measured}, extensions);
   std::set<std::string> names;
   for (const fs::path& file : tested) names.insert(materialName(file));
   std::vector<fs::path> training;
@@ -252,8 +239,7 @@ int run(const Options& options) {
         "[--every N] [--reconstructions ID,..] [--measured FOLDER] FOLDER...\n");
     return 2;
   }
-  std::vector<fs::path> files;
-  for (const fs::path& folder : options.folders) std::ranges::copy(filesOf(folder), std::back_inserter(files));
+  const std::vector<fs::path> files = filesOf(options.folders, extensions);
   AcquisitionRecords records(options.csv);
   options.measured.empty() ? crossValidate(files, options, records) : testMeasured(files, options, records);
   std::printf("\nRendered SNR, dB:\n\n%s\nInverse MSE, linear, sr^2:\n\n%s\nInverse MSE, log-relative:\n\n%s",

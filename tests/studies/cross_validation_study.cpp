@@ -32,6 +32,7 @@
 #include "tests/studies/comparison_judge.h"
 #include "tests/studies/comparison_records.h"
 #include "tests/studies/held_out_models.h"
+#include "tests/studies/study_files.h"
 #include "tests/studies/study_main.h"
 
 using namespace gonio;
@@ -76,18 +77,6 @@ struct Options {
     every = std::max<std::size_t>(every, 1);
   }
 };
-
-/// Of all folders, in the order of folds.
-std::vector<fs::path> filesOf(const std::vector<fs::path>& folders) {
-  std::vector<fs::path> files;
-  for (const fs::path& folder : folders) {
-    const auto first = std::ptrdiff_t(files.size());
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.path().extension() == ".binary") files.push_back(entry.path());
-    std::ranges::sort(files.begin() + first, files.end(), {}, [](const fs::path& file) { return file.stem(); });
-  }
-  return files;
-}
 
 /// A dictionary, the materials that it has not seen, and what else is learned from those that it has.
 class Fold {
@@ -239,7 +228,7 @@ int run(const Options& options) {
                  "       cross_validation_study --fold K FOLDER...\n");
     return 2;
   }
-  const std::vector<fs::path> files = filesOf(options.folders);
+  const std::vector<fs::path> files = filesOf(options.folders, {".binary"});
   if (options.fold) {
     printFold(files, *options.fold);
     return 0;

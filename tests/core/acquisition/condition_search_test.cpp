@@ -92,6 +92,15 @@ dictionary::PrincipalComponents smoothBasis(int components, unsigned seed) {
   return basis;
 }
 
+/// The rows from which a search over all rows begins.
+std::vector<Rows> startsOf(const dictionary::PrincipalComponents& basis, int samples, unsigned seed, int restarts) {
+  std::mt19937_64 random(seed);
+  std::vector<Rows> starts;
+  for (int i = 0; i < restarts; ++i)
+    starts.push_back(randomIndices(basis.mapping.cells.size(), std::size_t(samples), random()));
+  return starts;
+}
+
 }  // namespace
 
 class ConditionSearchTest : public QObject {
@@ -103,21 +112,21 @@ class ConditionSearchTest : public QObject {
         const auto basis = smoothBasis(8, seed);
         const Rows rows = allRows(basis);
         const auto found = searchByCondition(basis, rows, samples, seed, 1);
-        const Rows start = randomIndices(rows.size(), std::size_t(samples), std::mt19937_64(seed)());
-        QVERIFY(std::abs(1 / found.startConditionNumber - 1 / conditionOf(basis, start)) < 1e-12);
+        const Rows start = startsOf(basis, samples, seed, 1)[0];
         const Rows expected = plainSearch(basis, start);
+        QVERIFY(expected != start);
         QVERIFY(found.rows == expected);
         QVERIFY(std::abs(found.conditionNumber - conditionOf(basis, expected)) < 1e-6 * found.conditionNumber);
-        QVERIFY(found.moves > 0);
       }
   }
 
-  /// Never worse than its start, and no single move betters the end.
+  /// Never worse than its starts, and no single move betters the end.
   void endsInALocalMinimum() {
     for (unsigned seed = 1; seed <= 4; ++seed) {
       const auto basis = smoothBasis(10, seed);
       const auto found = searchByCondition(basis, allRows(basis), 6, seed, 3);
-      QVERIFY(found.conditionNumber <= found.startConditionNumber);
+      for (const Rows& start : startsOf(basis, 6, seed, 3))
+        QVERIFY(found.conditionNumber <= conditionOf(basis, start) * (1 + 1e-9));
       QCOMPARE((std::set<std::size_t>(found.rows.begin(), found.rows.end()).size()), std::size_t(6));
       for (std::size_t i = 0; i < 6; ++i)
         for (const std::size_t neighbour : neighbours(basis, found.rows[i])) {
@@ -152,7 +161,7 @@ class ConditionSearchTest : public QObject {
     int singular = 0;
     for (unsigned seed = 1; seed <= 30; ++seed) {
       const auto found = searchByCondition(basis, allRows(basis), 3, seed, 1);
-      if (!std::isinf(found.startConditionNumber)) continue;
+      if (conditionOf(basis, startsOf(basis, 3, seed, 1)[0]) < 1e12) continue;
       singular += std::isfinite(found.conditionNumber);
     }
     QVERIFY(singular > 0);
