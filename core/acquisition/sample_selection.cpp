@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/acquisition/condition_search.h"
+#include "core/acquisition/sampling_plan.h"
 #include "core/acquisition/simultaneous_pursuit.h"
 #include "core/acquisition/unguided_selection.h"
 #include "core/coordinates/grid_directions.h"
@@ -22,16 +23,18 @@ using dictionary::PrincipalComponents;
 using Rows = std::vector<std::size_t>;
 using Chosen = std::function<void(std::uint32_t cell)>;
 
-/// The rows of the mapping that can be measured, ascending.
+/// The rows of the mapping that can be measured, each pair of directions once, ascending.
 Rows measurableRows(const PrincipalComponents& basis, const MeasurableDirections& measurable) {
   measurable.check();
   constexpr std::size_t block = 4096;
-  const GridDirections directions(basis.mapping.grid);
+  const HalfDifferenceGrid& grid = basis.mapping.grid;
+  const GridDirections directions(grid);
   std::vector<char> allowed(basis.mapping.cells.size());
   parallelForBlocks(allowed.size(), block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row) {
-      const GridDirections::Node node = directions.at(basis.mapping.cells[row]);
-      allowed[row] = node.aboveHorizon && measurable.allows(node.pair);
+      const std::uint32_t cell = basis.mapping.cells[row];
+      const GridDirections::Node node = directions.at(cell);
+      allowed[row] = pairNode(grid, cell) == cell && node.aboveHorizon && measurable.allows(node.pair);
     }
   });
   Rows rows;

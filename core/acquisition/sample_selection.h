@@ -41,8 +41,9 @@ struct SampleSelection {
   std::string warning;  ///< why there are fewer cells than were asked for; empty otherwise
 };
 
-/// The cells of a basis among which selectSamples() chooses, ascending: those of its mapping that can be measured.
-/// O(cells). @throws Error as MeasurableDirections::check().
+/// The cells of a basis among which selectSamples() chooses, ascending: those of its mapping that can be measured,
+/// of the cells of one pair of directions the one that is read (pairNode()). O(cells). @throws Error as
+/// MeasurableDirections::check().
 std::vector<std::uint32_t> measurableCells(const dictionary::PrincipalComponents& basis,
                                            const MeasurableDirections& measurable);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "core/coordinates/grid_directions.h"
 #include "core/support/error.h"
@@ -16,6 +17,9 @@ namespace {
 double angleBetween(const Direction& a, const Direction& b) {
   return 2 * std::atan2(glm::length(a - b), glm::length(a + b));
 }
+
+/// The rounds of 2-opt grow with the number of pairs too: 512 take some tenths of a second.
+constexpr std::size_t mostImproved = 512;
 
 /// Both arms upright: where the way begins.
 constexpr DirectionPair upright;
@@ -32,6 +36,15 @@ std::vector<std::size_t> nearestNeighbours(std::span<const DirectionPair> pairs)
     way.push_back(*next);
     left.erase(next);
   }
+  return way;
+}
+
+/// The light goes down once.
+std::vector<std::size_t> byPolarAngles(std::span<const DirectionPair> pairs) {
+  std::vector<std::size_t> way(pairs.size());
+  std::iota(way.begin(), way.end(), std::size_t(0));
+  const auto key = [&](std::size_t i) { return std::tuple(-pairs[i].wi.z, -pairs[i].wo.z, azimuth(pairs[i].wo)); };
+  std::ranges::stable_sort(way, {}, key);
   return way;
 }
 
@@ -91,8 +104,15 @@ std::uint32_t nearestNode(const HalfDifferenceGrid& grid, const DirectionPair& d
   const auto rounded = [](double x, int count) { return std::clamp(int(std::lround(x)), 0, count - 1); };
   // The way round about the half vector is closed: behind the last node comes the first.
   const int phiD = int(std::lround(position.phiD)) % grid.phiDCount;
-  return std::uint32_t(
-      grid.index(rounded(position.thetaH, grid.thetaHCount), rounded(position.thetaD, grid.thetaDCount), phiD));
+  return pairNode(
+      grid, grid.index(rounded(position.thetaH, grid.thetaHCount), rounded(position.thetaD, grid.thetaDCount), phiD));
+}
+
+std::uint32_t pairNode(const HalfDifferenceGrid& grid, std::size_t node) {
+  const auto phiCount = std::size_t(grid.phiDCount), thetaDCount = std::size_t(grid.thetaDCount);
+  const std::size_t row = node / phiCount;
+  const bool isOnePair = row % thetaDCount == 0 || row / thetaDCount == 0;
+  return std::uint32_t(isOnePair ? row * phiCount : node);
 }
 
 double armTravel(const DirectionPair& from, const DirectionPair& to) {
@@ -100,6 +120,7 @@ double armTravel(const DirectionPair& from, const DirectionPair& to) {
 }
 
 std::vector<std::size_t> shortTravel(std::span<const DirectionPair> pairs) {
+  if (pairs.size() > mostImproved) return byPolarAngles(pairs);
   std::vector<std::size_t> way = nearestNeighbours(pairs);
   improve(way, pairs);
   return way;

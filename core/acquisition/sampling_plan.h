@@ -26,6 +26,7 @@ struct PlannedSample {
 struct SamplingPlan {
   std::vector<PlannedSample> samples;  ///< by index
   std::string method;                  ///< how they were chosen, for people; may be empty
+  std::string basisDigest;             ///< of the file of principal components that belongs to it; empty: none is known
 
   /// The positions of the samples in `samples` in the order of their travel.
   std::vector<std::size_t> travel() const;
@@ -35,8 +36,11 @@ struct SamplingPlan {
 /// @throws Error naming a cell below the horizon or outside the grid.
 SamplingPlan planFor(const HalfDifferenceGrid& grid, std::span<const std::uint32_t> cells);
 
-/// The node nearest to a pair of directions in grid coordinates, each rounded. Of the directions of a node it is that
-/// node, but where theta_d = 0 that of phi_d = 0, since there phi_d does not change the directions.
+/// The node that stands for all nodes of the same pair of directions: where theta_h or theta_d is 0 that of phi_d = 0,
+/// since there phi_d changes nothing but a turn of both about the normal; any other node is the only one.
+std::uint32_t pairNode(const HalfDifferenceGrid& grid, std::size_t node);
+
+/// The node nearest to a pair of directions in grid coordinates, each rounded: pairNode() of it.
 /// @throws Error where light and viewer are opposite, or one lies below the horizon.
 std::uint32_t nearestNode(const HalfDifferenceGrid& grid, const DirectionPair& directions);
 
@@ -44,7 +48,8 @@ std::uint32_t nearestNode(const HalfDifferenceGrid& grid, const DirectionPair& d
 double armTravel(const DirectionPair& from, const DirectionPair& to);
 
 /// A short way through all pairs, from where the arms stand upright: nearest neighbour, then 2-opt (Croes 1958) until
-/// nothing gains. @return positions in `pairs`. Deterministic; O(n^2) a round, n up to some hundred.
+/// nothing gains, O(n^2) a round. Of more than 512 pairs simply in the order of the polar angle of the light, then of
+/// the viewer, O(n log n). @return positions in `pairs`. Deterministic.
 std::vector<std::size_t> shortTravel(std::span<const DirectionPair> pairs);
 
 }  // namespace gonio::acquisition

@@ -21,8 +21,10 @@ using acquisition::PlannedSample;
 using acquisition::SamplingPlan;
 
 constexpr std::array<std::string_view, 4> angleNames{"theta_i", "phi_i", "theta_o", "phi_o"};
+constexpr std::string_view methodLabel = "method: ", basisLabel = "basis, SHA-256: ";
 constexpr int decimals = 6;
 constexpr std::uint64_t mostBytes = 1 << 24;
+constexpr std::size_t mostSamples = 1 << 16;
 /// Half the last decimal, rounded up: 90 degrees may come back a little larger.
 constexpr double rounding = 1e-6;
 
@@ -42,23 +44,49 @@ double azimuthDegrees(const CsvText& csv, const CsvText::Row& row, std::size_t c
   return angle;
 }
 
+/// Whether the half-difference angles that stand in the file are those of its directions, which were read as degrees.
+bool halfAnglesAgree(const CsvText& csv, const SamplingPlan& plan) {
+  constexpr double tolerance = 1e-4;  // degrees; angles near the normal are written with six decimals
+  const auto thetaH = csv.column("theta_h"), thetaD = csv.column("theta_d");
+  if (!thetaH || !thetaD) return false;
+  for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+    const auto& [wi, wo] = plan.samples[i].directions;
+    const HalfDifference at = toHalfDifference(wi, wo);
+    if (std::abs(csv.number(csv.rows[i], *thetaH) - degrees(at.thetaH)) > tolerance ||
+        std::abs(csv.number(csv.rows[i], *thetaD) - degrees(at.thetaD)) > tolerance)
+      return false;
+  }
+  return true;
+}
+
 /// A plan of several samples within 1.6 degrees of the normal, with azimuths below 6.3 and not a whole number among
-/// them, is one in radians.
-void refuseRadians(const std::vector<std::array<double, 4>>& angles) {
+/// them, is one in radians, unless its half-difference angles say otherwise. @param plan as the rows stand in the file.
+void refuseRadians(const CsvText& csv, const SamplingPlan& plan, const std::vector<std::array<double, 4>>& angles) {
   if (angles.size() < 3) return;
   for (const auto& [thetaI, phiI, thetaO, phiO] : angles) {
     const bool isWhole = thetaI != 0 && thetaO != 0 && thetaI == std::round(thetaI) && thetaO == std::round(thetaO);
     if (isWhole || std::max(thetaI, thetaO) > halfPi || std::max(std::abs(phiI), std::abs(phiO)) > 2 * pi) return;
   }
+  if (halfAnglesAgree(csv, plan)) return;
   throw Error("every angle is small enough for radians (theta at most 1.57), expected degrees");
 }
 
-/// Order of travel as the file tells it, which must be a permutation; else planned anew.
-void setOrder(SamplingPlan& plan, bool isGiven) {
-  std::vector<int> seen;
-  for (const PlannedSample& sample : plan.samples) seen.push_back(sample.order);
-  std::sort(seen.begin(), seen.end());
-  if (isGiven && std::adjacent_find(seen.begin(), seen.end()) == seen.end()) return;
+/// The order of travel of each row: 1 to the number of rows, each once.
+void checkOrder(const CsvText& csv, const SamplingPlan& plan) {
+  std::vector<std::size_t> lines(plan.samples.size(), 0);
+  for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+    const int order = plan.samples[i].order;
+    const std::string found = lineText(csv.rows[i]) + ": found the order " + std::to_string(order);
+    if (order < 1 || std::size_t(order) > lines.size())
+      throw Error(found + ", expected 1 to " + std::to_string(lines.size()) +
+                  ", the number of samples; without the column the order is planned anew");
+    std::size_t& line = lines[std::size_t(order) - 1];
+    if (line != 0) throw Error(found + " again, first in line " + std::to_string(line));
+    line = csv.rows[i].line;
+  }
+}
+
+void planOrder(SamplingPlan& plan) {
   std::vector<DirectionPair> pairs;
   for (const PlannedSample& sample : plan.samples) pairs.push_back(sample.directions);
   const std::vector<std::size_t> way = acquisition::shortTravel(pairs);
@@ -70,7 +98,8 @@ void setOrder(SamplingPlan& plan, bool isGiven) {
 
 std::string planCsv(const SamplingPlan& plan, const std::vector<std::string>& comments) {
   std::string text;
-  if (!plan.method.empty()) text += "# method: " + plan.method + "\n";
+  if (!plan.method.empty()) text += "# " + std::string(methodLabel) + plan.method + "\n";
+  if (!plan.basisDigest.empty()) text += "# " + std::string(basisLabel) + plan.basisDigest + "\n";
   for (const std::string& comment : comments) text += "# " + comment + "\n";
   text += "index,theta_i,phi_i,theta_o,phi_o,theta_h,theta_d,phi_d,order\n";
   for (const PlannedSample& sample : plan.samples) {
@@ -94,10 +123,14 @@ SamplingPlan parsePlan(std::string_view text) {
   std::array<std::size_t, 4> columns;
   for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = csv.neededColumn(angleNames[c]);
   const auto orderColumn = csv.column("order");
+  if (csv.rows.size() > mostSamples)
+    throw Error("found " + std::to_string(csv.rows.size()) + " samples, expected at most " +
+                std::to_string(mostSamples));
   SamplingPlan plan;
-  constexpr std::string_view methodLabel = "method: ";
-  for (const std::string& comment : csv.comments)
+  for (const std::string& comment : csv.comments) {
     if (comment.starts_with(methodLabel)) plan.method = comment.substr(methodLabel.size());
+    if (comment.starts_with(basisLabel)) plan.basisDigest = comment.substr(basisLabel.size());
+  }
   std::map<int, std::size_t> lines;
   std::vector<std::array<double, 4>> angles;
   for (const CsvText::Row& row : csv.rows) {
@@ -116,10 +149,11 @@ SamplingPlan parsePlan(std::string_view text) {
     plan.samples.push_back(sample);
   }
   if (plan.samples.empty()) throw Error("found no samples");
-  refuseRadians(angles);
+  refuseRadians(csv, plan, angles);
+  if (orderColumn) checkOrder(csv, plan);
   std::stable_sort(plan.samples.begin(), plan.samples.end(),
                    [](const PlannedSample& a, const PlannedSample& b) { return a.index < b.index; });
-  setOrder(plan, orderColumn.has_value());
+  if (!orderColumn) planOrder(plan);
   return plan;
 }
 

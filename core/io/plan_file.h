@@ -10,8 +10,9 @@
 
 /// A sampling plan as CSV (csv_text.h): comment lines, then the columns
 ///   index, theta_i, phi_i, theta_o, phi_o, theta_h, theta_d, phi_d, order
-/// in degrees; i is the light, o the viewer. theta_h, theta_d and phi_d tell people what the other angles tell already:
-/// readers pass over them. `order` is that of a short travel of the arms.
+/// in degrees; the comments "method: .." and "basis, SHA-256: .." are read. i is the light, o the viewer. theta_h,
+/// theta_d and phi_d tell people what the other angles tell already: readers pass over them, but where all other angles
+/// could be radians. `order` is that of a short travel of the arms.
 namespace gonio::io {
 
 /// Angles with six decimals: of a node's directions the node is found again.
@@ -23,7 +24,9 @@ void writePlan(const acquisition::SamplingPlan& plan, const std::filesystem::pat
 
 /// Any order of columns and rows; without a column `order` the travel is planned anew, other columns are passed over.
 /// @throws Error naming the file and the line: a column or an index twice or not at all, an index below 1, an angle
-/// that is none in degrees above the horizon, no rows, or angles that are all radians.
+/// that is none in degrees above the horizon, an `order` that is not each number from 1 to that of the rows once, no
+/// rows or more than 65,536, or angles that are all radians: small enough, and theta_h and theta_d not those of
+/// degrees.
 acquisition::SamplingPlan readPlan(const std::filesystem::path& path);
 /// The same of text; an error names no file.
 acquisition::SamplingPlan parsePlan(std::string_view text);

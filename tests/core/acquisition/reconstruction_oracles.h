@@ -14,11 +14,12 @@ namespace gonio::acquisition {
 using dictionary::PrincipalComponents;
 using Eigen::MatrixXd;
 
-/// Every `step`th cell of the basis, beginning with one.
+/// Every `step`th cell of the basis that is read as itself, beginning with one.
 inline SamplingPlan everyCell(const PrincipalComponents& basis, std::size_t step, std::size_t first = 3) {
   std::vector<std::uint32_t> cells;
   for (std::size_t i = first; i < basis.mapping.cells.size(); i += step)
-    if (basis.mapping.grid.node(basis.mapping.cells[i]).thetaD > 0) cells.push_back(basis.mapping.cells[i]);
+    if (const std::uint32_t cell = basis.mapping.cells[i]; pairNode(basis.mapping.grid, cell) == cell)
+      cells.push_back(cell);
   return planFor(basis.mapping.grid, cells);
 }
 
@@ -58,18 +59,26 @@ inline MatrixXd coefficients(const PrincipalComponents& basis, const Reconstruct
   return c;
 }
 
-/// Largest difference of two tables in mapped values.
-inline double difference(const PrincipalComponents& basis, const TabulatedBrdf& a, const TabulatedBrdf& b) {
-  double largest = 0;
+/// The differences of two tables in mapped values: cells x channels.
+inline MatrixXd differences(const PrincipalComponents& basis, const TabulatedBrdf& a, const TabulatedBrdf& b) {
+  MatrixXd result(Eigen::Index(basis.mapping.cells.size()), 3);
   for (std::size_t i = 0; i < basis.mapping.cells.size(); ++i)
     for (int channel = 0; channel < 3; ++channel) {
       const auto mapped = [&](const TabulatedBrdf& table) {
         return logRelative(table.values()[basis.mapping.cells[i]][channel], basis.mapping.weights[i],
                            basis.mapping.reference[i]);
       };
-      largest = std::max(largest, std::abs(mapped(a) - mapped(b)));
+      result(Eigen::Index(i), channel) = mapped(a) - mapped(b);
     }
-  return largest;
+  return result;
+}
+inline double difference(const PrincipalComponents& basis, const TabulatedBrdf& a, const TabulatedBrdf& b) {
+  return differences(basis, a, b).cwiseAbs().maxCoeff();
+}
+inline double rootMeanSquareDifference(const PrincipalComponents& basis, const TabulatedBrdf& a,
+                                       const TabulatedBrdf& b) {
+  const MatrixXd all = differences(basis, a, b);
+  return all.norm() / std::sqrt(double(all.size()));
 }
 
 }  // namespace gonio::acquisition

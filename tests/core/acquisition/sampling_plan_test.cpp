@@ -44,7 +44,8 @@ double lengthOf(std::span<const DirectionPair> pairs, const std::vector<std::siz
 class SamplingPlanTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// Every node above the horizon of the whole grid; where theta_d = 0 all phi_d are one pair of directions.
+  /// Every node above the horizon of the whole grid; where theta_h or theta_d is 0 all phi_d are one pair of
+  /// directions.
   void everyNodeIsFoundAgain() {
     const HalfDifferenceGrid grid;
     const GridDirections directions(grid);
@@ -53,8 +54,8 @@ class SamplingPlanTest : public QObject {
       const auto node = directions.at(cell);
       if (!node.aboveHorizon) continue;
       ++count;
-      const bool isRetro = grid.node(cell).thetaD == 0;
-      const std::size_t expected = isRetro ? cell - cell % std::size_t(grid.phiDCount) : cell;
+      const bool isOnePair = grid.node(cell).thetaD == 0 || grid.node(cell).thetaH == 0;
+      const std::size_t expected = isOnePair ? cell - cell % std::size_t(grid.phiDCount) : cell;
       if (nearestNode(grid, node.pair) != expected) QFAIL(qPrintable(QString::number(cell)));
     }
     QVERIFY(count > 1000000);
@@ -72,6 +73,18 @@ class SamplingPlanTest : public QObject {
       QCOMPARE(std::size_t(nearestNode(grid, {testing::rotateZ(pair.wi, 2), testing::rotateZ(pair.wo, 2)})), cell);
       QCOMPARE(std::size_t(nearestNode(grid, {pair.wo, pair.wi})), cell);
     }
+  }
+
+  /// The mirror pairs are one whichever way they are turned about the normal, with the rounding of a file or not.
+  void mirrorPairsTurned() {
+    const HalfDifferenceGrid grid;
+    for (const double theta : {20.0, 21.0, 60.0})
+      for (const double turn : {0.0, 0.3, 1.0, 2.5, -1.1})
+        for (const double rounding : {0.0, 1e-8, -1e-8}) {
+          const DirectionPair pair{fromSpherical(radians(theta), turn),
+                                   fromSpherical(radians(theta) + rounding, turn + pi)};
+          QCOMPARE(std::size_t(nearestNode(grid, pair)), grid.index(0, int(theta), 0));
+        }
   }
 
   void refusals() {
@@ -122,6 +135,18 @@ class SamplingPlanTest : public QObject {
       best += shortest;
     }
     QVERIFY2(sum < 1.06 * best, qPrintable(QString::number(sum / best)));
+  }
+
+  /// A whole table of pairs has an order at once: the light goes down once.
+  void travelOfVeryMany() {
+    const HalfDifferenceGrid grid;
+    const SamplingPlan plan = planFor(grid, someCells(grid, 60000, 6));
+    double last = 0;
+    for (const std::size_t position : plan.travel()) {
+      const double thetaI = polarAngle(plan.samples[position].directions.wi);
+      QVERIFY(thetaI > last - 1e-7);
+      last = thetaI;
+    }
   }
 
   void travelOfManyCannotBeTurned() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
+#include <array>
+#include <set>
 
 #include "core/acquisition/sample_selection.h"
 #include "core/support/error.h"
@@ -150,13 +152,36 @@ class SelectionHardCasesTest : public QObject {
     QVERIFY(allowed.size() > 20 && allowed.size() < basis.mapping.cells.size());
     for (const std::uint32_t cell : basis.mapping.cells)
       QCOMPARE(std::binary_search(allowed.begin(), allowed.end(), cell),
-               rig.allows(basis.mapping.grid.directions(cell)));
+               pairNode(basis.mapping.grid, cell) == cell && rig.allows(basis.mapping.grid.directions(cell)));
     for (const SelectionMethod method : allMethods) {
       const SampleSelection selection = selectSamples(basis, {.method = method, .samples = 8, .measurable = rig});
       QCOMPARE(selection.cells.size(), std::size_t(8));
       QVERIFY(isDistinctAmong(selection.cells, allowed));
       QVERIFY(sorted(selection.cells) != sorted(best));
     }
+  }
+
+  /// All cells of theta_d = 0 and of theta_h = 0 that differ in phi_d are one pair of directions: a plan of all that
+  /// can be measured holds no pair twice, and each sample is read at the cell that was chosen.
+  void pairsOnce() {
+    const auto basis = basisOf(orthonormalColumns(250, 8, 1), orthonormalColumns(30, 8, 2), smallGrid, 1, true);
+    const HalfDifferenceGrid& grid = basis.mapping.grid;
+    for (const SelectionMethod method : allMethods) {
+      const auto cells = selectSamples(basis, {.method = method, .samples = 8, .measurable = everything}).cells;
+      for (const std::uint32_t cell : cells) QCOMPARE(nearestNode(grid, grid.directions(cell)), cell);
+    }
+    const auto all = measurableCells(basis, everything);
+    std::set<std::array<long, 4>> pairs;
+    for (const std::uint32_t cell : all) {
+      const auto [wi, wo] = grid.directions(cell);
+      const auto rounded = [](double x) { return std::lround(1e6 * x); };
+      // What a turn about the normal does not change.
+      pairs.insert(
+          {rounded(wi.z), rounded(wo.z), rounded(wi.x * wo.x + wi.y * wo.y), rounded(wi.x * wo.y - wi.y * wo.x)});
+      QCOMPARE(nearestNode(grid, grid.directions(cell)), cell);
+    }
+    QCOMPARE(pairs.size(), all.size());
+    QVERIFY(all.size() < basis.mapping.cells.size() - 60);
   }
 
   void fewerCellsThanSamples() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/acquisition/sample_selection.h"
+#include "core/acquisition/sampling_plan.h"
 
 /// Bases of random numbers, and Algorithm 4 of the dissertation in the plainest way: what the selection is checked
 /// with.
@@ -34,13 +35,16 @@ inline Eigen::MatrixXd orthonormalColumns(Eigen::Index rows, Eigen::Index column
   return q;
 }
 
-/// A basis with these U and V over the first cells above the horizon, every `stride`-th; sigma falls by halves to 1/16.
+/// A basis with these U and V over the first cells above the horizon, every `stride`-th, each pair of directions once
+/// but with `everyNode`; sigma falls by halves to 1/16.
 inline dictionary::PrincipalComponents basisOf(const Eigen::MatrixXd& u, const Eigen::MatrixXd& v,
-                                               const HalfDifferenceGrid& grid = smallGrid, std::size_t stride = 1) {
+                                               const HalfDifferenceGrid& grid = smallGrid, std::size_t stride = 1,
+                                               bool everyNode = false) {
   dictionary::PrincipalComponents basis;
   basis.mapping.grid = grid;
   for (std::size_t cell = 0; cell < grid.size() && Eigen::Index(basis.mapping.cells.size()) < u.rows(); cell += stride)
-    if (grid.nodeAboveHorizon(cell)) basis.mapping.cells.push_back(std::uint32_t(cell));
+    if (grid.nodeAboveHorizon(cell) && (everyNode || pairNode(grid, cell) == cell))
+      basis.mapping.cells.push_back(std::uint32_t(cell));
   const std::size_t count = basis.mapping.cells.size();
   basis.mapping.weights.assign(count, 1);
   basis.mapping.reference.assign(count, 1);

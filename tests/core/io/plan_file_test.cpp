@@ -28,14 +28,14 @@ std::string planError(const std::string& text) {
 class PlanFileTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// Every fifth node of the whole grid above the horizon goes through the text and is the same node again.
+  /// Every nineteenth node of the whole grid above the horizon goes through the text and is the same node again.
   void everyNodeComesBack() {
     const HalfDifferenceGrid grid;
     const GridDirections directions(grid);
     SamplingPlan plan;
     std::vector<std::size_t> cells;
-    for (std::size_t cell = 0; cell < grid.size(); cell += 5) {
-      if (!directions.at(cell).aboveHorizon || grid.node(cell).thetaD == 0) continue;
+    for (std::size_t cell = 0; cell < grid.size(); cell += 19) {
+      if (!directions.at(cell).aboveHorizon || acquisition::pairNode(grid, cell) != cell) continue;
       cells.push_back(cell);
       plan.samples.push_back({int(cells.size()), directions.at(cell).pair, int(cells.size())});
     }
@@ -52,11 +52,15 @@ class PlanFileTest : public QObject {
                                            std::uint32_t(grid.index(50, 5, 179))};
     SamplingPlan plan = acquisition::planFor(grid, cells);
     plan.method = "somp";
+    plan.basisDigest = "0123456789abcdef";
     const std::string text = planCsv(plan, {"learned from 3 materials"});
-    QVERIFY(text.starts_with("# method: somp\n# learned from 3 materials\nindex,theta_i,phi_i,theta_o,phi_o,theta_h,"));
+    QVERIFY(
+        text.starts_with("# method: somp\n# basis, SHA-256: 0123456789abcdef\n# learned from 3 "
+                         "materials\nindex,theta_i,phi_i,theta_o,phi_o,theta_h,"));
     QVERIFY(test::contains(text, ",1.111111,20,30,"));
     const SamplingPlan found = parsePlan(text);
     QCOMPARE(found.method, plan.method);
+    QCOMPARE(found.basisDigest, plan.basisDigest);
     for (std::size_t i = 0; i < cells.size(); ++i) {
       QCOMPARE(found.samples[i].index, plan.samples[i].index);
       QCOMPARE(found.samples[i].order, plan.samples[i].order);
@@ -86,7 +90,7 @@ class PlanFileTest : public QObject {
     for (const std::string& other : others) QVERIFY(parsePlan(other).samples == plain.samples);
   }
 
-  /// Without an order, or with one that is none, the way is planned again.
+  /// Without an order the way is planned; one that is given must be whole.
   void order() {
     const SamplingPlan found = parsePlan(names + "3,60,0,60,180\n1,1.5,0,2,180\n2,30,0,30,180\n");
     for (int i = 0; i < 3; ++i) {
@@ -95,7 +99,42 @@ class PlanFileTest : public QObject {
     }
     const std::string ordered = "index,theta_i,phi_i,theta_o,phi_o,order\n";
     QCOMPARE(parsePlan(ordered + "1,10,0,10,180,2\n2,50,0,50,180,1\n").samples[0].order, 2);
-    QCOMPARE(parsePlan(ordered + "1,10,0,10,180,7\n2,50,0,50,180,7\n").samples[0].order, 1);
+    VERIFY_ERROR(ordered + "1,10,0,10,180,2\n2,50,0,50,180,1\n3,50,0,40,180,2\n",
+                 "line 4: found the order 2 again, first in line 2");
+    VERIFY_ERROR(ordered + "1,10,0,10,180,1\n2,50,0,50,180,3\n", "line 3: found the order 3, expected 1 to 2");
+    VERIFY_ERROR(ordered + "1,10,0,10,180,0\n2,50,0,50,180,1\n", "line 2: found the order 0, expected 1 to 2");
+  }
+
+  /// A plan near the normal is small enough for radians: its half-difference angles say that it is in degrees.
+  void degreesNearTheNormal() {
+    SamplingPlan plan;
+    for (int i = 1; i <= 5; ++i)
+      plan.samples.push_back({i, fromHalfDifference(radians(0.1 * i), radians(0.05 * i), radians(3.0 - 0.5 * i)), i});
+    const std::string text = planCsv(plan);
+    const SamplingPlan found = parsePlan(text);
+    QCOMPARE(found.samples.size(), std::size_t(5));
+    for (std::size_t i = 0; i < 5; ++i)
+      QVERIFY(glm::length(found.samples[i].directions.wi - plan.samples[i].directions.wi) < 2e-8);
+    // All in radians, and the angles of directions alone.
+    std::string radianText = "index,theta_i,phi_i,theta_o,phi_o,theta_h,theta_d,phi_d\n", alone = names;
+    for (int i = 1; i <= 5; ++i) {
+      const DirectionPair pair{fromSpherical(0.25 * i, 0.1), fromSpherical(0.2 * i, -2.0)};
+      const HalfDifference at = toHalfDifference(pair.wi, pair.wo);
+      std::string row = std::to_string(i);
+      for (const double angle : {0.25 * i, 0.1, 0.2 * i, -2.0}) row += "," + decimalText(angle, 6);
+      alone += row + "\n";
+      for (const double angle : {at.thetaH, at.thetaD, at.phiD}) row += "," + decimalText(angle, 6);
+      radianText += row + "\n";
+    }
+    VERIFY_ERROR(radianText, "expected degrees");
+    VERIFY_ERROR(alone, "expected degrees");
+  }
+
+  void manySamples() {
+    std::string text = names;
+    for (int i = 1; i <= 65536; ++i) text += std::to_string(i) + ",10,0,20,180\n";
+    QCOMPARE(parsePlan(text).samples.size(), std::size_t(65536));
+    VERIFY_ERROR(text + "65537,10,0,20,180\n", "found 65537 samples, expected at most 65536");
   }
 
   void errorsNameTheLine() {
