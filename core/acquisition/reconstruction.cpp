@@ -79,7 +79,7 @@ dictionary::ComponentCode codeOf(const PrincipalComponents& basis, const Eigen::
 Eigen::MatrixXd solveRidge(const PrincipalComponents& basis, const SampleRows& samples,
                            const ReconstructionOptions& options, Reconstruction& result, const TaskControl& control) {
   const RidgeRegression regression(samples.rows, samples.values);
-  result.ridge = options.ridge ? *options.ridge : regression.leaveOneOutRidge();
+  result.ridge = options.ridge ? *options.ridge : regression.leaveOneOutRidge(publishedRidge);
   if (result.ridge > 0 && std::isfinite(result.ridge) && samples.rows.rows() > 1)
     result.leaveOneOutError =
         std::sqrt(regression.leaveOneOut(result.ridge).squaredNorm() / double(samples.values.size()));
@@ -107,7 +107,7 @@ Reconstruction reconstruct(const PrincipalComponents& basis, const SamplingPlan&
   else if (options.method == ReconstructionMethod::ridge)
     coefficients = solveRidge(basis, samples, options, result, control.between(0, 0.5));
   else
-    coefficients = sparseCoefficients(samples, options.atoms);
+    coefficients = sparseCoefficients(samples, options.atoms, control.between(0, 0.5));
   result.code = codeOf(basis, coefficients);
   result.table = dictionary::decode(basis, result.code, control.between(0.5, 1), &result.cappedCount);
   return result;

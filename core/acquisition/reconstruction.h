@@ -59,8 +59,9 @@ struct Reconstruction {
 /// Cells that do not count in the basis are invalid, as in decode(). Cost: O(samples components min(samples,
 /// components)
 /// + cells components), with the uncertainty O(cells components^2).
-/// @throws Error when the numbers of samples and values differ or there are none, a value is negative or not finite, a
-/// sample lies where the basis knows nothing (naming its index), or an option is out of range; Cancelled.
+/// @throws Error when the numbers of samples and values differ or there are none, a value is negative or not finite or
+/// beyond any reflectance, a sample lies where the basis knows nothing (naming its index), or an option is out of
+/// range; Cancelled.
 Reconstruction reconstruct(const dictionary::PrincipalComponents& basis, const SamplingPlan& plan,
                            const MeasuredValues& values, const ReconstructionOptions& options = {},
                            const TaskControl& control = {});

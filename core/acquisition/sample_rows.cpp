@@ -41,6 +41,14 @@ void checkValue(double value, const PlannedSample& sample, const char* what) {
   throw Error(nameOf(sample) + ": found " + what + " of " + numberText(value) + ", expected a number, 0 or more");
 }
 
+/// @throws Error where a value is so large that its mapped value is infinite.
+double mappedValue(double value, const dictionary::MappedCells& mapping, std::size_t position,
+                   const PlannedSample& sample) {
+  const double mapped = logRelative(value, mapping.weights[position], mapping.reference[position]);
+  if (std::isfinite(mapped)) return mapped;
+  throw Error(nameOf(sample) + ": found a value of " + numberText(value) + ", which is too large for any reflectance");
+}
+
 }  // namespace
 
 SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const SamplingPlan& plan,
@@ -63,7 +71,7 @@ SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const Sampli
     for (int channel = 0; channel < 3; ++channel) {
       const double rho = values.rgb[std::size_t(s)][channel];
       checkValue(rho, sample, "a value");
-      result.values(s, channel) = logRelative(rho, m.weights[i], m.reference[i]) - basis.mean[i];
+      result.values(s, channel) = mappedValue(rho, m, i, sample) - basis.mean[i];
       if (values.noise.empty()) continue;
       const double deviation = values.noise[std::size_t(s)][channel];
       checkValue(deviation, sample, "a standard deviation");

@@ -11,6 +11,8 @@ namespace gonio {
 namespace {
 
 constexpr double negligible = 1e-8;
+/// Errors that differ by less than this share are equal but for rounding.
+constexpr double leastGain = 1e-9;
 
 }  // namespace
 
@@ -46,13 +48,13 @@ Eigen::MatrixXd RidgeRegression::leaveOneOut(double ridge) const {
   return diagonal.cwiseInverse().asDiagonal() * residual;
 }
 
-double RidgeRegression::leaveOneOutRidge() const {
+double RidgeRegression::leaveOneOutRidge(double otherwise) const {
   const double largest = svd_.singularValues[0] * svd_.singularValues[0];
-  if (largest == 0) return 1;
-  double best = 1, least = std::numeric_limits<double>::infinity();
+  if (largest == 0 || rowCount() == 1) return otherwise;
+  double best = otherwise, least = std::numeric_limits<double>::infinity();
   for (int tenth = 30; tenth >= -70; --tenth) {
     const double ridge = largest * std::pow(10.0, 0.1 * tenth), sum = leaveOneOut(ridge).squaredNorm();
-    if (!(sum < least)) continue;
+    if (!(sum < (1 - leastGain) * least)) continue;
     least = sum;
     best = ridge;
   }

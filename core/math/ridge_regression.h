@@ -26,8 +26,9 @@ class RidgeRegression {
   Eigen::MatrixXd leaveOneOut(double ridge) const;
 
   /// The ridge of the least sum of squares of leaveOneOut(), among ten a decade from 1e-7 to 1e3 of the largest squared
-  /// singular value; the larger of equals. 1 where A is 0.
-  double leaveOneOutRidge() const;
+  /// singular value; the larger of those that are equal to a share of 1e-9. @return `otherwise` where the values tell
+  /// nothing of it: where A is 0 or has one row, which no other predicts.
+  double leaveOneOutRidge(double otherwise) const;
 
   /// trace(B^T (A A^T + ridge I)^-1 B). Over the number of values it is the most likely variance of the coefficients,
   /// ridge times it that of the noise of B, where both are Gaussian. @param ridge >= 0; with 0, what the rows of A do

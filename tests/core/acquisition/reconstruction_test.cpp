@@ -106,9 +106,14 @@ class ReconstructionTest : public QObject {
     const MeasuredValues unknown{noisy.rgb, {}};
     const Reconstruction found = reconstruct(basis_, plan_, unknown, ridgeOf(std::nullopt, basis_.count()));
     QVERIFY(found.ridge > 0 && std::isfinite(found.ridge));
-    for (const double other : {1e-4, 1e4})
-      QVERIFY(found.leaveOneOutError <
-              reconstruct(basis_, plan_, unknown, ridgeOf(other * found.ridge, basis_.count())).leaveOneOutError);
+    const auto truth = testing::smoothMaterial(77);
+    const double error = rootMeanSquareDifference(basis_, *found.table, *truth);
+    for (const double other : {1e-4, 1e4}) {
+      const Reconstruction far = reconstruct(basis_, plan_, unknown, ridgeOf(other * found.ridge, basis_.count()));
+      QVERIFY(found.leaveOneOutError < far.leaveOneOutError);
+      const double farError = rootMeanSquareDifference(basis_, *far.table, *truth);
+      QVERIFY2(error < farError, qPrintable(QString("%1 %2").arg(error).arg(farError)));
+    }
   }
 
   /// The posterior covariance of the cells by brute force: v D (I - Q^T (Q Q^T + eta I)^-1 Q) D^T.
@@ -223,6 +228,7 @@ class ReconstructionTest : public QObject {
     const Reconstruction found = reconstruct(basis_, one, {{values_.rgb[0]}, {}});
     QCOMPARE(found.components, 1);
     QVERIFY(std::isnan(found.leaveOneOutError));
+    QCOMPARE(reconstruct(basis_, one, {{values_.rgb[0]}, {}}, ridgeOf(std::nullopt)).ridge, publishedRidge);
     QCOMPARE(reconstruct(basis_, one, {{values_.rgb[0]}, {}}, {.method = ReconstructionMethod::sparse}).components, 1);
 
     SamplingPlan twice;
@@ -269,6 +275,15 @@ class ReconstructionTest : public QObject {
       values.noise[5].z = bad;
       QVERIFY(test::contains(errorOf(values), "sample 6"));
     }
+    MeasuredValues endless = values_;
+    const auto brightening = [&](const PlannedSample& sample) {
+      const std::size_t i = positionOf(basis_, sample);
+      return basis_.mapping.weights[i] / (basis_.mapping.reference[i] + 1e-3);
+    };
+    const auto brightest = std::ranges::max_element(plan_.samples, {}, brightening);
+    QVERIFY(brightening(*brightest) > 1.1);
+    endless.rgb[std::size_t(brightest - plan_.samples.begin())].x = 1.7e308;
+    QVERIFY(test::contains(errorOf(endless), "sample " + std::to_string(brightest->index) + ":"));
     MeasuredValues negativeZero = values_;
     negativeZero.rgb[2].y = -0.0;
     QVERIFY(errorOf(negativeZero).empty());

@@ -76,7 +76,7 @@ class RidgeRegressionTest : public QObject {
     const RidgeRegression nothing(MatrixXd::Zero(3, 2), b.topRows(3));
     QVERIFY(nothing.coefficients(0).isZero(0));
     QVERIFY((nothing.leaveOneOut(1) - b.topRows(3)).norm() < 1e-12);
-    QCOMPARE(nothing.leaveOneOutRidge(), 1.0);
+    QCOMPARE(nothing.leaveOneOutRidge(40), 40.0);
   }
 
   /// Each row against what the textbook predicts from all others.
@@ -99,11 +99,23 @@ class RidgeRegressionTest : public QObject {
     double last = 0;
     for (const double size : {0.1, 1.0, 8.0}) {
       const RidgeRegression regression(a, a * truth + size * noise);
-      const double ridge = regression.leaveOneOutRidge(), error = regression.leaveOneOut(ridge).squaredNorm();
+      const double ridge = regression.leaveOneOutRidge(40), error = regression.leaveOneOut(ridge).squaredNorm();
       for (double other = 1e-4; other < 1e4; other *= 1.07)
         QVERIFY(regression.leaveOneOut(other).squaredNorm() > 0.999 * error);
       QVERIFY(ridge > last);
       last = ridge;
+    }
+  }
+
+  /// No other row predicts the only one; and where rows tell nothing of each other every ridge has the same error, so
+  /// that the largest is taken whatever rounding says.
+  void leaveOneOutRidgeThatNothingTells() {
+    for (unsigned seed = 16; seed < 26; ++seed)
+      QCOMPARE(RidgeRegression(randomMatrix(1, 5, seed), randomMatrix(1, 3, seed)).leaveOneOutRidge(40), 40.0);
+    for (unsigned seed = 26; seed < 36; ++seed) {
+      const MatrixXd rotation = randomMatrix(5, 5, seed).householderQr().householderQ(), a = 3.7 * rotation;
+      const double ridge = RidgeRegression(a, randomMatrix(5, 3, seed + 10)).leaveOneOutRidge(40);
+      QVERIFY2(std::abs(ridge / (1e3 * 3.7 * 3.7) - 1) < 1e-9, qPrintable(QString::number(ridge)));
     }
   }
 

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/acquisition/sparse_samples.h"
+
+#include <QTest>
+#include <limits>
+#include <random>
+
+#include "core/math/matching_pursuit.h"
+
+using namespace gonio;
+using namespace gonio::acquisition;
+using Eigen::MatrixXd;
+
+namespace {
+
+/// Rows of falling size and values of three components with some noise.
+SampleRows randomSamples(Eigen::Index count, Eigen::Index components, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal;
+  const auto draw = [&] { return normal(generator); };
+  SampleRows samples;
+  samples.rows = MatrixXd::NullaryExpr(count, components, draw);
+  for (Eigen::Index k = 0; k < components; ++k) samples.rows.col(k) /= double(k + 1);
+  samples.values = samples.rows.leftCols(3) * MatrixXd::NullaryExpr(3, 3, draw) * 4;
+  samples.values += 0.3 * MatrixXd::NullaryExpr(count, 3, draw);
+  return samples;
+}
+
+Eigen::VectorXd pursue(const MatrixXd& rows, const Eigen::VectorXd& signal, int steps) {
+  const PursuitResult found = orthogonalMatchingPursuit(AtomSet(rows), signal, {.steps = steps});
+  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(rows.cols());
+  for (std::size_t a = 0; a < found.atoms.size(); ++a) coefficients[found.atoms[a]] = found.coefficients[a];
+  return coefficients;
+}
+
+/// Each sample left out, each number of atoms, a pursuit of its own.
+Eigen::VectorXd byBruteForce(const SampleRows& samples, Eigen::Index channel) {
+  const Eigen::Index count = samples.rows.rows();
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (int atoms = 1; atoms <= count / 2; ++atoms) {
+    double error = 0;
+    for (Eigen::Index out = 0; out < count; ++out) {
+      MatrixXd rows = samples.rows;
+      Eigen::VectorXd values = samples.values.col(channel);
+      // A row of 0 tells a pursuit nothing.
+      rows.row(out).setZero();
+      values[out] = 0;
+      const double predicted = samples.rows.row(out).dot(pursue(rows, values, atoms));
+      error += (samples.values(out, channel) - predicted) * (samples.values(out, channel) - predicted);
+    }
+    if (error < least) {
+      least = error;
+      best = atoms;
+    }
+  }
+  return pursue(samples.rows, samples.values.col(channel), best);
+}
+
+}  // namespace
+
+class SparseSamplesTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// Fewer components than half the samples, as many as samples, more.
+  void equalsLeavingOut() {
+    for (const auto& [count, components] : {std::pair(20, 6), std::pair(14, 14), std::pair(9, 30)})
+      for (unsigned seed = 1; seed <= 4; ++seed) {
+        const SampleRows samples = randomSamples(count, components, seed);
+        const MatrixXd found = sparseCoefficients(samples, 0);
+        for (Eigen::Index channel = 0; channel < 3; ++channel) {
+          const Eigen::VectorXd expected = byBruteForce(samples, channel);
+          QVERIFY((found.col(channel) - expected).norm() < 1e-10 * expected.norm());
+        }
+      }
+  }
+
+  /// Values that few atoms explain wholly end a pursuit early; values of 0 need none.
+  void pursuitsThatEndEarly() {
+    SampleRows samples = randomSamples(12, 20, 5);
+    samples.values = samples.rows.leftCols(1) * Eigen::RowVector3d(1, 0, -2);
+    const MatrixXd found = sparseCoefficients(samples, 0);
+    QVERIFY(std::abs(found(0, 0) - 1) < 1e-10 && std::abs(found(0, 2) + 2) < 1e-10 && found.col(1).isZero(0));
+  }
+
+  void canBeStopped() {
+    std::stop_source source;
+    int reports = 0;
+    const TaskControl control{source.get_token(), [&](double) {
+                                ++reports;
+                                source.request_stop();
+                              }};
+    QVERIFY_EXCEPTION_THROWN(sparseCoefficients(randomSamples(20, 20, 6), 0, control), Cancelled);
+    QCOMPARE(reports, 1);
+    QVERIFY_EXCEPTION_THROWN(sparseCoefficients(randomSamples(20, 20, 6), 3, control), Cancelled);
+  }
+};
+
+QTEST_APPLESS_MAIN(SparseSamplesTest)
+#include "sparse_samples_test.moc"
