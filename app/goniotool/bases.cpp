@@ -6,6 +6,8 @@
 
 #include "app/goniotool/training_files.h"
 #include "core/io/bundled_library.h"
+#include "core/io/sha256.h"
+#include "core/support/naming_file.h"
 
 namespace gonio::tool {
 
@@ -35,6 +37,10 @@ std::shared_ptr<const io::BasisFile> learnBasis(const std::vector<std::string>& 
 
 std::filesystem::path basisBeside(const std::string& plan) {
   return std::filesystem::path(plan).replace_extension(".basis");
+}
+
+std::string basisDigest(const std::filesystem::path& basis) {
+  return namingFile(basis, [&] { return io::sha256Hex(io::FileSource(basis)).substr(0, 16); });
 }
 
 }  // namespace gonio::tool

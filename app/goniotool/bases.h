@@ -21,4 +21,7 @@ std::shared_ptr<const io::BasisFile> learnBasis(const std::vector<std::string>& 
 /// Where the basis of a plan lies: beside it, PLAN.csv has PLAN.basis.
 std::filesystem::path basisBeside(const std::string& plan);
 
+/// By which a plan knows its basis: the first 16 characters of the SHA-256 of the file. @throws Error naming the file.
+std::string basisDigest(const std::filesystem::path& basis);
+
 }  // namespace gonio::tool

@@ -4,11 +4,14 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "app/goniotool/bases.h"
 #include "app/goniotool/report.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
+#include "core/io/atomic_file.h"
 #include "core/io/plan_file.h"
 
 namespace gonio::tool {
@@ -32,6 +35,7 @@ struct Options {
 /// "theta_o=70:90,phi=0:20".
 ForbiddenRegion forbiddenRegion(const std::string& text) {
   ForbiddenRegion region;
+  std::set<std::string> seen;
   const std::string expected = ", expected such as theta_o=70:90 or theta_i=0:10,phi=0:20 (degrees)";
   for (const std::string& part : CLI::detail::split(text, ',')) {
     const auto equals = part.find('='), colon = part.find(':');
@@ -41,15 +45,14 @@ ForbiddenRegion forbiddenRegion(const std::string& text) {
         !CLI::detail::lexical_cast(part.substr(colon + 1), highest))
       throw UsageError("plan: found --forbid " + text + expected);
     const std::string name = part.substr(0, equals);
-    const AngleRange range{radians(lowest), radians(highest)};
-    if (name == "theta_i")
-      region.thetaI = range;
-    else if (name == "theta_o")
-      region.thetaO = range;
-    else if (name == "phi")
-      region.azimuthDifference = range;
-    else
-      throw UsageError("plan: found --forbid " + text + expected);
+    const std::map<std::string, AngleRange*> ranges{
+        {"theta_i", &region.thetaI}, {"theta_o", &region.thetaO}, {"phi", &region.azimuthDifference}};
+    const auto range = ranges.find(name);
+    if (range == ranges.end()) throw UsageError("plan: found --forbid " + text + expected);
+    if (!seen.insert(name).second)
+      throw UsageError("plan: found " + name + " twice in --forbid " + text +
+                       ", expected one range of each; boxes are given by a --forbid each");
+    *range->second = {radians(lowest), radians(highest)};
   }
   return region;
 }
@@ -75,7 +78,7 @@ double travelDegrees(const SamplingPlan& plan) {
 }
 
 void report(const Options& options, const SamplingPlan& plan, const SampleSelection& selection,
-            const io::BasisFile& basis, double trainingSeconds, double seconds, const Tool& tool) {
+            const io::BasisFile& basis, int kept, double trainingSeconds, double seconds, const Tool& tool) {
   const std::string basisPath = basisBeside(options.out).string();
   Json json{{"samples", plan.samples.size()},
             {"method", options.method},
@@ -83,7 +86,7 @@ void report(const Options& options, const SamplingPlan& plan, const SampleSelect
             {"trainingSeconds", trainingSeconds},
             {"materials", basis.learnedFrom.size()},
             {"signals", basis.components.svd.v.rows()},
-            {"components", basis.components.count()},
+            {"components", kept},
             {"conditionNumber", decibelsJson(selection.conditionNumber)},
             {"residuals", selection.residuals},
             {"travel", travelDegrees(plan)},
@@ -93,9 +96,9 @@ void report(const Options& options, const SamplingPlan& plan, const SampleSelect
   print(tool, json,
         options.out + ": " + std::to_string(plan.samples.size()) + " samples by " + options.method + " in " +
             number(seconds) + " s, condition number " + number(selection.conditionNumber) + ", travel of the arms " +
-            number(travelDegrees(plan)) + " degrees\n" + basisPath + ": " + std::to_string(basis.components.count()) +
-            " components of " + std::to_string(basis.learnedFrom.size()) + " materials, learned in " +
-            number(trainingSeconds) + " s\n" + (selection.warning.empty() ? "" : selection.warning + "\n"));
+            number(travelDegrees(plan)) + " degrees\n" + basisPath + ": " + std::to_string(kept) + " components of " +
+            std::to_string(basis.learnedFrom.size()) + " materials, learned in " + number(trainingSeconds) + " s\n" +
+            (selection.warning.empty() ? "" : selection.warning + "\n"));
 }
 
 int plan(const Options& options, const Tool& tool) {
@@ -103,6 +106,9 @@ int plan(const Options& options, const Tool& tool) {
   const std::filesystem::path basisPath = basisBeside(options.out);
   if (basisPath == std::filesystem::path(options.out))
     throw UsageError("plan: --out " + options.out + " is the name of its basis; name the plan such as PLAN.csv");
+  // Learning takes minutes: what cannot be written is told before.
+  io::checkWritable(basisPath);
+  io::checkWritable(options.out);
   double trainingSeconds = 0;
   const int components = std::max({chosen.samples, chosen.components, options.basisComponents});
   const auto basis = learnBasis(options.train, options.excluded, components, tool, trainingSeconds);
@@ -111,13 +117,17 @@ int plan(const Options& options, const Tool& tool) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   SamplingPlan plan = planFor(basis->components.mapping.grid, selection.cells);
   plan.method = options.method;
+  const int learned = basis->components.count();
+  const int kept = options.basisComponents > 0 ? std::min(options.basisComponents, learned) : learned;
+  // A plan names its basis: without the one the other is not written.
+  io::writeBasis(basis->components, kept, basis->learnedFrom, basisPath,
+                 options.single ? io::BasisPrecision::single : io::BasisPrecision::half);
+  plan.basisDigest = basisDigest(basisPath);
   io::writePlan(
       plan, options.out,
       {"learned from " + std::to_string(basis->learnedFrom.size()) + " materials",
        "angles in degrees, i is the light, o the viewer; of an isotropic material only phi_o - phi_i matters"});
-  io::writeBasis(basis->components, basis->components.count(), basis->learnedFrom, basisPath,
-                 options.single ? io::BasisPrecision::single : io::BasisPrecision::half);
-  report(options, plan, selection, *basis, trainingSeconds, seconds, tool);
+  report(options, plan, selection, *basis, kept, trainingSeconds, seconds, tool);
   return 0;
 }
 
@@ -137,7 +147,8 @@ void addPlan(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(std::vector<std::string>(methodNames.begin(), methodNames.end())));
   command->add_option("--components", selection.components, "That the choice looks at (as many as samples)")
       ->check(CLI::Range(1, 65535));
-  command->add_option("--basis-components", options->basisComponents, "That the basis keeps (as many as samples)")
+  command
+      ->add_option("--basis-components", options->basisComponents, "That the basis keeps (all that the choice needs)")
       ->check(CLI::Range(1, 65535));
   command->add_option("--max-polar", options->largestPolarDegrees, "Largest polar angle of both arms, degrees (85)")
       ->check(CLI::Range(0.0, 90.0));

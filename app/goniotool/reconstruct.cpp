@@ -34,25 +34,36 @@ ReconstructionOptions reconstructionOptions(const Options& options) {
     result.ridge = ridge;
   }
   result.uncertainty = result.method == ReconstructionMethod::ridge;
+  if (result.atoms > 0 && result.method != ReconstructionMethod::sparse)
+    throw UsageError("reconstruct: --atoms is of --method sparse alone");
   if (!options.uncertainty.empty() && !result.uncertainty)
     throw UsageError("reconstruct: --uncertainty is of --method ridge alone");
   return result;
 }
 
+/// @throws Error where the plan tells of another file.
+void checkBasis(const std::filesystem::path& basis, const SamplingPlan& plan) {
+  if (plan.basisDigest.empty()) return;
+  if (const std::string found = basisDigest(basis); found != plan.basisDigest)
+    throw Error(basis.string() + ": not the basis of the plan: found the SHA-256 " + found + ".., expected " +
+                plan.basisDigest + "..; plan again, or name a basis by --basis");
+}
+
 /// Named, else learned, else the one beside the plan.
-std::shared_ptr<const io::BasisFile> basisOf(const Options& options, std::size_t samples, const Tool& tool,
+std::shared_ptr<const io::BasisFile> basisOf(const Options& options, const SamplingPlan& plan, const Tool& tool,
                                              double& trainingSeconds) {
   if (!options.basis.empty()) return io::readBasis(options.basis);
   const std::filesystem::path beside = basisBeside(options.plan);
   if (!options.train.empty()) {
     const int components = options.reconstruction.components;
-    return learnBasis(options.train, options.excluded, components > 0 ? components : int(samples), tool,
+    return learnBasis(options.train, options.excluded, components > 0 ? components : int(plan.samples.size()), tool,
                       trainingSeconds);
   }
   if (!std::filesystem::exists(beside))
     throw Error(beside.string() +
                 ": not found: the basis that goniotool plan writes beside a plan; name another by "
                 "--basis or materials to learn from by --train");
+  checkBasis(beside, plan);
   return io::readBasis(beside);
 }
 
@@ -107,7 +118,7 @@ int reconstruct(const Options& options, const Tool& tool) {
   const SamplingPlan plan = io::readPlan(options.plan);
   const MeasuredValues values = io::readValues(options.values, plan);
   double trainingSeconds = 0;
-  const auto basis = basisOf(options, plan.samples.size(), tool, trainingSeconds);
+  const auto basis = basisOf(options, plan, tool, trainingSeconds);
   const auto start = std::chrono::steady_clock::now();
   const Reconstruction found =
       acquisition::reconstruct(basis->components, plan, values, chosen, tool.control("reconstructing"));
@@ -128,9 +139,13 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   command->add_option("--plan", options->plan, "CSV of the directions")->required();
   command->add_option("--values", options->values, "CSV of what was measured there")->required();
   command->add_option("--out", options->out, "The material (.binary)")->required();
-  command->add_option("--basis", options->basis, "A .basis file (the one beside the plan)");
-  command->add_option("--train", options->train, "Learn the basis from these folders or files instead");
-  command->add_option("--exclude", options->excluded, "Names of materials to leave out of that")->delimiter(',');
+  CLI::Option* basis = command->add_option("--basis", options->basis, "A .basis file (the one beside the plan)");
+  CLI::Option* train =
+      command->add_option("--train", options->train, "Learn the basis from these folders or files instead");
+  train->excludes(basis);
+  command->add_option("--exclude", options->excluded, "Names of materials to leave out of that")
+      ->delimiter(',')
+      ->needs(train);
   command->add_option("--method", options->method, "ridge or sparse (ridge)")
       ->check(
           CLI::IsMember(std::vector<std::string>(reconstructionMethodNames.begin(), reconstructionMethodNames.end())));

@@ -74,14 +74,21 @@ void flushFolder(const fs::path& folder) {
   ::close(descriptor);
 }
 
-}  // namespace
-
-void writeFileAtomically(const fs::path& path, std::span<const std::byte> content) {
+/// The file that is replaced: through a link the one that it points to, not the link.
+fs::path targetOf(const fs::path& path) {
   std::error_code ignored;
-  // Through a link, the file that it points to is replaced, not the link.
-  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+  fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
   if (target.filename().empty() || fs::is_directory(target, ignored))
     throw Error(path.string() + ": cannot be written: found a folder, expected the name of a file");
+  return target;
+}
+
+}  // namespace
+
+void checkWritable(const fs::path& path) { TemporaryFile(targetOf(path)); }
+
+void writeFileAtomically(const fs::path& path, std::span<const std::byte> content) {
+  const fs::path target = targetOf(path);
   TemporaryFile file(target);
   file.write(content);
   file.replaceTarget();

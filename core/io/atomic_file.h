@@ -15,4 +15,8 @@ namespace gonio::io {
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> content);
 void writeFileAtomically(const std::filesystem::path& path, const std::string& text);
 
+/// For work whose result is written much later: whether writeFileAtomically() would find a folder in which it can make
+/// its temporary file. Leaves nothing behind. @throws Error likewise.
+void checkWritable(const std::filesystem::path& path);
+
 }  // namespace gonio::io

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <QDir>
 #include <QTest>
 #include <cmath>
 
@@ -117,6 +118,59 @@ class GoniotoolAcquisitionTest : public QObject {
     QCOMPARE(runTool(plan + QStringList{folder_.path("x.basis")}).code, 2);
     QCOMPARE(runTool({"plan", "--samples", "0", "--out", folder_.path("x.csv")}).code, 2);
     QVERIFY(!QFile::exists(folder_.path("x.csv")) && !QFile::exists(out));
+  }
+
+  /// A plan knows its basis; one that is named is taken as it is. The basis keeps as many components as are asked for.
+  void basisOfThePlan() {
+    const QString folder = folder_.path("bases"), plan = folder + "/p.csv", basis = folder + "/p.basis";
+    QVERIFY(QDir().mkpath(folder));
+    const QStringList command{
+        "plan",  "--train", folder_.path("train0.binary"), folder_.path("train1.binary"), "--samples", "4",
+        "--out", plan};
+    const ToolResult few = runJson(command + QStringList{"--basis-components", "2"});
+    VERIFY_SUCCESS(few);
+    QCOMPARE(few.json["components"].get<int>(), 2);
+    QCOMPARE(io::readBasis(std::filesystem::path(basis.toStdString()))->components.count(), 2);
+    QCOMPARE(io::readPlan(plan.toStdString()).basisDigest.size(), std::size_t(16));
+    const QString values = folder + "/v.csv", out = folder + "/out.binary";
+    VERIFY_SUCCESS(runTool({"measure", folder_.path("train0.binary"), "--plan", plan, "--out", values}));
+    const QStringList reconstruct{"reconstruct", "--plan", plan, "--values", values, "--out", out};
+    VERIFY_SUCCESS(runTool(reconstruct));
+    QVERIFY(QFile::remove(basis) && QFile::copy(folder_.path("plan.basis"), basis) && QFile::remove(out));
+    const ToolResult other = runTool(reconstruct);
+    QCOMPARE(other.code, 1);
+    QVERIFY(other.error.contains("p.basis") && other.error.contains("SHA-256") && !QFile::exists(out));
+    VERIFY_SUCCESS(runTool(reconstruct + QStringList{"--basis", basis}));
+  }
+
+  /// What cannot be written is told before anything is learned: the materials to learn from need not even be there.
+  void destinationsAreCheckedFirst() {
+    const ToolResult absent =
+        runTool({"plan", "--train", "/nowhere", "--samples", "3", "--out", folder_.path("absent/plan.csv")});
+    QCOMPARE(absent.code, 1);
+    QVERIFY(absent.error.contains("absent/plan") && absent.error.contains("cannot be written"));
+    QVERIFY(QDir().mkpath(folder_.path("taken.basis")));
+    const ToolResult taken =
+        runTool({"plan", "--train", "/nowhere", "--samples", "3", "--out", folder_.path("taken.csv")});
+    QVERIFY(taken.code == 1 && taken.error.contains("taken.basis"));
+  }
+
+  /// No option is passed over in silence.
+  void optionsThatDoNotGoTogether() {
+    const QStringList plan{"plan", "--train", folder_.path("train0.binary"), "--samples",
+                           "3",    "--out",   folder_.path("x.csv")};
+    const ToolResult twice = runTool(plan + QStringList{"--forbid", "theta_i=0:60,theta_i=80:90"});
+    QCOMPARE(twice.code, 2);
+    QVERIFY(twice.error.contains("theta_i twice"));
+    QVERIFY(!QFile::exists(folder_.path("x.csv")));
+    const QStringList reconstruct{
+        "reconstruct", "--plan", plan_, "--values", folder_.path("values.csv"), "--out", folder_.path("never.binary")};
+    for (const QStringList& wrong :
+         {QStringList{"--exclude", "train0"},
+          QStringList{"--basis", folder_.path("plan.basis"), "--train", folder_.path()}, QStringList{"--atoms", "3"}}) {
+      const ToolResult result = runTool(reconstruct + wrong);
+      QVERIFY2(result.code == 2 && result.error.contains(wrong[0]), qPrintable(result.error));
+    }
   }
 
   void zEveryKeyIsDocumented() {

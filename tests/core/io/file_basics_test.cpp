@@ -120,8 +120,11 @@ class FileBasicsTest : public QObject {
   void failureNamesTheFileAndLeavesNothing() {
     const fs::path folder = emptyFolder("io/failure");
     QVERIFY(contains(errorOf([&] { io::writeFileAtomically(folder / "absent" / "f", "x"); }), "absent"));
+    QVERIFY(contains(errorOf([&] { io::checkWritable(folder / "absent" / "f"); }), "absent"));
     fs::create_directories(folder / "is_folder");
     QVERIFY(contains(errorOf([&] { io::writeFileAtomically(folder / "is_folder", "x"); }), "is_folder"));
+    QVERIFY(contains(errorOf([&] { io::checkWritable(folder / "is_folder"); }), "is_folder"));
+    io::checkWritable(folder / "free");
     QCOMPARE(std::distance(fs::directory_iterator(folder), {}), std::ptrdiff_t(1));
   }
 };
