@@ -4,11 +4,12 @@
 // acquisition_study --csv FILE [--samples M,M,..] [--fold K]... [--seeds N] [--only SELECTION]... [--every N]
 // [--reconstructions ID,..] [--measured FOLDER] FOLDER...: how well materials that a training set has not seen are told
 // from few measurements. 10-fold cross-validation over the .binary and .bsdf files of the folders: folder after folder,
-// those of each in the order of names, numbered from 0 through all folders; number i belongs to fold i mod 10. Principal
-// components are learned from the other nine folds, directions are chosen over them, and each held-out material (every
-// Nth with --every) is measured there without noise and reconstructed. With --measured all files of the folders teach,
-// but those whose name a file of FOLDER has, and the files of FOLDER (.binary and .bsdf) are reconstructed. Selections:
-// somp, somp-first-columns, condition-number, random, uniform, and pdv, the two curves of a rig with two arms (half the
+// those of each in the order of names, numbered from 0 through all folders; number i belongs to fold i mod 10.
+// Principal components are learned from the other nine folds, directions are chosen over them, and each held-out
+// material (every Nth with --every) is measured there without noise and reconstructed. With --measured all files of the
+// folders teach, but those whose name a file of FOLDER has, and the files of FOLDER (.binary and .bsdf) are
+// reconstructed. Selections: somp, somp-first-columns, condition-number, random, uniform, and pdv, the two curves of a
+// rig with two arms (half the
 // readings each), which no training set is needed for; those that draw are repeated with N seeds (5). A line a case;
 // records are kept in the file, and what is in it is not computed again. At the end tables.
 #include <cstdio>
