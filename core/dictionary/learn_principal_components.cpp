@@ -15,6 +15,7 @@ namespace {
 
 /// The share of the progress at which the materials are read, and at which they are mapped.
 constexpr double readShare = 0.4, mappedShare = 0.5;
+constexpr std::size_t blockCells = 1024;
 
 /// The cells valid in a table and their weights.
 MappedCells validCells(const TabulatedBrdf& table) {
@@ -64,11 +65,10 @@ void compact(MappedCells& mapping, TallMatrix& columns, const std::vector<char>&
 
 /// Maps all columns in place and takes their mean away.
 std::vector<float> mapAndCentre(const MappedCells& mapping, TallMatrix& columns, const TaskControl& control) {
-  constexpr std::size_t block = 1024;
   std::vector<float> mean(mapping.cells.size());
   auto view = columns.view();
   parallelForBlocks(
-      mean.size(), block,
+      mean.size(), blockCells,
       [&](std::size_t begin, std::size_t end) {
         std::vector<double> sums(end - begin, 0.0);
         for (Eigen::Index column = 0; column < view.cols(); ++column)
@@ -84,6 +84,31 @@ std::vector<float> mapAndCentre(const MappedCells& mapping, TallMatrix& columns,
       },
       control);
   return mean;
+}
+
+/// The variance of each row over the columns, of mean 0.
+std::vector<float> rowVariance(const TallMatrix& columns) {
+  std::vector<float> result(std::size_t(columns.rows));
+  const auto view = columns.view();
+  parallelForBlocks(result.size(), blockCells, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> sums(end - begin, 0.0);
+    for (Eigen::Index column = 0; column < view.cols(); ++column)
+      for (std::size_t i = begin; i < end; ++i) {
+        const double value = view(Eigen::Index(i), column);
+        sums[i - begin] += value * value;
+      }
+    for (std::size_t i = begin; i < end; ++i) result[i] = float(sums[i - begin] / double(view.cols()));
+  });
+  return result;
+}
+
+/// What the components that were kept do not explain of the variance.
+std::vector<float> leftOutOf(const PrincipalComponents& pca, std::vector<float> variance) {
+  parallelForBlocks(variance.size(), blockCells, [&](std::size_t begin, std::size_t end) {
+    const std::vector<float> kept = leftOutVariance(pca, 0, begin, end);
+    for (std::size_t i = begin; i < end; ++i) variance[i] = std::max(0.0f, variance[i] - kept[i - begin]);
+  });
+  return variance;
 }
 
 }  // namespace
@@ -117,7 +142,10 @@ PrincipalComponents learnPrincipalComponents(
     spans.push_back(std::span(columns.values).subspan(column * pca.mapping.cells.size(), pca.mapping.cells.size()));
   pca.mapping.reference = medianReference(spans);
   pca.mean = mapAndCentre(pca.mapping, columns, control.between(readShare, mappedShare));
+  std::vector<float> variance;
+  if (options.mostComponents < columns.columns) variance = rowVariance(columns);
   pca.svd = decomposeGramSvd(std::move(columns), options.mostComponents, control.between(mappedShare, 1));
+  if (!variance.empty()) pca.leftOut = leftOutOf(pca, std::move(variance));
   return pca;
 }
 

@@ -46,6 +46,23 @@ void forEachMappedBlock(const PrincipalComponents& pca, const TabulatedBrdf& tab
 
 }  // namespace
 
+std::vector<float> leftOutVariance(const PrincipalComponents& pca, int components, std::size_t begin,
+                                   std::size_t end) {
+  const double signals = double(std::max<Eigen::Index>(1, pca.svd.v.rows()));
+  std::vector<double> sums(end - begin, 0.0);
+  if (!pca.leftOut.empty())
+    std::copy_n(pca.leftOut.begin() + std::ptrdiff_t(begin), sums.size(), sums.begin());
+  const auto u = pca.svd.u.view();
+  for (Eigen::Index k = components; k < pca.count(); ++k) {
+    const double variance = pca.svd.singularValues[k] * pca.svd.singularValues[k] / signals;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double entry = u(Eigen::Index(i), k);
+      sums[i - begin] += variance * entry * entry;
+    }
+  }
+  return {sums.begin(), sums.end()};
+}
+
 std::size_t PrincipalComponents::bytes(int components) const {
   constexpr std::size_t meanAndReference = 2;
   return mean.size() * (std::size_t(components) + meanAndReference) * sizeof(float);

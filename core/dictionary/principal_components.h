@@ -30,6 +30,9 @@ struct PrincipalComponents {
   MappedCells mapping;
   std::vector<float> mean;  ///< of the mapped values, one a cell
   GramSvd svd;              ///< U: cells x components; the rows of V are material * 3 + channel
+  /// Of each cell, the variance over the training signals of what the components that were not kept would add to the
+  /// mapped value; empty where all were kept.
+  std::vector<float> leftOut;
 
   int count() const { return int(svd.singularValues.size()); }
   /// What has to be kept to decode materials of `components` coefficients a channel, in single precision.
@@ -49,6 +52,10 @@ struct ComponentCode {
   /// The code of the first components alone: the same as encoding with so many.
   ComponentCode truncated(int components) const;
 };
+
+/// Of each of the cells [begin, end), the variance over the training signals of what the first `components` leave out
+/// of the mapped value: sigma_k^2 u_k^2 / signals of the others, and `leftOut`. O(cells x other components).
+std::vector<float> leftOutVariance(const PrincipalComponents& pca, int components, std::size_t begin, std::size_t end);
 
 struct PcaOptions {
   int mostComponents = std::numeric_limits<int>::max();

@@ -21,7 +21,7 @@ using dictionary::PrincipalComponents;
 using nlohmann::json;
 
 constexpr std::string_view magic = "GONIOPCA", what = "basis";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr int mostNodes = 1024, mostSignals = 1 << 20, mostComponents = 1 << 14;
 
 template <typename Numbers>
@@ -36,11 +36,16 @@ std::vector<std::uint8_t> cellBits(const MappedCells& mapping) {
   return bits;
 }
 
-/// U of one component over its largest entry, which is returned.
-template <typename Scalar>
-void appendComponent(const Eigen::Ref<const Eigen::VectorXf>& column, float largest, std::vector<std::byte>& numbers) {
-  const float scale = largest > 0 ? 1 / largest : 0;
-  append(Eigen::Matrix<Scalar, Eigen::Dynamic, 1>((column * scale).cast<Scalar>()), numbers);
+/// The largest entry of a column, then the column over it.
+void appendColumn(const Eigen::Ref<const Eigen::VectorXf>& column, BasisPrecision precision,
+                  std::vector<std::byte>& numbers) {
+  const Eigen::VectorXf largest = Eigen::VectorXf::Constant(1, column.cwiseAbs().maxCoeff());
+  append(largest, numbers);
+  const Eigen::VectorXf relative = column * (largest[0] > 0 ? 1 / largest[0] : 0);
+  if (precision == BasisPrecision::half)
+    append(Eigen::Matrix<Eigen::half, Eigen::Dynamic, 1>(relative.cast<Eigen::half>()), numbers);
+  else
+    append(relative, numbers);
 }
 
 /// Takes numbers off the front; their count was compared with the file's size before.
@@ -71,7 +76,7 @@ struct Sizes {
   std::size_t bytes() const {
     const std::size_t scalar = precision == BasisPrecision::half ? 2 : 4;
     return (grid.size() + 7) / 8 + cells * 2 * sizeof(float) + components * (1 + signals) * sizeof(double) +
-           components * (sizeof(float) + cells * scalar);
+           (components + 1) * (sizeof(float) + cells * scalar);
   }
 };
 
@@ -114,9 +119,36 @@ MappedCells mappingOf(const Sizes& sizes, Numbers& numbers) {
   return mapping;
 }
 
+/// What appendColumn() wrote. @param name for errors.
+Eigen::VectorXf columnOf(const Sizes& sizes, const std::string& name, Numbers& numbers) {
+  const auto cells = Eigen::Index(sizes.cells);
+  Eigen::VectorXf scale(1), column(cells);
+  numbers.take(scale, "scale");
+  if (sizes.precision == BasisPrecision::half) {
+    Eigen::Matrix<Eigen::half, Eigen::Dynamic, 1> half(cells);
+    numbers.take(half, "entry");
+    column = half.cast<float>();
+  } else {
+    numbers.take(column, "entry");
+  }
+  column *= scale[0];
+  if (!column.allFinite()) throw Error("basis: found " + name + " with an entry that is not finite");
+  return column;
+}
+
+/// The file has standard deviations: half a precision of variances would reach to one part in 4000 of them only.
+std::vector<float> leftOutOf(const Sizes& sizes, Numbers& numbers) {
+  const Eigen::VectorXf deviations = columnOf(sizes, "what is left out", numbers);
+  if (deviations.isZero(0)) return {};
+  const Eigen::VectorXf variances = deviations.cwiseAbs2();
+  if (deviations.minCoeff() < 0 || !variances.allFinite())
+    throw Error("basis: found a standard deviation of what is left out that is negative or too large");
+  return {variances.begin(), variances.end()};
+}
+
 GramSvd svdOf(const Sizes& sizes, Numbers& numbers) {
   GramSvd svd;
-  const auto components = Eigen::Index(sizes.components), cells = Eigen::Index(sizes.cells);
+  const auto components = Eigen::Index(sizes.components);
   svd.singularValues.resize(components);
   numbers.take(svd.singularValues, "singular value");
   for (Eigen::Index k = 0; k < components; ++k)
@@ -124,24 +156,11 @@ GramSvd svdOf(const Sizes& sizes, Numbers& numbers) {
       throw Error("basis: found singular values that do not descend");
   svd.v.resize(Eigen::Index(sizes.signals), components);
   numbers.take(svd.v, "coefficient");
-  svd.u.rows = cells;
+  svd.u.rows = Eigen::Index(sizes.cells);
   svd.u.columns = components;
   svd.u.values.resize(sizes.cells * sizes.components);
-  auto u = svd.u.view();
-  Eigen::VectorXf scale(1), single(cells);
-  Eigen::Matrix<Eigen::half, Eigen::Dynamic, 1> half(cells);
-  for (Eigen::Index k = 0; k < components; ++k) {
-    numbers.take(scale, "scale");
-    if (sizes.precision == BasisPrecision::half) {
-      numbers.take(half, "entry");
-      u.col(k) = scale[0] * half.cast<float>();
-    } else {
-      numbers.take(single, "entry");
-      u.col(k) = scale[0] * single;
-    }
-    if (!u.col(k).allFinite())
-      throw Error("basis: found component " + std::to_string(k) + " with an entry that is not finite");
-  }
+  for (Eigen::Index k = 0; k < components; ++k)
+    svd.u.view().col(k) = columnOf(sizes, "component " + std::to_string(k), numbers);
   return svd;
 }
 
@@ -165,17 +184,12 @@ std::vector<std::byte> encodeBasis(const PrincipalComponents& basis, int compone
   append(cellBits(m), content.numbers);
   append(m.reference, content.numbers);
   append(basis.mean, content.numbers);
+  const std::vector<float> leftOut = leftOutVariance(basis, int(count), 0, m.cells.size());
+  appendColumn(Eigen::Map<const Eigen::ArrayXf>(leftOut.data(), Eigen::Index(leftOut.size())).sqrt().matrix(), precision,
+               content.numbers);
   append(Eigen::VectorXd(basis.svd.singularValues.head(count)), content.numbers);
   append(Eigen::MatrixXd(basis.svd.v.leftCols(count)), content.numbers);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const auto column = basis.svd.u.view().col(k);
-    const Eigen::VectorXf largest = Eigen::VectorXf::Constant(1, column.cwiseAbs().maxCoeff());
-    append(largest, content.numbers);
-    if (precision == BasisPrecision::half)
-      appendComponent<Eigen::half>(column, largest[0], content.numbers);
-    else
-      appendComponent<float>(column, largest[0], content.numbers);
-  }
+  for (Eigen::Index k = 0; k < count; ++k) appendColumn(basis.svd.u.view().col(k), precision, content.numbers);
   return encodeDescribedNumbers(magic, version, content);
 }
 
@@ -198,6 +212,7 @@ std::shared_ptr<const BasisFile> readBasis(const ByteSource& source) {
   file->components.mapping = mappingOf(sizes, numbers);
   file->components.mean.resize(sizes.cells);
   numbers.take(file->components.mean, "mean");
+  file->components.leftOut = leftOutOf(sizes, numbers);
   file->components.svd = svdOf(sizes, numbers);
   return file;
 }
