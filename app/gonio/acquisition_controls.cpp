@@ -178,10 +178,8 @@ acquisition::ReconstructionOptions AcquisitionControls::reconstruction() const {
   acquisition::ReconstructionOptions options;
   const int index = m_reconstruction->currentIndex();
   if (index == sparse) options.method = acquisition::ReconstructionMethod::sparse;
-  if (index == chosenRidge) {
-    options.ridge.reset();
-    options.components = mostComponents;
-  }
+  if (index != chosenRidge) options.ridge = acquisition::publishedRidge;
+  options.components = mostComponents;
   return options;
 }
 

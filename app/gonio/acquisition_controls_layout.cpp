@@ -148,8 +148,8 @@ void AcquisitionControls::buildReconstruction(QFormLayout& form) {
                                  "sample best from all others (leave-one-out)")
                                   .arg(mostComponents)},
       {tr("Ridge, published η = %1").arg(acquisition::publishedRidge),
-       tr("With the η of the publications, over as many components as samples. It was found for some 400 training "
-          "signals; with fewer it flattens too much.")},
+       tr("With the η of the publications, over as many components. It was found for some 400 training signals; with "
+          "fewer it flattens too much.")},
       {tr("Sparse"), tr("Few components, chosen by orthogonal matching pursuit; tells no uncertainty")}};
   for (const auto& [name, explanation] : methods) {
     m_reconstruction->addItem(name);

@@ -17,7 +17,7 @@ namespace {
 using namespace acquisition;
 
 struct Options {
-  std::string plan, values, out, basis, ridge = "40", method{reconstructionMethodNames[0]}, uncertainty;
+  std::string plan, values, out, basis, ridge = "auto", method{reconstructionMethodNames[0]}, uncertainty;
   std::vector<std::string> train, excluded;
   ReconstructionOptions reconstruction;
 };
@@ -149,8 +149,11 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   command->add_option("--method", options->method, "ridge or sparse (ridge)")
       ->check(
           CLI::IsMember(std::vector<std::string>(reconstructionMethodNames.begin(), reconstructionMethodNames.end())));
-  command->add_option("--ridge", options->ridge, "A number, or auto for the one by leave-one-out (40)");
-  command->add_option("--components", reconstruction.components, "Of the basis (as many as samples)")
+  command->add_option("--ridge", options->ridge,
+                      "A number, such as the published 40, or auto: the one by leave-one-out (auto)");
+  command
+      ->add_option("--components", reconstruction.components,
+                   "Of the basis (all that it has; learned by --train: as many as samples)")
       ->check(CLI::Range(1, 65535));
   command->add_option("--atoms", reconstruction.atoms, "Components that sparse takes (by leave-one-out)")
       ->check(CLI::Range(1, 65535));

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/acquisition/noisy_ridge.h"
 #include "core/acquisition/sample_rows.h"
 #include "core/acquisition/sparse_samples.h"
 #include "core/math/parallel.h"
-#include "core/math/ridge_regression.h"
 #include "core/support/error.h"
 
 namespace gonio::acquisition {
@@ -30,38 +30,35 @@ void check(const ReconstructionOptions& options) {
   if (options.components < 0 || options.atoms < 0) throw Error("a number of components must be 0 or more");
 }
 
-/// Equations of noisy samples count less: both sides times the root of the weight.
-void weigh(SampleRows& samples, double variance) {
-  if (samples.variances.size() == 0) return;
-  const Eigen::VectorXd roots = (1 + samples.variances.array() / variance).rsqrt();
-  samples.rows = roots.asDiagonal() * samples.rows;
-  samples.values = roots.asDiagonal() * samples.values;
-}
-
 /// v of the coefficients (Reconstruction::deviation).
-double coefficientVariance(const PrincipalComponents& basis, const RidgeRegression& regression, double ridge,
-                           const std::optional<double>& noise) {
+double coefficientVariance(const PrincipalComponents& basis, const NoisyRidge& regression, double ridge,
+                           std::size_t samples, const std::optional<double>& noise) {
   const double training = trainingVariance(basis);
   if (!std::isfinite(ridge)) return training;
   if (noise && ridge > 0) return *noise * *noise / ridge;
-  return (training + regression.weightedEnergy(ridge)) / (1 + 3 * double(regression.rowCount()));
+  return (training + regression.weightedEnergy()) / (1 + 3 * double(samples));
 }
 
-/// The length of each row of D F, F the square root of the coefficients' covariance.
-std::vector<float> deviations(const PrincipalComponents& basis, const Eigen::MatrixXd& factor,
+/// Of coefficients of variance v and covariance v F F given the samples: the length of each row of D F, and what the
+/// other components add, of which the samples tell nothing.
+std::vector<float> deviations(const PrincipalComponents& basis, const Eigen::MatrixXd& factor, double variance,
                               const TaskControl& control) {
   constexpr std::size_t blockCells = 2048;
   const Eigen::Index components = factor.rows();
-  const Eigen::MatrixXf scaled = (basis.svd.singularValues.head(components).asDiagonal() * factor).cast<float>();
+  const Eigen::MatrixXf scaled =
+      (std::sqrt(variance) * (basis.svd.singularValues.head(components).asDiagonal() * factor)).cast<float>();
   const auto u = basis.svd.u.view().leftCols(components);
+  const auto overTraining = float(variance / trainingVariance(basis));
   std::vector<float> result(basis.mapping.cells.size());
   parallelForBlocks(
       result.size(), blockCells,
       [&](std::size_t begin, std::size_t end) {
         // Into aligned memory of its own: how Eigen sums depends on where the result lies.
-        const Eigen::VectorXf lengths =
-            (u.middleRows(Eigen::Index(begin), Eigen::Index(end - begin)) * scaled).rowwise().norm();
-        std::copy(lengths.begin(), lengths.end(), result.begin() + std::ptrdiff_t(begin));
+        const Eigen::VectorXf squares =
+            (u.middleRows(Eigen::Index(begin), Eigen::Index(end - begin)) * scaled).rowwise().squaredNorm();
+        const std::vector<float> leftOut = leftOutVariance(basis, int(components), begin, end);
+        for (std::size_t i = begin; i < end; ++i)
+          result[i] = std::sqrt(squares[Eigen::Index(i - begin)] + overTraining * leftOut[i - begin]);
       },
       control);
   return result;
@@ -78,16 +75,17 @@ dictionary::ComponentCode codeOf(const PrincipalComponents& basis, const Eigen::
 /// Coefficients of the ridge, and what the result tells of it.
 Eigen::MatrixXd solveRidge(const PrincipalComponents& basis, const SampleRows& samples,
                            const ReconstructionOptions& options, Reconstruction& result, const TaskControl& control) {
-  const RidgeRegression regression(samples.rows, samples.values);
-  result.ridge = options.ridge ? *options.ridge : regression.leaveOneOutRidge(publishedRidge);
+  const Eigen::VectorXd noise = samples.variances / trainingVariance(basis);
+  result.ridge = options.ridge ? *options.ridge : leaveOneOutRidge(samples, noise, control.between(0, 0.5));
+  const NoisyRidge regression(samples, noise, result.ridge);
   if (result.ridge > 0 && std::isfinite(result.ridge) && samples.rows.rows() > 1)
-    result.leaveOneOutError =
-        std::sqrt(regression.leaveOneOut(result.ridge).squaredNorm() / double(samples.values.size()));
+    result.leaveOneOutError = std::sqrt(regression.leaveOneOut().squaredNorm() / double(samples.values.size()));
   if (options.uncertainty) {
-    const double variance = coefficientVariance(basis, regression, result.ridge, options.noise);
-    result.deviation = deviations(basis, std::sqrt(variance) * regression.posteriorFactor(result.ridge), control);
+    const double variance =
+        coefficientVariance(basis, regression, result.ridge, samples.positions.size(), options.noise);
+    result.deviation = deviations(basis, regression.posteriorFactor(), variance, control.between(0.5, 1));
   }
-  return regression.coefficients(result.ridge);
+  return regression.coefficients();
 }
 
 }  // namespace
@@ -95,12 +93,10 @@ Eigen::MatrixXd solveRidge(const PrincipalComponents& basis, const SampleRows& s
 Reconstruction reconstruct(const PrincipalComponents& basis, const SamplingPlan& plan, const MeasuredValues& values,
                            const ReconstructionOptions& options, const TaskControl& control) {
   check(options);
-  const int wanted = options.components > 0 ? options.components : int(plan.samples.size());
   Reconstruction result;
-  result.components = std::min(wanted, basis.count());
+  result.components = options.components > 0 ? std::min(options.components, basis.count()) : basis.count();
   result.leaveOneOutError = std::numeric_limits<double>::quiet_NaN();
-  SampleRows samples = sampleRows(basis, plan, values, result.components);
-  weigh(samples, publishedRidge * trainingVariance(basis));
+  const SampleRows samples = sampleRows(basis, plan, values, result.components);
   Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(result.components, 3);
   if (result.components == 0)
     result.ridge = options.ridge.value_or(publishedRidge);

@@ -28,8 +28,8 @@ inline constexpr double publishedRidge = 40;
 
 struct ReconstructionOptions {
   ReconstructionMethod method = ReconstructionMethod::ridge;
-  std::optional<double> ridge = publishedRidge;  ///< eta >= 0; without one by leave-one-out (RidgeRegression)
-  int components = 0;  ///< of the basis, may be more than samples; 0: as many as samples; never more than it has
+  std::optional<double> ridge;  ///< eta >= 0, such as publishedRidge; without one by leave-one-out (leaveOneOutRidge())
+  int components = 0;           ///< of the basis, may be more than samples; 0: all; never more than it has
   int atoms = 0;  ///< of `sparse`: components that are chosen, a channel; 0: by leave-one-out, at most half as many
                   ///< as samples
   std::optional<double> noise;  ///< standard deviation of a mapped value for `deviation`; without one estimated
@@ -46,19 +46,22 @@ struct Reconstruction {
   /// eta > 0): the error to be expected at a cell like those measured. NaN of one sample, and of `sparse`.
   double leaveOneOutError = 0;
   /// Posterior standard deviation of the mapped value of each cell of basis.mapping.cells, `ridge` alone: under the
-  /// model whose most likely coefficients the ridge gives, coefficients of variance v and samples of variance eta v.
-  /// v is noise^2 / eta where `noise` was given (and eta > 0, finite), else its most likely value given the samples of
-  /// all channels and one more at the training set's own 1/t. A change of the mapped value by d is a factor of e^d of
-  /// rho w + 1e-3. What the components that are not used would add is not in it.
+  /// model whose most likely coefficients the ridge gives. Coefficients have a variance v, those of components that
+  /// are not used and of what the basis left out too; a sample has besides a noise of variance eta v. v is noise^2 /
+  /// eta where `noise` was given (and eta > 0, finite), else its most likely value given the samples of all channels
+  /// and one more at the training set's own 1/t. What is not used is independent from cell to cell in this model: a
+  /// sample tells nothing of it anywhere. A change of the mapped value by d is a factor of e^d of rho w + 1e-3.
   std::vector<float> deviation;
 };
 
-/// Samples are read at the node of the basis that is nearest to them (nearestNode()). Where standard deviations of the
-/// values are given, a sample counts 1 / (1 + s^2 / (40 / t)), s that of its mapped value to first order, root mean
-/// square of the channels: one weight for the three, so one factorisation solves them.
+/// Samples are read at the node of the basis that is nearest to them (nearestNode()). What the components that are
+/// used leave out of a sample is noise to them, and so are the standard deviations of the values where they are given:
+/// eta + t (l + s^2) stands in place of eta, t the number of training signals, l the variance that is left out
+/// (leftOutVariance()), s the deviation of the mapped value to first order, root mean square of the channels. One
+/// weight for the three, so one factorisation solves them.
 /// Cells that do not count in the basis are invalid, as in decode(). Cost: O(samples components min(samples,
-/// components)
-/// + cells components), with the uncertainty O(cells components^2).
+/// components)), without a ridge a hundred times that, + O(cells components), with the uncertainty O(cells
+/// components^2).
 /// @throws Error when the numbers of samples and values differ or there are none, a value is negative or not finite or
 /// beyond any reflectance, a sample lies where the basis knows nothing (naming its index), or an option is out of
 /// range; Cancelled.

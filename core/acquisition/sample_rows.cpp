@@ -59,7 +59,7 @@ SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const Sampli
   SampleRows result;
   result.rows.resize(count, components);
   result.values.resize(count, 3);
-  if (!values.noise.empty()) result.variances = Eigen::VectorXd::Zero(count);
+  result.variances.resize(count);
   for (Eigen::Index s = 0; s < count; ++s) {
     const PlannedSample& sample = plan.samples[std::size_t(s)];
     const std::size_t i = result.positions.emplace_back(positionOf(m, sample));
@@ -68,6 +68,7 @@ SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const Sampli
                              .head(components)
                              .cast<double>()
                              .cwiseProduct(basis.svd.singularValues.head(components).transpose());
+    result.variances[s] = leftOutVariance(basis, components, i, i + 1)[0];
     for (int channel = 0; channel < 3; ++channel) {
       const double rho = values.rgb[std::size_t(s)][channel];
       checkValue(rho, sample, "a value");

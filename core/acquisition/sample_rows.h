@@ -15,7 +15,9 @@ struct SampleRows {
   std::vector<std::size_t> positions;  ///< of the samples' cells in basis.mapping.cells
   Eigen::MatrixXd rows;                ///< of D = U Sigma: samples x components
   Eigen::MatrixX3d values;             ///< mapped values less the mean: samples x channels
-  Eigen::VectorXd variances;           ///< of the mapped values, mean of the channels; empty where no noise is known
+  /// Of the mapped values about what the components tell, mean of the channels: what they leave out, and the noise
+  /// where it is known.
+  Eigen::VectorXd variances;
 };
 
 /// @param components at most basis.count(). @throws Error as reconstruct().

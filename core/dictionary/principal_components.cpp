@@ -46,12 +46,10 @@ void forEachMappedBlock(const PrincipalComponents& pca, const TabulatedBrdf& tab
 
 }  // namespace
 
-std::vector<float> leftOutVariance(const PrincipalComponents& pca, int components, std::size_t begin,
-                                   std::size_t end) {
+std::vector<float> leftOutVariance(const PrincipalComponents& pca, int components, std::size_t begin, std::size_t end) {
   const double signals = double(std::max<Eigen::Index>(1, pca.svd.v.rows()));
   std::vector<double> sums(end - begin, 0.0);
-  if (!pca.leftOut.empty())
-    std::copy_n(pca.leftOut.begin() + std::ptrdiff_t(begin), sums.size(), sums.begin());
+  if (!pca.leftOut.empty()) std::copy_n(pca.leftOut.begin() + std::ptrdiff_t(begin), sums.size(), sums.begin());
   const auto u = pca.svd.u.view();
   for (Eigen::Index k = components; k < pca.count(); ++k) {
     const double variance = pca.svd.singularValues[k] * pca.svd.singularValues[k] / signals;

@@ -185,8 +185,8 @@ std::vector<std::byte> encodeBasis(const PrincipalComponents& basis, int compone
   append(m.reference, content.numbers);
   append(basis.mean, content.numbers);
   const std::vector<float> leftOut = leftOutVariance(basis, int(count), 0, m.cells.size());
-  appendColumn(Eigen::Map<const Eigen::ArrayXf>(leftOut.data(), Eigen::Index(leftOut.size())).sqrt().matrix(), precision,
-               content.numbers);
+  appendColumn(Eigen::Map<const Eigen::ArrayXf>(leftOut.data(), Eigen::Index(leftOut.size())).sqrt().matrix(),
+               precision, content.numbers);
   append(Eigen::VectorXd(basis.svd.singularValues.head(count)), content.numbers);
   append(Eigen::MatrixXd(basis.svd.v.leftCols(count)), content.numbers);
   for (Eigen::Index k = 0; k < count; ++k) appendColumn(basis.svd.u.view().col(k), precision, content.numbers);

@@ -48,17 +48,19 @@ Eigen::MatrixXd RidgeRegression::leaveOneOut(double ridge) const {
   return diagonal.cwiseInverse().asDiagonal() * residual;
 }
 
-double RidgeRegression::leaveOneOutRidge(double otherwise) const {
+std::vector<double> RidgeRegression::triedRidges() const {
   const double largest = svd_.singularValues[0] * svd_.singularValues[0];
-  if (largest == 0 || rowCount() == 1) return otherwise;
-  double best = otherwise, least = std::numeric_limits<double>::infinity();
-  for (int tenth = 30; tenth >= -70; --tenth) {
-    const double ridge = largest * std::pow(10.0, 0.1 * tenth), sum = leaveOneOut(ridge).squaredNorm();
-    if (!(sum < (1 - leastGain) * least)) continue;
-    least = sum;
-    best = ridge;
-  }
-  return best;
+  std::vector<double> ridges;
+  if (largest == 0 || rowCount() == 1) return ridges;
+  for (int tenth = 30; tenth >= -70; --tenth) ridges.push_back(largest * std::pow(10.0, 0.1 * tenth));
+  return ridges;
+}
+
+double RidgeRegression::leaveOneOutRidge(double otherwise) const {
+  const std::vector<double> ridges = triedRidges();
+  std::vector<double> sums;
+  for (const double ridge : ridges) sums.push_back(leaveOneOut(ridge).squaredNorm());
+  return bestRidge(ridges, sums, otherwise);
 }
 
 double RidgeRegression::weightedEnergy(double ridge) const {
@@ -73,6 +75,16 @@ double RidgeRegression::weightedEnergy(double ridge) const {
 Eigen::MatrixXd RidgeRegression::posteriorFactor(double ridge) const {
   const Eigen::VectorXd told = 1 - untoldShares(ridge).array().sqrt();
   return Eigen::MatrixXd::Identity(svd_.v.rows(), svd_.v.rows()) - svd_.v * told.asDiagonal() * svd_.v.transpose();
+}
+
+double bestRidge(const std::vector<double>& ridges, const std::vector<double>& sums, double otherwise) {
+  double best = otherwise, least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ridges.size(); ++i) {
+    if (!(sums[i] < (1 - leastGain) * least)) continue;
+    least = sums[i];
+    best = ridges[i];
+  }
+  return best;
 }
 
 }  // namespace gonio

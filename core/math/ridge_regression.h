@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <vector>
+
 #include "core/math/decompositions.h"
 
 namespace gonio {
@@ -25,9 +27,11 @@ class RidgeRegression {
   /// H = (A A^T + ridge I)^-1. @param ridge > 0, finite.
   Eigen::MatrixXd leaveOneOut(double ridge) const;
 
-  /// The ridge of the least sum of squares of leaveOneOut(), among ten a decade from 1e-7 to 1e3 of the largest squared
-  /// singular value; the larger of those that are equal to a share of 1e-9. @return `otherwise` where the values tell
-  /// nothing of it: where A is 0 or has one row, which no other predicts.
+  /// Ten a decade from 1e3 down to 1e-7 of the largest squared singular value. None where the values tell nothing of
+  /// them: where A is 0 or has one row, which no other predicts.
+  std::vector<double> triedRidges() const;
+
+  /// bestRidge() of triedRidges() by the sums of squares of leaveOneOut().
   double leaveOneOutRidge(double otherwise) const;
 
   /// trace(B^T (A A^T + ridge I)^-1 B). Over the number of values it is the most likely variance of the coefficients,
@@ -47,5 +51,9 @@ class RidgeRegression {
   Eigen::MatrixXd projected_;  ///< U^T B
   Eigen::MatrixXd outside_;    ///< B less its part in the span of U: 0 unless A has more rows than columns
 };
+
+/// The ridge of the least sum; of those that are equal to a share of 1e-9 the larger. `otherwise` of none.
+/// @param ridges descending.
+double bestRidge(const std::vector<double>& ridges, const std::vector<double>& sums, double otherwise);
 
 }  // namespace gonio

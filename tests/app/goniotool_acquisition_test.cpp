@@ -52,7 +52,8 @@ class GoniotoolAcquisitionTest : public QObject {
     const QString values = folder_.path("values.csv"), out = folder_.path("out.binary");
     const QString material = folder_.path("train1.binary");
     VERIFY_SUCCESS(runJson({"measure", material, "--plan", plan_, "--out", values}));
-    const ToolResult plain = runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out});
+    const ToolResult plain =
+        runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge", "40"});
     VERIFY_SUCCESS(plain);
     QCOMPARE(plain.json["ridge"].get<double>(), 40.0);
     const auto errorOf = [&] { return metrics::brdfErrors(*readTable(material), *readTable(out))[0]; };
@@ -67,10 +68,13 @@ class GoniotoolAcquisitionTest : public QObject {
     VERIFY_SUCCESS(runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge", "1e-6",
                             "--train", folder_.path(), "--exclude", "out,uncertainty"}));
     QVERIFY(errorOf() < 0.02 * published);
-    const ToolResult automatic =
-        runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge", "auto"});
+    const ToolResult automatic = runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out});
     VERIFY_SUCCESS(automatic);
     QVERIFY(automatic.json["ridge"].get<double>() < 40);
+    QCOMPARE(automatic.json["components"].get<int>(), planned_.json["components"].get<int>());
+    const ToolResult named =
+        runJson({"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--ridge", "auto"});
+    QCOMPARE(named.json["ridge"].get<double>(), automatic.json["ridge"].get<double>());
     VERIFY_SUCCESS(runJson(
         {"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--method", "sparse", "--atoms", "3"}));
     for (const char* name : {"out.binary", "uncertainty.binary"}) QFile::remove(folder_.path(name));

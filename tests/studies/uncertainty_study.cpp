@@ -23,7 +23,7 @@ using namespace gonio::acquisition;
 
 namespace {
 
-constexpr int all = 1 << 20;
+constexpr int all = 0, asSamples = -1;  // instead of a number of components
 
 struct Way {
   const char* name;
@@ -32,8 +32,8 @@ struct Way {
   double noise;
   bool isNoiseTold;
 };
-const Way ways[] = {{"ridge 40, as many components as samples", publishedRidge, 0, 0, false},
-                    {"ridge auto, as many components as samples", std::nullopt, 0, 0, false},
+const Way ways[] = {{"ridge 40, as many components as samples", publishedRidge, asSamples, 0, false},
+                    {"ridge auto, as many components as samples", std::nullopt, asSamples, 0, false},
                     {"ridge 40, all components", publishedRidge, all, 0, false},
                     {"ridge auto, all components", std::nullopt, all, 0, false},
                     {"ridge 40, all components, noise 10 %", publishedRidge, all, 0.1, false},
@@ -49,7 +49,8 @@ Figures figuresOf(const dictionary::PrincipalComponents& basis, const SamplingPl
                   const Way& way) {
   MeasuredValues values = measure(truth, plan, {.relative = way.noise});
   if (!way.isNoiseTold) values.noise.clear();
-  const Reconstruction found = reconstruct(basis, plan, values, {.ridge = way.ridge, .components = way.components});
+  const int components = way.components == asSamples ? int(plan.samples.size()) : way.components;
+  const Reconstruction found = reconstruct(basis, plan, values, {.ridge = way.ridge, .components = components});
   const dictionary::MappedCells& m = basis.mapping;
   Figures sums;
   for (std::size_t i = 0; i < m.cells.size(); ++i)

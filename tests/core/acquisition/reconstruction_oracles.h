@@ -50,6 +50,25 @@ inline MatrixXd mappedAt(const PrincipalComponents& basis, const SamplingPlan& p
   return mapped;
 }
 
+/// The variance of a cell's mapped value over the training signals in the components from `first` on.
+inline double varianceFrom(const PrincipalComponents& basis, std::size_t position, int first) {
+  double sum = 0;
+  for (int k = first; k < basis.count(); ++k)
+    sum += std::pow(basis.svd.singularValues[k] * double(basis.svd.u.view()(Eigen::Index(position), k)), 2);
+  return sum / double(basis.svd.v.rows());
+}
+
+/// Q Q^T + N by its definition: the samples' covariance where coefficients have a variance of 1, those of the
+/// components that are not used from cell to cell their own.
+inline MatrixXd covarianceAt(const PrincipalComponents& basis, const SamplingPlan& plan, int components, double ridge) {
+  const MatrixXd q = rowsAt(basis, plan, components);
+  MatrixXd covariance = q * q.transpose();
+  for (Eigen::Index s = 0; s < covariance.rows(); ++s)
+    covariance(s, s) += ridge + double(basis.svd.v.rows()) *
+                                    varianceFrom(basis, positionOf(basis, plan.samples[std::size_t(s)]), components);
+  return covariance;
+}
+
 /// c of a reconstruction's code U (Sigma c).
 inline MatrixXd coefficients(const PrincipalComponents& basis, const Reconstruction& found) {
   MatrixXd c(found.code.components(), 3);

@@ -152,6 +152,32 @@ class PrincipalComponentsTest : public QObject {
     }
   }
 
+  /// Kept and left out add up to the variance of the training signals, however many are kept.
+  void leftOutVariances() {
+    const auto tables = materials(4);
+    const PrincipalComponents all = learn(tables);
+    QVERIFY(all.leftOut.empty());
+    for (const int kept : {0, 1, 5, all.count()}) {
+      const PrincipalComponents pca = learn(tables, {.mostComponents = kept});
+      const std::vector<float> total = leftOutVariance(pca, 0, 0, pca.mean.size());
+      const std::vector<float> left = leftOutVariance(pca, pca.count(), 0, pca.mean.size());
+      QVERIFY(pca.leftOut.empty() || pca.leftOut == left);
+      for (std::size_t i = 0; i < pca.mean.size(); i += 7) {
+        double variance = 0, expected = 0;
+        for (const Table& table : tables)
+          for (int c = 0; c < 3; ++c) {
+            const double rho = double(table->values()[pca.mapping.cells[i]][c]), weight = pca.mapping.weights[i];
+            variance += std::pow(logRelative(rho, weight, pca.mapping.reference[i]) - pca.mean[i], 2) / 12;
+          }
+        for (int k = kept; k < all.count(); ++k)
+          expected += std::pow(all.svd.singularValues[k] * double(all.svd.u.view()(Eigen::Index(i), k)), 2) / 12;
+        QVERIFY(std::abs(total[i] - variance) < 1e-5 * variance + 1e-9);
+        QVERIFY(std::abs(left[i] - expected) < 1e-5 * variance + 1e-9);
+        QCOMPARE(leftOutVariance(pca, 1, i, i + 1)[0], leftOutVariance(pca, 1, 0, pca.mean.size())[i]);
+      }
+    }
+  }
+
   /// A set in which every material stands twice has the rank of the set, and reconstructs as it does.
   void hardCase24RepeatedMaterials() {
     auto tables = materials(3);

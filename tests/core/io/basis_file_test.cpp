@@ -57,6 +57,24 @@ class BasisFileTest : public QObject {
       }
   }
 
+  /// What a file leaves out comes back, also of what had left something out before; of all that there is it is nothing.
+  void leftOut() {
+    const PrincipalComponents truncated = testing::learnFrom(testing::smoothMaterials(6), {.mostComponents = 5});
+    for (const BasisPrecision precision : {BasisPrecision::single, BasisPrecision::half})
+      for (const int components : {0, 3, 5}) {
+        const std::vector<float> expected = dictionary::leftOutVariance(basis_, components, 0, basis_.mean.size());
+        const double largest = std::sqrt(double(*std::ranges::max_element(expected)));
+        for (const PrincipalComponents* from : std::initializer_list<const PrincipalComponents*>{&basis_, &truncated}) {
+          const std::vector<float> found = read(encodeBasis(*from, components, {}, precision))->components.leftOut;
+          QCOMPARE(found.size(), expected.size());
+          for (std::size_t i = 0; i < found.size(); ++i)
+            QVERIFY(std::abs(std::sqrt(double(found[i])) - std::sqrt(double(expected[i]))) <
+                    largest * (precision == BasisPrecision::half ? 1.0 / 2048 : 2e-3));
+        }
+      }
+    QVERIFY(read(encodeBasis(basis_, basis_.count(), {}))->components.leftOut.empty());
+  }
+
   /// Half precision moves a mapped value by at most a 2048th of what each component can make of it.
   void halfPrecisionIsEnough() {
     const auto bytes = encodeBasis(basis_, basis_.count(), {});
@@ -99,7 +117,9 @@ class BasisFileTest : public QObject {
     QVERIFY(test::contains(errorOf(longer), "bytes of numbers, expected"));
     test::Bytes newer = good;
     newer[8] = std::byte(9);
-    QVERIFY(test::contains(errorOf(newer), "the version is 9, expected 1"));
+    QVERIFY(test::contains(errorOf(newer), "the version is 9, expected 2"));
+    newer[8] = std::byte(1);
+    QVERIFY(test::contains(errorOf(newer), "the version is 1, expected 2"));
     QVERIFY(test::contains(errorOf(with(good, "\"half\"", "\"hulf\"")), "found the precision 'hulf'"));
     QVERIFY(test::contains(errorOf(with(good, "\"thetaH\":10", "\"thetaH\":11")), "basis"));
     QVERIFY(test::contains(errorOf(with(good, "\"phiD\":6", "\"phiD\":0")), "phiD"));
@@ -113,18 +133,29 @@ class BasisFileTest : public QObject {
     const float infinite = INFINITY;
     std::memcpy(bad.data() + last - 4, &infinite, 4);
     QVERIFY(test::contains(errorOf(bad), "a scale that is not finite"));
-    const std::size_t numbers = good.size() - 4 * (2 * cells + 4) - 4 * 8 * (1 + 18);
+    const std::size_t numbers = good.size() - 4 * (2 * cells + 4) - 4 * 8 * (1 + 18), leftOut = 2 * cells + 4;
     bad = good;
     const double negative = -1;
     std::memcpy(bad.data() + numbers, &negative, 8);
     QVERIFY(test::contains(errorOf(bad), "singular values that do not descend"));
     bad = good;
     const float below = -1;
-    std::memcpy(bad.data() + numbers - 8 * cells, &below, 4);
+    std::memcpy(bad.data() + numbers - leftOut - 8 * cells, &below, 4);
     QVERIFY(test::contains(errorOf(bad), "a negative reference"));
     bad = good;
+    // What is left out stands before the singular values: its scale, then 2 bytes a cell.
+    bad = good;
+    std::memcpy(bad.data() + numbers - leftOut, &infinite, 4);
+    QVERIFY(test::contains(errorOf(bad), "a scale that is not finite"));
+    for (const float scale : {-1.0f, 1e30f}) {
+      std::memcpy(bad.data() + numbers - leftOut, &scale, 4);
+      QVERIFY(test::contains(errorOf(bad), "left out that is negative or too large"));
+    }
+    bad = good;
+    bad[numbers - 1] = std::byte(0x7e);
+    QVERIFY(test::contains(errorOf(bad), "what is left out with an entry that is not finite"));
     const std::size_t bits = (basis_.mapping.grid.size() + 7) / 8;
-    bad[numbers - 8 * cells - bits] ^= std::byte(1);
+    bad[numbers - leftOut - 8 * cells - bits] ^= std::byte(1);
     QVERIFY(test::contains(errorOf(bad), "cells that count, expected"));
     const auto path = test::writeFile("basis/bad.basis", bad);
     QVERIFY(test::contains(test::errorOf([&] { readBasis(path); }), "bad.basis: "));

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <Eigen/Dense>
+#include <QTest>
+#include <cmath>
+#include <limits>
+
+#include "tests/core/acquisition/reconstruction_oracles.h"
+#include "tests/support/smooth_materials.h"
+
+using namespace gonio;
+using namespace gonio::acquisition;
+using namespace gonio::dictionary;
+using Eigen::VectorXd;
+
+class ReconstructionDeviationTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    basis_ = testing::learnFrom(testing::smoothMaterials(6));
+    plan_ = everyCell(basis_, 9);
+    values_ = measure(*testing::smoothMaterial(77), plan_);
+  }
+
+  /// The posterior of the cells by brute force: v (d (I - Q^T (Q Q^T + N)^-1 Q) d^T + t l), N = diag(eta + t l), l the
+  /// variance in components that are not used: none where all are.
+  void byBruteForce() {
+    for (const auto& [plan, components] :
+         {std::pair(everyCell(basis_, 97), basis_.count()), std::pair(plan_, basis_.count()), std::pair(plan_, 5)}) {
+      const MeasuredValues values = measure(*testing::smoothMaterial(77), plan);
+      const MatrixXd q = rowsAt(basis_, plan, components), y = mappedAt(basis_, plan, values);
+      for (const double ridge : {1e-3, 1.0, 40.0}) {
+        const MatrixXd k = covarianceAt(basis_, plan, components, ridge).inverse();
+        const MatrixXd posterior = MatrixXd::Identity(components, components) - q.transpose() * k * q;
+        const double estimated = (1 / signals + (y.transpose() * k * y).trace()) / double(1 + y.size());
+        for (const std::optional<double> noise : {std::optional<double>(), std::optional<double>(0.3)}) {
+          const Reconstruction found =
+              reconstruct(basis_, plan, values, {.ridge = ridge, .components = components, .noise = noise});
+          const double variance = noise ? 0.09 / ridge : estimated;
+          QCOMPARE(found.deviation.size(), basis_.mapping.cells.size());
+          for (std::size_t i = 0; i < found.deviation.size(); i += 5) {
+            const VectorXd d = basis_.svd.u.view()
+                                   .row(Eigen::Index(i))
+                                   .head(components)
+                                   .cast<double>()
+                                   .transpose()
+                                   .cwiseProduct(basis_.svd.singularValues.head(components));
+            const double others = signals * varianceFrom(basis_, i, components);
+            const double expected = std::sqrt(variance * (d.dot(posterior * d) + others));
+            QVERIFY(std::abs(found.deviation[i] - expected) < 2e-4 * expected + 1e-5);
+          }
+        }
+      }
+    }
+    ReconstructionOptions without;
+    without.uncertainty = false;
+    QVERIFY(reconstruct(basis_, plan_, values_, without).deviation.empty());
+  }
+
+  /// Where the samples tell nothing the deviation is that of the training signals, whatever is used or was kept.
+  void untoldIsTheTrainingSet() {
+    const auto tables = testing::smoothMaterials(6);
+    const ReconstructionOptions untold{.ridge = std::numeric_limits<double>::infinity()};
+    for (const int kept : {0, 1, 5, basis_.count()}) {
+      const PrincipalComponents truncated = testing::learnFrom(tables, {.mostComponents = kept});
+      for (const int components : {1, 4, 0}) {
+        ReconstructionOptions options = untold;
+        options.components = components;
+        const std::vector<float> found = reconstruct(truncated, plan_, values_, options).deviation;
+        if (kept == 0) {
+          QVERIFY(found.empty());
+          continue;
+        }
+        for (std::size_t i = 0; i < found.size(); ++i)
+          QVERIFY(std::abs(found[i] - std::sqrt(varianceFrom(basis_, i, 0))) < 1e-3);
+      }
+    }
+  }
+
+  /// A basis that kept five components and five of all: the same.
+  void keptOrUsed() {
+    const PrincipalComponents truncated = testing::learnFrom(testing::smoothMaterials(6), {.mostComponents = 5});
+    for (const std::optional<double> ridge : {std::optional<double>(), std::optional<double>(40)}) {
+      const Reconstruction used = reconstruct(basis_, plan_, values_, {.ridge = ridge, .components = 5});
+      const Reconstruction kept = reconstruct(truncated, plan_, values_, {.ridge = ridge});
+      QVERIFY(std::abs(kept.ridge / used.ridge - 1) < 1e-5);
+      QVERIFY(difference(basis_, *used.table, *kept.table) < 1e-3);
+      for (std::size_t i = 0; i < used.deviation.size(); ++i)
+        QVERIFY(std::abs(kept.deviation[i] - used.deviation[i]) < 1e-3f * used.deviation[i] + 1e-4f);
+    }
+  }
+
+  /// With a measurement the uncertainty there falls, and nowhere it rises.
+  void measuringMakesCertain() {
+    SamplingPlan fewer = plan_;
+    MeasuredValues values = values_;
+    const ReconstructionOptions options{.ridge = 40, .noise = 0.3};
+    const Reconstruction all = reconstruct(basis_, plan_, values_, options);
+    const std::size_t position = positionOf(basis_, fewer.samples.back());
+    fewer.samples.pop_back();
+    values.rgb.pop_back();
+    const Reconstruction left = reconstruct(basis_, fewer, values, options);
+    QVERIFY(all.deviation[position] < left.deviation[position]);
+    for (std::size_t i = 0; i < all.deviation.size(); ++i) QVERIFY(all.deviation[i] < left.deviation[i] * 1.0001f);
+  }
+
+ private:
+  static constexpr double signals = 18;
+
+  PrincipalComponents basis_;
+  SamplingPlan plan_;
+  MeasuredValues values_;
+};
+
+QTEST_APPLESS_MAIN(ReconstructionDeviationTest)
+#include "reconstruction_deviation_test.moc"
