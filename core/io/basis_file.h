@@ -10,12 +10,13 @@
 #include "core/io/byte_source.h"
 
 /// A file of principal components, `.basis`: what materials are reconstructed in from the samples of a plan.
-/// DescribedNumbers "GONIOPCA", version 1, with the grid, the counts of cells, components and signals, the precision
+/// DescribedNumbers "GONIOPCA", version 2, with the grid, the counts of cells, components and signals, the precision
 /// and what it learned from; then
 ///   the cells that count, one bit a cell of the grid, the lowest bit first; for each of them the reference and the
-///   mean (float32); the singular values, then V column by column (float64); for each component the largest entry of U
-///   (float32), then U over it, float16 or float32.
-/// The weights of the cells follow from the grid. 1.1 million cells: 8.9 MB and 2.2 MB a component in half precision,
+///   mean (float32); the root of leftOutVariance() of the components that are kept: the largest (float32), then each
+///   over it, float16 or float32; the singular values, then V column by column (float64); for each component the
+///   largest entry of U (float32), then U over it, float16 or float32.
+/// The weights of the cells follow from the grid. 1.1 million cells: 11.1 MB and 2.2 MB a component in half precision,
 /// by which a mapped value of size y moves by less than about y / 2000.
 namespace gonio::io {
 
