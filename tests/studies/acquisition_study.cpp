@@ -56,14 +56,15 @@ constexpr Selection selections[] = {
 
 struct Way {
   const char* id;
-  acquisition::ReconstructionOptions options;
+  acquisition::ReconstructionOptions options;  // 0 components: as many as samples
 };
 /// All but the first for the directions of `somp` alone.
-const Way ways[] = {{"ridge-40", {.uncertainty = false}},
-                    {"ridge-auto", {.ridge = std::nullopt, .uncertainty = false}},
-                    {"ridge-40-all", {.components = 1 << 20, .uncertainty = false}},
-                    {"ridge-auto-all", {.ridge = std::nullopt, .components = 1 << 20, .uncertainty = false}},
-                    {"sparse", {.method = acquisition::ReconstructionMethod::sparse, .uncertainty = false}}};
+const Way ways[] = {
+    {"ridge-40", {.ridge = acquisition::publishedRidge, .uncertainty = false}},
+    {"ridge-auto", {.ridge = std::nullopt, .uncertainty = false}},
+    {"ridge-40-all", {.ridge = acquisition::publishedRidge, .components = 1 << 20, .uncertainty = false}},
+    {"ridge-auto-all", {.ridge = std::nullopt, .components = 1 << 20, .uncertainty = false}},
+    {"sparse", {.method = acquisition::ReconstructionMethod::sparse, .uncertainty = false}}};
 
 struct Options {
   fs::path csv, measured;
@@ -173,8 +174,10 @@ class Trial {
         AcquisitionRecord record = material.caseOf(selection.id, way.id, samples, seed);
         if (!options_.wants(selection, way) || records_.contains(record)) continue;
         const acquisition::SamplingPlan& plan = planOf(selection, samples, seed);
+        acquisition::ReconstructionOptions options = way.options;
+        if (options.components == 0) options.components = int(plan.samples.size());
         const auto found =
-            acquisition::reconstruct(basis(), plan, acquisition::measure(material.table(), plan), way.options);
+            acquisition::reconstruct(basis(), plan, acquisition::measure(material.table(), plan), options);
         add(material, record, *found.table);
       }
   }
