@@ -5,6 +5,7 @@
 
 #include "app/goniotool/bases.h"
 #include "app/goniotool/materials.h"
+#include "app/goniotool/reconstruct_in_dictionaries.h"
 #include "app/goniotool/report.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/io/plan_file.h"
@@ -17,7 +18,7 @@ namespace {
 using namespace acquisition;
 
 struct Options {
-  std::string plan, values, out, basis, ridge = "auto", method{reconstructionMethodNames[0]}, uncertainty;
+  std::string plan, values, out, basis, ridge = "auto", method{reconstructionMethodNames[0]}, uncertainty, dictionary;
   std::vector<std::string> train, excluded;
   ReconstructionOptions reconstruction;
 };
@@ -111,8 +112,18 @@ void report(const Options& options, const Reconstruction& found, std::size_t sam
   print(tool, json, text);
 }
 
+std::vector<std::string> methodNames() {
+  std::vector<std::string> names(reconstructionMethodNames.begin(), reconstructionMethodNames.end());
+  names.emplace_back(dictionariesMethod);
+  return names;
+}
+
 int reconstruct(const Options& options, const Tool& tool) {
   checkOutput(options.out);
+  if (options.method == dictionariesMethod)
+    return reconstructWithDictionaries(
+        {options.plan, options.values, options.out, options.dictionary, options.train, options.excluded}, tool);
+  if (!options.dictionary.empty()) throw UsageError("reconstruct: --dictionary is of --method dictionaries alone");
   if (!options.uncertainty.empty()) checkOutput(options.uncertainty);
   const ReconstructionOptions chosen = reconstructionOptions(options);
   const SamplingPlan plan = io::readPlan(options.plan);
@@ -140,15 +151,14 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   command->add_option("--values", options->values, "CSV of what was measured there")->required();
   command->add_option("--out", options->out, "The material (.binary)")->required();
   CLI::Option* basis = command->add_option("--basis", options->basis, "A .basis file (the one beside the plan)");
-  CLI::Option* train =
-      command->add_option("--train", options->train, "Learn the basis from these folders or files instead");
+  CLI::Option* train = command->add_option("--train", options->train, "Learn from these folders or files instead");
   train->excludes(basis);
   command->add_option("--exclude", options->excluded, "Names of materials to leave out of that")
       ->delimiter(',')
       ->needs(train);
-  command->add_option("--method", options->method, "ridge or sparse (ridge)")
-      ->check(
-          CLI::IsMember(std::vector<std::string>(reconstructionMethodNames.begin(), reconstructionMethodNames.end())));
+  command->add_option("--method", options->method, "ridge, sparse or dictionaries (ridge)")
+      ->check(CLI::IsMember(methodNames()));
+  command->add_option("--dictionary", options->dictionary, "Of dictionaries: a .dictionary file (the bundled one)");
   command->add_option("--ridge", options->ridge,
                       "A number, such as the published 40, or auto: the one by leave-one-out (auto)");
   command
@@ -159,7 +169,14 @@ void addReconstruct(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 65535));
   command->add_option("--uncertainty", options->uncertainty,
                       "Standard deviations of the mapped values as a table (.binary)");
-  command->callback([options, &tool] { tool.run = [options, &tool] { return reconstruct(*options, tool); }; });
+  command->callback([options, command, &tool] {
+    tool.run = [options, command, &tool] {
+      for (const char* of : {"--basis", "--ridge", "--components", "--atoms", "--uncertainty"})
+        if (options->method == dictionariesMethod && command->count(of) > 0)
+          throw UsageError(std::string("reconstruct: ") + of + " is not of --method dictionaries");
+      return reconstruct(*options, tool);
+    };
+  });
 }
 
 }  // namespace gonio::tool

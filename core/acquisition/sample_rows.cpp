@@ -16,24 +16,11 @@ namespace {
 std::string nameOf(const PlannedSample& sample) { return "sample " + std::to_string(sample.index); }
 
 std::size_t positionOf(const dictionary::MappedCells& mapping, const PlannedSample& sample) {
-  std::uint32_t cell = 0;
-  try {
-    cell = nearestNode(mapping.grid, sample.directions);
-  } catch (const Error& error) {
-    throw Error(nameOf(sample) + ": " + error.what());
-  }
+  const std::uint32_t cell = nodeOf(mapping.grid, sample);
   const auto found = std::lower_bound(mapping.cells.begin(), mapping.cells.end(), cell);
   if (found == mapping.cells.end() || *found != cell)
     throw Error(nameOf(sample) + " lies where no value of the training materials is known");
   return std::size_t(found - mapping.cells.begin());
-}
-
-void checkSizes(const SamplingPlan& plan, const MeasuredValues& values) {
-  const std::size_t count = plan.samples.size();
-  if (count == 0) throw Error("a plan without samples: nothing to reconstruct from");
-  if (values.rgb.size() != count || (!values.noise.empty() && values.noise.size() != count))
-    throw Error("found " + std::to_string(values.rgb.size()) + " values for a plan of " + std::to_string(count) +
-                " samples");
 }
 
 void checkValue(double value, const PlannedSample& sample, const char* what) {
@@ -51,9 +38,30 @@ double mappedValue(double value, const dictionary::MappedCells& mapping, std::si
 
 }  // namespace
 
+std::uint32_t nodeOf(const HalfDifferenceGrid& grid, const PlannedSample& sample) {
+  try {
+    return nearestNode(grid, sample.directions);
+  } catch (const Error& error) {
+    throw Error(nameOf(sample) + ": " + error.what());
+  }
+}
+
+void checkMeasured(const SamplingPlan& plan, const MeasuredValues& values) {
+  const std::size_t count = plan.samples.size();
+  if (count == 0) throw Error("a plan without samples: nothing to reconstruct from");
+  if (values.rgb.size() != count || (!values.noise.empty() && values.noise.size() != count))
+    throw Error("found " + std::to_string(values.rgb.size()) + " values for a plan of " + std::to_string(count) +
+                " samples");
+  for (std::size_t s = 0; s < count; ++s)
+    for (int channel = 0; channel < 3; ++channel) {
+      checkValue(values.rgb[s][channel], plan.samples[s], "a value");
+      if (!values.noise.empty()) checkValue(values.noise[s][channel], plan.samples[s], "a standard deviation");
+    }
+}
+
 SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const SamplingPlan& plan,
                       const MeasuredValues& values, int components) {
-  checkSizes(plan, values);
+  checkMeasured(plan, values);
   const dictionary::MappedCells& m = basis.mapping;
   const auto count = Eigen::Index(plan.samples.size());
   SampleRows result;
@@ -71,11 +79,9 @@ SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const Sampli
     result.variances[s] = leftOutVariance(basis, components, i, i + 1)[0];
     for (int channel = 0; channel < 3; ++channel) {
       const double rho = values.rgb[std::size_t(s)][channel];
-      checkValue(rho, sample, "a value");
       result.values(s, channel) = mappedValue(rho, m, i, sample) - basis.mean[i];
       if (values.noise.empty()) continue;
       const double deviation = values.noise[std::size_t(s)][channel];
-      checkValue(deviation, sample, "a standard deviation");
       // d y / d rho = w / (rho w + e).
       const double mapped = deviation * m.weights[i] / (rho * m.weights[i] + logRelativeEpsilon);
       result.variances[s] += mapped * mapped / 3;

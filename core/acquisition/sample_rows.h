@@ -20,6 +20,13 @@ struct SampleRows {
   Eigen::VectorXd variances;
 };
 
+/// nearestNode() of a sample. @throws Error naming it.
+std::uint32_t nodeOf(const HalfDifferenceGrid& grid, const PlannedSample& sample);
+
+/// @throws Error when there are no samples, numbers do not fit, or a value or a standard deviation is negative or not
+/// finite, naming the sample.
+void checkMeasured(const SamplingPlan& plan, const MeasuredValues& values);
+
 /// @param components at most basis.count(). @throws Error as reconstruct().
 SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const SamplingPlan& plan,
                       const MeasuredValues& values, int components);
