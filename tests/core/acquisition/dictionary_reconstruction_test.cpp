@@ -70,7 +70,7 @@ Truth drawn(const Ensemble& ensemble, const DictionaryPrior& prior, std::size_t 
   std::set<std::uint32_t> cells;
   for (int tries = 0; cells.size() < samples && tries < 1 << 16; ++tries) {
     const auto cell = std::uint32_t(random() % smallGrid.size());
-    if (geometry->aboveHorizon[cell] && smallGrid.node(cell).thetaD > 0 && truth.signals.row(cell).minCoeff() > 0)
+    if (geometry->aboveHorizon[cell] && pairNode(smallGrid, cell) == cell && truth.signals.row(cell).minCoeff() > 0)
       cells.insert(cell);
   }
   truth.cells.assign(cells.begin(), cells.end());
