@@ -80,6 +80,27 @@ class GoniotoolAcquisitionTest : public QObject {
     for (const char* name : {"out.binary", "uncertainty.binary"}) QFile::remove(folder_.path(name));
   }
 
+  /// The prior is learned from the materials of --train; with more than the mean of these to tell by, what was measured
+  /// is nearer than another material.
+  void inTheDictionaries() {
+    const QString values = folder_.path("values.csv"), out = folder_.path("dictionaries.binary");
+    VERIFY_SUCCESS(runJson({"measure", folder_.path("train1.binary"), "--plan", plan_, "--out", values}));
+    QStringList command{"reconstruct", "--plan", plan_, "--values", values, "--out", out, "--method", "dictionaries"};
+    QCOMPARE(runTool(command).code, 2);
+    for (int i = 0; i < 4; ++i) command << "--train" << folder_.path(QString("train%1.binary").arg(i));
+    const ToolResult found = runJson(command);
+    VERIFY_SUCCESS(found);
+    QCOMPARE(found.json["method"].get<std::string>(), std::string("dictionaries"));
+    const int dictionary = found.json["dictionary"].get<int>();
+    QVERIFY(dictionary >= 0 && dictionary < 32 && found.json["noise"].get<double>() > 0);
+    const auto errorOf = [&](const char* other) {
+      return metrics::brdfErrors(*readTable(folder_.path(other)), *readTable(out))[0];
+    };
+    QVERIFY(errorOf("train1.binary") < 0.5 * std::min(errorOf("train0.binary"), errorOf("train2.binary")));
+    QCOMPARE(runTool(command + QStringList{"--ridge", "40"}).code, 2);
+    QFile::remove(out);
+  }
+
   void noise() {
     const QString values = folder_.path("noisy.csv"), again = folder_.path("again.csv");
     const QStringList measure{"measure",        folder_.path("train2.binary"),
