@@ -67,6 +67,7 @@ void AcquisitionControls::buildTraining(QFormLayout& form) {
                         tr("What the library shows"), QString(), tr("A folder of files...")});
   m_training->setToolTip(
       tr("The materials from which it is learned what materials are like.\n"
+         "The whole library tells more than the measured materials alone, and takes about a minute to learn at first.\n"
          "\"What the library shows\": those that its search leaves, also of a folder."));
   form.addRow(tr("&Learn from"), m_training);
   m_leaveOut = new QCheckBox(tr("Leave out the measured material"));
