@@ -30,13 +30,19 @@ void check(const ReconstructionOptions& options) {
   if (options.components < 0 || options.atoms < 0) throw Error("a number of components must be 0 or more");
 }
 
-/// v of the coefficients (Reconstruction::deviation).
-double coefficientVariance(const PrincipalComponents& basis, const NoisyRidge& regression, double ridge,
-                           std::size_t samples, const std::optional<double>& noise) {
+/// v of the coefficients (Reconstruction::deviation). What is told of noise does not grow with the coefficients, so
+/// each sample counts for the share of its noise that is not told: one that is drowned says nothing of their size.
+double coefficientVariance(const PrincipalComponents& basis, const SampleRows& samples, const Eigen::VectorXd& noise,
+                           double ridge, const std::optional<double>& given) {
   const double training = trainingVariance(basis);
   if (!std::isfinite(ridge)) return training;
-  if (noise && ridge > 0) return *noise * *noise / ridge;
-  return (training + regression.weightedEnergy()) / (1 + 3 * double(samples));
+  if (given && ridge > 0) return *given * *given / ridge;
+  Eigen::ArrayXd worth = Eigen::ArrayXd::Ones(samples.told.size());
+  for (Eigen::Index i = 0; i < worth.size(); ++i)
+    if (samples.told[i] > 0) worth[i] -= samples.told[i] / (ridge * training + samples.variances[i]);
+  SampleRows counted = samples;
+  counted.values = worth.max(0).sqrt().matrix().asDiagonal() * samples.values;
+  return (training + NoisyRidge(counted, noise, ridge).weightedEnergy()) / (1 + 3 * worth.sum());
 }
 
 /// Of coefficients of variance v and covariance v F F given the samples: the length of each row of D F, and what the
@@ -81,8 +87,7 @@ Eigen::MatrixXd solveRidge(const PrincipalComponents& basis, const SampleRows& s
   if (result.ridge > 0 && std::isfinite(result.ridge) && samples.rows.rows() > 1)
     result.leaveOneOutError = std::sqrt(regression.leaveOneOut().squaredNorm() / double(samples.values.size()));
   if (options.uncertainty) {
-    const double variance =
-        coefficientVariance(basis, regression, result.ridge, samples.positions.size(), options.noise);
+    const double variance = coefficientVariance(basis, samples, noise, result.ridge, options.noise);
     result.deviation = deviations(basis, regression.posteriorFactor(), variance, control.between(0.5, 1));
   }
   return regression.coefficients();

@@ -77,6 +77,24 @@ class ReconstructionDeviationTest : public QObject {
     }
   }
 
+  /// Values that are told to be mostly noise make nothing certain: the deviation rises to the training signals'.
+  void toldNoiseMakesUncertain() {
+    for (const double ridge : {1e-3, 40.0}) {
+      const auto found = [&](double noise) {
+        MeasuredValues values = values_;
+        values.noise.assign(values.rgb.size(), Rgb(noise));
+        return reconstruct(basis_, plan_, values, {.ridge = ridge}).deviation;
+      };
+      const std::vector<float> drowned = found(1e9),
+                               untold = reconstruct(basis_, plan_, values_, {.ridge = ridge}).deviation,
+                               none = found(0);
+      for (std::size_t i = 0; i < drowned.size(); ++i) {
+        QVERIFY(std::abs(drowned[i] - std::sqrt(varianceFrom(basis_, i, 0))) < 1e-3);
+        QCOMPARE(none[i], untold[i]);
+      }
+    }
+  }
+
   /// A basis that kept five components and five of all: the same.
   void keptOrUsed() {
     const PrincipalComponents truncated = testing::learnFrom(testing::smoothMaterials(6), {.mostComponents = 5});
