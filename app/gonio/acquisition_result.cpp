@@ -28,7 +28,8 @@ QImage withoutSurroundings(const Image& picture) {
   return displayedImage(sphere);
 }
 
-AcquisitionError errorOf(const TabulatedBrdf& table, const Image& picture, const AcquisitionReference& reference) {
+AcquisitionError errorOf(const TabulatedBrdf& table, const ComparisonPicture& picture,
+                         const AcquisitionReference& reference) {
   return {reference.comparison->signalToNoiseRatio(picture),
           metrics::brdfError(metrics::BrdfMetric::log, *reference.table, table)};
 }
@@ -92,10 +93,10 @@ AcquisitionResultPtr acquire(const AcquisitionInput& input, const AcquisitionRef
   result->reconstruction = reconstruction;
   const TaskControl rest = control.between(reconstructedShare, 1);
   if (reference) {
-    const Image picture = reference->comparison->render(*reconstruction->table, rest);
-    result->picture = withoutSurroundings(picture);
+    const ComparisonPicture picture = reference->comparison->render(*reconstruction->table, rest);
+    result->picture = withoutSurroundings(picture.image);
     result->error = errorOf(*reconstruction->table, picture, *reference);
-    addErrorMap(*result, picture, reference->comparison->reference());
+    addErrorMap(*result, picture.image, reference->comparison->reference());
   } else {
     result->picture = spherePicture(*reconstruction->table, pictureSide, pictureSamples, rest);
   }
@@ -121,7 +122,7 @@ void measureCurve(const AcquisitionInput& input, const AcquisitionReferencePtr& 
     first.options.uncertainty = false;
     const auto reconstruction =
         acquisition::reconstruct(*first.basis, first.plan, first.values, first.options, part.between(0, 0.5));
-    const Image picture = reference->comparison->render(*reconstruction.table, part.between(0.5, 1));
+    const ComparisonPicture picture = reference->comparison->render(*reconstruction.table, part.between(0.5, 1));
     measured(counts[i], errorOf(*reconstruction.table, picture, *reference));
   }
 }

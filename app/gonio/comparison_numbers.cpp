@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "core/metrics/brdf_metrics.h"
-#include "core/metrics/image_metrics.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
@@ -45,11 +44,11 @@ ComparisonReferencePtr comparisonReference(const widgets::PreviewSubject& subjec
 ComparisonNumbers compareSubjects(const widgets::PreviewSubject& test, const ComparisonReference& reference,
                                   const TaskControl& control) {
   const auto brdf = widgets::subjectBrdf(test);
-  const Image picture = reference.picture->render(*brdf, {control.stop, {}});
+  const ComparisonPicture picture = reference.picture->render(*brdf, {control.stop, {}});
   control.throwIfStopped();
   ComparisonNumbers numbers;
   numbers.renderedSnr = reference.picture->signalToNoiseRatio(picture);
-  numbers.renderedPsnr = metrics::peakSignalToNoiseRatio(reference.picture->reference(), picture);
+  numbers.renderedPsnr = reference.picture->peakSignalToNoiseRatio(picture);
   numbers.errors = metrics::brdfErrors(*reference.table, *brdf);
   control.throwIfStopped();
   numbers.brdfSnr = metrics::brdfSignalToNoiseRatio(*reference.table, *brdf);

@@ -8,7 +8,6 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/io/image_io.h"
-#include "core/metrics/image_metrics.h"
 #include "core/rendering/rendered_comparison.h"
 
 namespace gonio::tool {
@@ -38,10 +37,10 @@ int compare(const Options& options, const Tool& tool) {
   const std::vector<double> errors = metrics::brdfErrors(*table, *other);
   const double brdfSnr = metrics::brdfSignalToNoiseRatio(*table, *other);
   const RenderedComparison comparison(*a.brdf, options.picture.renderOptions(), tool.control("rendering the first"));
-  const Image picture = comparison.render(*b.brdf, tool.control("rendering the second"));
+  const ComparisonPicture picture = comparison.render(*b.brdf, tool.control("rendering the second"));
   const double snr = comparison.signalToNoiseRatio(picture);
-  const double psnr = metrics::peakSignalToNoiseRatio(comparison.reference(), picture);
-  if (!options.image.empty()) writeComparison(comparison.reference(), picture, a, b, options.image);
+  const double psnr = comparison.peakSignalToNoiseRatio(picture);
+  if (!options.image.empty()) writeComparison(comparison.reference(), picture.image, a, b, options.image);
   Json json{{"errors", errorsJson(errors)},
             {"renderedSnr", decibelsJson(snr)},
             {"renderedPsnr", decibelsJson(psnr)},

@@ -27,8 +27,13 @@ struct Options {
 /// What makes two trainings the same, for a checkpoint.
 std::string describe(const Options& options, const TrainingMaterials& materials) {
   const TrainingOptions& t = options.training;
-  Json json{{"dictionaries", t.dictionaries}, {"sparsities", t.sparsities},     {"iterations", t.iterations},
-            {"tolerance", t.tolerance},       {"subspaceLoss", t.subspaceLoss}, {"seed", t.seed},
+  Json json{{"dictionaries", t.dictionaries},
+            {"sparsities", t.sparsities},
+            {"iterations", t.iterations},
+            {"passes", t.passes},
+            {"tolerance", t.tolerance},
+            {"subspaceLoss", t.subspaceLoss},
+            {"seed", t.seed},
             {"materials", materials.names}};
   return json.dump();
 }
@@ -127,11 +132,13 @@ void addTrain(CLI::App& app, Tool& tool) {
   command->add_option("--sparsities", training.sparsities, "One ensemble each (32,64,128,256)")
       ->delimiter(',')
       ->check(CLI::Range(1, 65535));
-  command->add_option("--iterations", training.iterations, "Rounds of each ensemble at most (40)")
+  command->add_option("--iterations", training.iterations, "Rounds of each ensemble at most (12)")
       ->check(CLI::Range(1, 10000));
+  command->add_option("--passes", training.passes, "Over the dictionaries in each round (4)")
+      ->check(CLI::Range(1, 100));
   command->add_option("--tolerance", training.tolerance, "Ends an ensemble when a round gains less (0.0005)")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--subspace-loss", training.subspaceLoss, "Energy left to the last sweep (1e-5)")
+  command->add_option("--subspace-loss", training.subspaceLoss, "Energy left to the last sweep (3e-5)")
       ->check(CLI::Range(0.0, 0.5));
   command->add_option("--seed", training.seed, "Of the first parts (1)");
   command->add_option("--checkpoint", options->checkpoint, "Written while it learns; gone on from where it exists");

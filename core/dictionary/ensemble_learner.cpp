@@ -24,6 +24,13 @@ ModeMatrices<Scalar> inPrecision(const ModeMatrices<double>& matrices) {
   return {matrices[0].cast<Scalar>(), matrices[1].cast<Scalar>(), matrices[2].cast<Scalar>()};
 }
 
+template <typename Scalar>
+std::vector<ModeMatrices<Scalar>> inPrecision(const std::vector<ModeMatrices<double>>& dictionaries) {
+  std::vector<ModeMatrices<Scalar>> matrices;
+  for (const ModeMatrices<double>& dictionary : dictionaries) matrices.push_back(inPrecision<Scalar>(dictionary));
+  return matrices;
+}
+
 /// Sum over members of `add(member, sum)`, in parts of fixed size: the same bits for any number of threads.
 template <typename Add>
 Eigen::MatrixXd sumOver(std::span<const int> members, int size, const Add& add, const TaskControl& control) {
@@ -92,8 +99,7 @@ ModeMatrices<double> EnsembleLearner<Scalar>::leadingVectors(std::span<const int
 
 template <typename Scalar>
 double EnsembleLearner<Scalar>::assign(const TaskControl& control) {
-  std::vector<ModeMatrices<Scalar>> matrices;
-  for (const ModeMatrices<double>& dictionary : dictionaries_) matrices.push_back(inPrecision<Scalar>(dictionary));
+  const std::vector<ModeMatrices<Scalar>> matrices = inPrecision<Scalar>(dictionaries_);
   std::vector<Coefficients> coefficients(energies_.size());
   std::vector<int> memberships(energies_.size());
   std::vector<double> errors(energies_.size());
@@ -124,13 +130,35 @@ double EnsembleLearner<Scalar>::assign(const TaskControl& control) {
   return totalEnergy_ > 0 ? std::accumulate(errors_.begin(), errors_.end(), 0.0) / totalEnergy_ : 0;
 }
 
+/// Each signal's largest coefficients over its own dictionary.
 template <typename Scalar>
-double EnsembleLearner<Scalar>::iterate(const TaskControl& control) {
+void EnsembleLearner<Scalar>::keepCoefficients(const std::vector<ModeMatrices<double>>& dictionaries,
+                                               const TaskControl& control) {
+  const std::vector<ModeMatrices<Scalar>> matrices = inPrecision<Scalar>(dictionaries);
+  parallelForBlocks(
+      energies_.size(), 4,
+      [&](std::size_t begin, std::size_t end) {
+        Workspace<Scalar> workspace;
+        for (std::size_t i = begin; i < end; ++i) {
+          const Scalar* projection = transposedModeProducts(signals_.col(Eigen::Index(i)).data(), sizes_,
+                                                            matrices[std::size_t(memberships_[i])], workspace);
+          keepLargest(std::span(projection, count(sizes_)), std::size_t(sparsity_), coefficients_[i]);
+        }
+      },
+      control);
+}
+
+template <typename Scalar>
+double EnsembleLearner<Scalar>::iterate(const TaskControl& control, int passes) {
   const double error = assign(control);
+  const TaskControl stop{.stop = control.stop};
   std::vector<ModeMatrices<double>> renewed = dictionaries_;
   const std::vector<std::vector<int>> groups = members();
-  for (int mode = 0; mode < 3; ++mode) renew(mode, groups, renewed, {.stop = control.stop});
-  reseedEmpty(groups, renewed, {.stop = control.stop});
+  for (int pass = 0; pass < passes; ++pass) {
+    if (pass > 0) keepCoefficients(renewed, stop);
+    for (int mode = 0; mode < 3; ++mode) renew(mode, groups, renewed, stop);
+  }
+  reseedEmpty(groups, renewed, stop);
   dictionaries_.swap(renewed);
   return error;
 }

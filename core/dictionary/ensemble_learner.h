@@ -13,11 +13,12 @@
 
 namespace gonio::dictionary {
 
-/// Learns one ensemble of K orthonormal dictionaries at one sparsity (dissertation eq. 4.36): in turn every signal
-/// keeps its largest coefficients (the exact minimiser, since the dictionaries are orthonormal), goes to the dictionary
-/// that leaves the least error, and each mode of each dictionary is renewed by orthogonal Procrustes (Schoenemann
-/// 1966). No step raises the error, and none reconstructs a signal: the error is the signal's energy less that of its
-/// coefficients.
+/// Learns one ensemble of K orthonormal dictionaries at one sparsity (dissertation eq. 4.36). In a round every signal
+/// goes to the dictionary that leaves the least error; then, some times over with the memberships kept, each signal
+/// keeps its largest coefficients (the exact minimiser, since the dictionaries are orthonormal) and each mode of each
+/// dictionary is renewed by orthogonal Procrustes (Schoenemann 1966). No step raises the error, and none reconstructs a
+/// signal: the error is the signal's energy less that of its coefficients. A pass with kept memberships projects each
+/// signal on one dictionary instead of all K, and most signals stay where they are anyway.
 ///
 /// Same bits for any number of threads.
 template <typename Scalar>
@@ -31,9 +32,10 @@ class EnsembleLearner {
   /// Dictionaries of an earlier run.
   void start(std::vector<ModeMatrices<double>> dictionaries);
 
-  /// One round. Returns the relative squared error of the dictionaries before it, with the memberships made anew.
+  /// One round: the memberships, then `passes` over the dictionaries. Returns the relative squared error of the
+  /// dictionaries before it, with the memberships made anew.
   /// @throws Cancelled with the dictionaries as they were.
-  double iterate(const TaskControl& control = {});
+  double iterate(const TaskControl& control = {}, int passes = 1);
   /// The relative squared error with the memberships made anew, without a change of the dictionaries.
   double assign(const TaskControl& control = {});
 
@@ -48,6 +50,7 @@ class EnsembleLearner {
   using Coefficients = std::vector<Coefficient<Scalar>>;
   std::vector<std::vector<int>> members() const;
   ModeMatrices<double> leadingVectors(std::span<const int> members, const TaskControl& control) const;
+  void keepCoefficients(const std::vector<ModeMatrices<double>>& dictionaries, const TaskControl& control);
   void renew(int mode, const std::vector<std::vector<int>>& members, std::vector<ModeMatrices<double>>& dictionaries,
              const TaskControl& control) const;
   void reseedEmpty(const std::vector<std::vector<int>>& members, std::vector<ModeMatrices<double>>& dictionaries,

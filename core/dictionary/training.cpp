@@ -75,7 +75,7 @@ class Training {
       state.errors.emplace_back();
     }
     while (!settled(state.errors[e])) {
-      const double error = learner.iterate({.stop = control_.stop});
+      const double error = learner.iterate({.stop = control_.stop}, options_.passes);
       state.errors[e].push_back(error);
       state.ensembles[e] = learner.dictionaries();
       if (checkpoint_) checkpoint_(state);

@@ -13,9 +13,10 @@ struct TrainingOptions {
   int dictionaries = 8;                           ///< K of each ensemble
   std::vector<int> sparsities{32, 64, 128, 256};  ///< one ensemble each (dissertation 4.3.2.2: 4 ensembles of 8)
   SignalOptions signals;
-  int iterations = 40;         ///< at most, for each ensemble
+  int iterations = 12;         ///< rounds at most, for each ensemble
+  int passes = 4;              ///< over the dictionaries in each round, with the memberships kept
   double tolerance = 5e-4;     ///< an ensemble is done when a round lowers its error by less than this share
-  double subspaceLoss = 1e-5;  ///< share of the energy that the shared subspace may leave to the last sweep
+  double subspaceLoss = 3e-5;  ///< share of the energy that the shared subspace may leave to the last sweep
   bool fullSweep = true;       ///< the last sweep in the whole space
   std::uint64_t seed = 1;
 };

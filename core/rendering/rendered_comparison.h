@@ -2,27 +2,37 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include "core/metrics/image_metrics.h"
 #include "core/rendering/sphere_renderer.h"
 
 namespace gonio {
 
+/// A material in comparisonScene().
+struct ComparisonPicture {
+  Image image;                  ///< to look at: the mean of both halves
+  metrics::PicturePair halves;  ///< of half the samples each, with noise of their own: to measure with
+};
+
 /// Pictures of materials in comparisonScene() against that of one reference, which is rendered once. All use its lobe
-/// and seed: they share their noise, so the SNR is that of the materials.
+/// and seeds: they share most of their noise. What they do not share does not count: the ratios are those of pictures
+/// of infinitely many samples, as far as these can tell (metrics::PicturePair).
 class RenderedComparison {
  public:
   /// Renders the reference. @throws Cancelled.
+  /// @param options an odd number of samples counts as the next even one.
   explicit RenderedComparison(const Brdf& reference, SphereRenderOptions options = {}, const TaskControl& control = {});
 
-  const Image& reference() const { return reference_; }
+  const Image& reference() const { return reference_.image; }
   /// @throws Cancelled.
-  Image render(const Brdf& test, const TaskControl& control = {}) const;
+  ComparisonPicture render(const Brdf& test, const TaskControl& control = {}) const;
   /// Of a picture by render(), dB; contract for 0 as metrics::signalToNoiseRatio.
-  double signalToNoiseRatio(const Image& picture) const;
+  double signalToNoiseRatio(const ComparisonPicture& picture) const;
+  double peakSignalToNoiseRatio(const ComparisonPicture& picture) const;
 
  private:
   SphereScene scene_;
-  SphereRenderOptions options_;
-  Image reference_;
+  SphereRenderOptions options_;  ///< of each half
+  ComparisonPicture reference_;
 };
 
 }  // namespace gonio

@@ -19,7 +19,7 @@ constexpr std::size_t mostFrames = 3;
 constexpr double enoughSeconds = 1;
 
 /// Renders frames until their time is known; `picture` is one of them.
-double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf, Image& picture,
+double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf, ComparisonPicture& picture,
                          const TaskControl& stop) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> frames;
@@ -43,8 +43,10 @@ StudiedRepresentation measure(const Representation& representation, const BuiltR
       .tabulated = built.tabulated};
   StudyRecord& record = studied.record;
   record.evaluation = measureEvaluation(*built.brdf, stop);
-  record.frameMilliseconds = frameMilliseconds(comparison, *built.brdf, studied.picture, stop);
-  record.renderedSnr = comparison.signalToNoiseRatio(studied.picture);
+  ComparisonPicture picture;
+  record.frameMilliseconds = frameMilliseconds(comparison, *built.brdf, picture, stop);
+  record.renderedSnr = comparison.signalToNoiseRatio(picture);
+  studied.picture = std::move(picture.image);
   stop.throwIfStopped();
   record.errors = metrics::brdfErrors(table, built.nodes ? static_cast<const Brdf&>(*built.nodes) : *built.brdf);
   stop.throwIfStopped();

@@ -26,8 +26,9 @@ RankedFit rankOne(const fitting::FitData& data, const models::Model& model, cons
   RankedFit row;
   row.fit = fitting::fit(data, model, control.between(begin, fitEnd));
   control.throwIfStopped();
-  row.picture = comparison.render(*model.instantiate(row.fit.parameters), control.between(fitEnd, end));
-  row.renderedSnr = comparison.signalToNoiseRatio(row.picture);
+  ComparisonPicture picture = comparison.render(*model.instantiate(row.fit.parameters), control.between(fitEnd, end));
+  row.renderedSnr = comparison.signalToNoiseRatio(picture);
+  row.picture = std::move(picture.image);
   row.parameterCount = fitting::fittedParameterCount(model.spec());
   return row;
 }

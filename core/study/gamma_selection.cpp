@@ -27,8 +27,8 @@ std::vector<GammaTrial> selectGamma(const TabulatedBrdf& table, const Brdf& refe
       gammaOptions.gamma = metrics::smallestGamma + i * gammaStep;
       fitting::FitResult result = fitting::fit(table, model, gammaOptions, {control.stop, {}});
       control.throwIfStopped();
-      const Image image = comparison.render(*model.instantiate(result.parameters), {control.stop, {}});
-      trials.push_back({gammaOptions.gamma, std::move(result), comparison.signalToNoiseRatio(image)});
+      const ComparisonPicture rendered = comparison.render(*model.instantiate(result.parameters), {control.stop, {}});
+      trials.push_back({gammaOptions.gamma, std::move(result), comparison.signalToNoiseRatio(rendered)});
       control.report(double(i + 1) / gammaCount);
     }
   } catch (const Cancelled&) {

@@ -7,7 +7,6 @@
 
 #include "core/io/material.h"
 #include "core/metrics/brdf_metrics.h"
-#include "core/metrics/image_metrics.h"
 
 namespace gonio::study {
 
@@ -26,13 +25,13 @@ ComparisonJudge::ComparisonJudge(const std::filesystem::path& file, std::string 
 
 ComparisonRecord ComparisonJudge::score(const std::string& model, const factorization::RivalModel& built,
                                         double seconds) const {
-  const Image picture = comparison_.render(*built.brdf);
+  const ComparisonPicture picture = comparison_.render(*built.brdf);
   return {.material = material_,
           .collection = collection_,
           .model = model,
           .bytes = built.bytes,
           .rendered = comparison_.signalToNoiseRatio(picture),
-          .peak = metrics::peakSignalToNoiseRatio(comparison_.reference(), picture),
+          .peak = comparison_.peakSignalToNoiseRatio(picture),
           .reflectance = metrics::brdfSignalToNoiseRatio(*table_, *built.brdf),
           .seconds = seconds};
 }

@@ -46,7 +46,7 @@ constexpr int counts[] = {64, 128, 262, 512, 1024};
 constexpr char ours[] = "ensemble", bySquares[] = "ensemble-squared";
 
 struct Options {
-  int size = 128, samples = 16;
+  int size = 128, samples = 32;
   std::size_t every = 1;
   std::optional<int> fold;
   fs::path csv;

@@ -34,7 +34,7 @@ class EnsembleLearnerTest : public QObject {
     learner.start(7);
     double before = 1;
     for (int round = 0; round < 12; ++round) {
-      const double error = learner.iterate();
+      const double error = learner.iterate({}, 1 + round % 3);
       QVERIFY2(error <= before * (1 + 1e-9), qPrintable(QString::number(round)));
       before = error;
       verifyOrthonormal(learner.dictionaries());
@@ -56,6 +56,18 @@ class EnsembleLearnerTest : public QObject {
       left += (Eigen::Map<const Eigen::VectorXd>(decoded.data(), signals.rows()) - signals.col(s)).squaredNorm();
     }
     QVERIFY(std::abs(error - left / signals.squaredNorm()) < 1e-12);
+  }
+
+  /// Passes with kept memberships are rounds without the choice: with one dictionary there is none.
+  void passesAreRoundsOfTheirOwn() {
+    const Matrix<double> signals = Matrix<double>::Random(Eigen::Index(count(sizes)), 12);
+    EnsembleLearner<double> rounds(signals, sizes, 1, 20), passes(signals, sizes, 1, 20);
+    rounds.start(7);
+    passes.start(7);
+    for (int round = 0; round < 3; ++round) rounds.iterate();
+    passes.iterate({}, 3);
+    for (std::size_t mode = 0; mode < 3; ++mode)
+      QVERIFY(rounds.dictionaries()[0][mode] == passes.dictionaries()[0][mode]);
   }
 
   /// From a start nearby, the dictionary that made the signals is found again: nothing is left over.
@@ -123,7 +135,7 @@ class EnsembleLearnerTest : public QObject {
       const ThreadLimit limit(threads);
       EnsembleLearner<float> learner(signals, sizes, 3, 12);
       learner.start(5);
-      for (int round = 0; round < 6; ++round) learner.iterate();
+      for (int round = 0; round < 6; ++round) learner.iterate({}, 2);
       results.push_back(learner.dictionaries());
       memberships.emplace_back(learner.memberships().begin(), learner.memberships().end());
     }

@@ -77,8 +77,8 @@ class AccuracyStudyTest : public QObject {
     const RenderedComparison comparison(*plastic().table, options.picture);
     options.measured = [&](const StudiedRepresentation& studied) {
       told.push_back(studied.record.representation.fullLabel());
-      const Image picture = comparison.render(*studied.brdf);
-      QVERIFY(picture.pixels == studied.picture.pixels);
+      const ComparisonPicture picture = comparison.render(*studied.brdf);
+      QVERIFY(picture.image.pixels == studied.picture.pixels);
       QVERIFY(studied.tabulated({})->grid() == smallGrid);
       const double snr = comparison.signalToNoiseRatio(picture);
       QCOMPARE(studied.record.renderedSnr, snr);

@@ -46,8 +46,8 @@ class FitRankingTest : public QObject {
       QVERIFY(row.fit.parameters == alone.parameters);
       QVERIFY(row.fit.errors == alone.errors);
       const RenderedComparison comparison(*plastic(), options.picture);
-      const Image picture = comparison.render(*alone.model->instantiate(alone.parameters));
-      QVERIFY(picture.pixels == row.picture.pixels);
+      const ComparisonPicture picture = comparison.render(*alone.model->instantiate(alone.parameters));
+      QVERIFY(picture.image.pixels == row.picture.pixels);
       QCOMPARE(row.renderedSnr, comparison.signalToNoiseRatio(picture));
     }
     QCOMPARE(ranking[0].parameterCount, std::size_t(3));

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/rendering/rendered_comparison.h"
+
+#include <QTest>
+#include <cmath>
+#include <random>
+
+#include "core/brdf/tabulated_brdf.h"
+#include "tests/support/function_brdf.h"
+
+using namespace gonio;
+
+namespace {
+
+std::shared_ptr<const TabulatedBrdf> plastic() {
+  static const auto table = bakeTable(*testing::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04),
+                                      {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 30});
+  return table;
+}
+
+/// A measurement's noise: every cell times 1 + deviation x normal noise, at least 0.
+std::shared_ptr<const TabulatedBrdf> withNoise(const TabulatedBrdf& table, double deviation) {
+  std::vector<TabulatedBrdf::Value> values(table.values().begin(), table.values().end());
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(1, deviation);
+  for (auto& value : values) value *= float(std::max(0.0, noise(random)));
+  return std::make_shared<const TabulatedBrdf>(table.grid(), std::move(values),
+                                               std::vector<std::uint8_t>(table.valid().begin(), table.valid().end()));
+}
+
+SphereRenderOptions pictures(int samples) { return {.width = 32, .height = 32, .samples = samples, .lobe = {}}; }
+
+}  // namespace
+
+class RenderedComparisonTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aMaterialIsItself() {
+    const RenderedComparison comparison(*plastic(), pictures(4));
+    const ComparisonPicture picture = comparison.render(*plastic());
+    QCOMPARE(comparison.signalToNoiseRatio(picture), std::numeric_limits<double>::infinity());
+    QCOMPARE(comparison.peakSignalToNoiseRatio(picture), std::numeric_limits<double>::infinity());
+    QVERIFY(picture.image.pixels == comparison.reference().pixels);
+  }
+
+  /// The halves do not share their noise, and the picture is their mean.
+  void thePictureIsTheMeanOfItsHalves() {
+    const RenderedComparison comparison(*plastic(), pictures(5));
+    const ComparisonPicture picture = comparison.render(*plastic());
+    QVERIFY(picture.halves[0].pixels != picture.halves[1].pixels);
+    SphereRenderOptions half = pictures(3);
+    half.lobe = estimateSamplingLobe(*plastic());
+    QVERIFY(picture.halves[0].pixels == renderSphere(*plastic(), comparisonScene(), half).pixels);
+    for (std::size_t i = 0; i < picture.image.pixels.size(); ++i)
+      for (int c = 0; c < 3; ++c)
+        QCOMPARE(picture.image.pixels[i][c], 0.5f * (picture.halves[0].pixels[i][c] + picture.halves[1].pixels[i][c]));
+  }
+
+  /// The SNR of a noisy table does not depend on the samples; that of the mean pictures rises with them.
+  void theRatioIsThatOfManySamples() {
+    const auto test = withNoise(*plastic(), 0.5);
+    const RenderedComparison few(*plastic(), pictures(32)), many(*plastic(), pictures(2048));
+    const ComparisonPicture fewPicture = few.render(*test), manyPicture = many.render(*test);
+    const double found = few.signalToNoiseRatio(fewPicture), truth = many.signalToNoiseRatio(manyPicture);
+    const double plain = metrics::signalToNoiseRatio(few.reference(), fewPicture.image);
+    qInfo("%.2f dB of few samples, %.2f of many, %.2f without halves", found, truth, plain);
+    QVERIFY(std::abs(found - truth) < 0.5);
+    QVERIFY(plain < truth - 2);
+  }
+};
+
+QTEST_APPLESS_MAIN(RenderedComparisonTest)
+#include "rendered_comparison_test.moc"
