@@ -17,76 +17,99 @@ constexpr double firstTried = 8;
 /// Share of the progress that finding an upper bound takes.
 constexpr double upwardShare = 0.7;
 
-struct Search {
-  const dictionary::Encoder& encoder;
-  const TabulatedBrdf& table;
-  const RenderedComparison& comparison;
-  double renderedSnr;
-  TaskControl control;
+class Search {
+ public:
+  Search(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
+         const dictionary::EncodeOptions& options, const SphereRenderOptions& picture, const TaskControl& control)
+      : encoder_(encoder),
+        table_(table),
+        renderedSnr_(renderedSnr),
+        options_(options),
+        control_(control),
+        comparison_(table, picture, stop()) {}
 
-  PictureEncoding encodedWith(std::size_t coefficients, dictionary::EncodeOptions options) const {
-    const TaskControl stop{.stop = control.stop, .progress = {}};
-    options.coefficients = coefficients;
-    PictureEncoding result{.encoded = encoder.encode(table, options, stop)};
-    const auto decoded = dictionary::decode(encoder.ensemble(), result.encoded.code);
-    result.renderedSnr = comparison.signalToNoiseRatio(comparison.render(*decoded, stop));
+  /// The best of each transform.
+  std::vector<PictureEncoding> run() {
+    std::vector<PictureEncoding> best = doubled();
+    for (std::size_t i = 0; i < best.size(); ++i) {
+      if (reaches(best[i])) halve(best[i]);
+      control_.report(upwardShare + (1 - upwardShare) * double(i + 1) / double(best.size()));
+    }
+    return best;
+  }
+
+  bool reaches(const PictureEncoding& tried) const { return tried.renderedSnr >= renderedSnr_; }
+
+ private:
+  TaskControl stop() const { return {.stop = control_.stop, .progress = {}}; }
+
+  PictureEncoding encoded(double coefficients, DataTransform transform) const {
+    dictionary::EncodeOptions options = options_;
+    options.coefficients = std::size_t(coefficients);
+    options.transforms = {transform};
+    PictureEncoding result{.encoded = encoder_.encode(table_, options, stop())};
+    const auto decoded = dictionary::decode(encoder_.ensemble(), result.encoded.code);
+    result.renderedSnr = comparison_.signalToNoiseRatio(comparison_.render(*decoded, stop()));
     return result;
   }
 
-  /// Doubles the count until it is enough: more coefficients may choose a dictionary that is worse in pictures, so the
-  /// most do not tell whether fewer are enough.
-  PictureEncoding fewest(const dictionary::EncodeOptions& options) const {
-    const double most = double(options.coefficients);
-    double low = 0, high = std::min(firstTried, most);
-    PictureEncoding best = encodedWith(std::size_t(high), options);
-    while (best.renderedSnr < renderedSnr && high < most) {
-      low = high;
-      high = std::min(2 * high, most);
-      if (PictureEncoding tried = encodedWith(std::size_t(high), options); tried.renderedSnr > best.renderedSnr)
-        best = std::move(tried);
-      control.report(upwardShare * std::log(high / firstTried) / std::log(most / firstTried));
+  /// Of each transform the best of the counts that are doubled until they are enough for one of them: more coefficients
+  /// may choose a dictionary that is worse in pictures, so the most do not tell whether fewer are enough.
+  std::vector<PictureEncoding> doubled() {
+    const double most = double(options_.coefficients);
+    std::vector<PictureEncoding> best;
+    for (high_ = std::min(firstTried, most);; low_ = high_, high_ = std::min(2 * high_, most)) {
+      for (std::size_t i = 0; i < options_.transforms.size(); ++i) {
+        PictureEncoding tried = encoded(high_, options_.transforms[i]);
+        if (i == best.size())
+          best.push_back(std::move(tried));
+        else if (tried.renderedSnr > best[i].renderedSnr)
+          best[i] = std::move(tried);
+      }
+      if (high_ == most || std::ranges::any_of(best, [&](const auto& one) { return reaches(one); })) return best;
+      control_.report(upwardShare * std::log(high_ / firstTried) / std::log(most / firstTried));
     }
-    while (best.renderedSnr >= renderedSnr && low > 0 && high > closeEnough * low) {
+  }
+
+  /// Fewer, down to the count that was not enough.
+  void halve(PictureEncoding& best) const {
+    double low = low_, high = high_;
+    while (low > 0 && high > closeEnough * low) {
       const double middle = std::sqrt(low * high);
-      PictureEncoding tried = encodedWith(std::size_t(middle), options);
-      if (tried.renderedSnr >= renderedSnr) {
+      PictureEncoding tried = encoded(middle, best.encoded.code.transform);
+      if (reaches(tried)) {
         best = std::move(tried);
         high = middle;
       } else {
         low = middle;
       }
-      control.report(1 - (1 - upwardShare) * std::log2(high / low));
     }
-    control.report(1);
-    return best;
   }
-};
 
-/// Of two that reach the SNR the one with fewer coefficients, else the one with the higher SNR.
-bool isBetter(const PictureEncoding& a, const PictureEncoding& b, double renderedSnr) {
-  if (a.renderedSnr >= renderedSnr && b.renderedSnr >= renderedSnr)
-    return a.encoded.code.coefficients() < b.encoded.code.coefficients();
-  return a.renderedSnr > b.renderedSnr;
-}
+  const dictionary::Encoder& encoder_;
+  const TabulatedBrdf& table_;
+  double renderedSnr_;
+  const dictionary::EncodeOptions& options_;
+  TaskControl control_;
+  RenderedComparison comparison_;
+  double low_ = 0, high_ = 0;  ///< counts that are not enough, and enough for one
+};
 
 }  // namespace
 
 PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
                                   const dictionary::EncodeOptions& options, const TaskControl& control,
                                   const SphereRenderOptions& picture) {
-  const RenderedComparison comparison(table, picture, {.stop = control.stop, .progress = {}});
-  PictureEncoding best;
+  Search search(encoder, table, renderedSnr, options, picture, control);
+  std::vector<PictureEncoding> found = search.run();
   std::vector<dictionary::EncodedCandidate> candidates;
-  for (std::size_t i = 0; i < options.transforms.size(); ++i) {
-    dictionary::EncodeOptions one = options;
-    one.transforms = {options.transforms[i]};
-    const double begin = double(i) / double(options.transforms.size());
-    const double end = double(i + 1) / double(options.transforms.size());
-    const Search search{encoder, table, comparison, renderedSnr, control.between(begin, end)};
-    PictureEncoding tried = search.fewest(one);
-    candidates.push_back(tried.encoded.candidates.front());
-    if (i == 0 || isBetter(tried, best, renderedSnr)) best = std::move(tried);
-  }
+  for (const PictureEncoding& one : found) candidates.push_back(one.encoded.candidates.front());
+  // Of two that reach the SNR the one with fewer coefficients, else the one with the higher SNR.
+  const auto isBetter = [&](const PictureEncoding& a, const PictureEncoding& b) {
+    if (search.reaches(a) && search.reaches(b)) return a.encoded.code.coefficients() < b.encoded.code.coefficients();
+    return a.renderedSnr > b.renderedSnr;
+  };
+  PictureEncoding best = std::move(*std::ranges::min_element(found, isBetter));
   best.encoded.candidates = std::move(candidates);
   return best;
 }
