@@ -89,11 +89,13 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
 
 std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
   const double tableBytes = double(code.material->table->bytes());
-  const QString snr = std::isfinite(code.snr) ? tr("%1 dB SNR").arg(code.snr, 0, 'f', 1) : tr("none: equal values");
+  const QString snr =
+      std::isfinite(code.snr) ? tr("BRDF SNR %1 dB").arg(code.snr, 0, 'f', 1) : tr("none: equal values");
   return {
       {tr("Error"), tr("%1 log, %2").arg(number(code.logError), snr),
        tr("Of the decoded code against the measurement: mean of the difference of ln(1 + ρ cos θi), squared, over the\n"
-          "solid angles, root; and the signal to noise ratio of ρ cos θi cos θo")},
+          "solid angles, root; and the signal to noise ratio of ρ cos θi cos θo over the cells.\n"
+          "That of pictures is another one: Analyse > Measure Representations.")},
       {tr("Size"),
        tr("%1 kB; the table has %2 MB").arg(double(code.bytes) * 1e-3, 0, 'f', 1).arg(tableBytes * 1e-6, 0, 'f', 1),
        tr("Of the code's file, with values in half precision. The dictionary comes with Gonio and is not counted.")},
