@@ -224,6 +224,11 @@ class DifferentialEditTest : public QObject {
     QCOMPARE(edited->evaluate({0, 0, 1}, {0, 0, 1}).x, 0.0);
     QCOMPARE(edited->evaluate(fromSpherical(2, 0), {0, 0, 1}).x, 0.0);
     QCOMPARE(edited->evaluate(fromSpherical(1.4, 0), fromSpherical(1.4, 0.2)).x, 4.0);
+    QVERIFY(!edited->hasData({{0, 0, 1}, {0, 0, 1}}));
+    // An edit of the edited BRDF knows it as well.
+    const auto editedTwice = applyEdits(edited, std::span(&edit, 1));
+    QCOMPARE(editedTwice->evaluate({0, 0, 1}, {0, 0, 1}).x, 0.0);
+    QCOMPARE(editedTwice->evaluate(fromSpherical(1.4, 0), fromSpherical(1.4, 0.2)).x, 7.0);
   }
 
   void hardCase39OverflowIsCappedAndCounted() {
