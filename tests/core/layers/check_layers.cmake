@@ -22,8 +22,8 @@ endfunction()
 
 layer_must_not_include(core Qt "${qt}")
 layer_must_not_include(core OpenGL "${opengl}")
-layer_must_not_include(core "the layers above it" "[<\"](widgets|app)/")
-layer_must_not_include(widgets "the layer above it" "[<\"]app/")
+layer_must_not_include(core "the layers above it" "[<\"](widgets|app|tests)/")
+layer_must_not_include(widgets "the layers above it" "[<\"](app|tests)/")
 
 string(REPLACE "," ";" rooms "${ROOMS}")
 while(rooms)
