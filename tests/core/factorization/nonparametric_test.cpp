@@ -8,11 +8,12 @@
 
 #include "tests/core/factorization/half_difference_test_support.h"
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
-using test::halfDifferenceSamples;
-using test::worstAtNodes;
+using factorization::test::halfDifferenceSamples;
+using factorization::test::worstAtNodes;
 
 namespace {
 
@@ -83,12 +84,13 @@ class NonparametricTest : public QObject {
       for (std::size_t i = 1; i < residuals.size(); ++i) QVERIFY(residuals[i] <= residuals[i - 1] * (1 + 1e-12));
     const auto brdf = makeNonparametricBrdf(fit.factors);
     double left = 0, total = 0;
-    test::visitNodes(s.axes, [&](std::size_t h, std::size_t d, std::size_t p, std::size_t i, const DirectionPair& at) {
-      const double cosines = at.wi.z * at.wo.z, x = s.values[i].x * cosines;
-      const double weight = projectedMeasure(s, h, d, p) / cosines * std::pow(std::log1p(x) / x, 2);
-      left += weight * std::pow((s.values[i].x - brdf->evaluate(at.wi, at.wo).x) * cosines, 2);
-      total += weight * x * x;
-    });
+    factorization::test::visitNodes(
+        s.axes, [&](std::size_t h, std::size_t d, std::size_t p, std::size_t i, const DirectionPair& at) {
+          const double cosines = at.wi.z * at.wo.z, x = s.values[i].x * cosines;
+          const double weight = projectedMeasure(s, h, d, p) / cosines * std::pow(std::log1p(x) / x, 2);
+          left += weight * std::pow((s.values[i].x - brdf->evaluate(at.wi, at.wo).x) * cosines, 2);
+          total += weight * x * x;
+        });
     QVERIFY(std::abs(std::sqrt(left / total) / fit.residuals[0].back() - 1) < 1e-6);
   }
 
@@ -131,5 +133,5 @@ class NonparametricTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(NonparametricTest)
+GONIO_TEST(NonparametricTest)
 #include "nonparametric_test.moc"

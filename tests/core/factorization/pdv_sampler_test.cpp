@@ -14,6 +14,7 @@
 #include "tests/studies/research/factorization/printed_pdv_sampler.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/sampling_check.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -257,5 +258,5 @@ class PdvSamplerTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PdvSamplerTest)
+GONIO_TEST(PdvSamplerTest)
 #include "pdv_sampler_test.moc"

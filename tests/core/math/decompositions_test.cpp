@@ -7,6 +7,8 @@
 
 #include "tests/support/random_matrix.h"
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using Eigen::MatrixXd;
 using gonio::testing::randomMatrix;
@@ -60,5 +62,5 @@ class DecompositionsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DecompositionsTest)
+GONIO_TEST(DecompositionsTest)
 #include "decompositions_test.moc"

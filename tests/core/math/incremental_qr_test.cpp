@@ -7,6 +7,8 @@
 
 #include "tests/support/random_matrix.h"
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using Eigen::MatrixXd, Eigen::VectorXd;
 using gonio::testing::randomMatrix;
@@ -74,5 +76,5 @@ class IncrementalQrTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(IncrementalQrTest)
+GONIO_TEST(IncrementalQrTest)
 #include "incremental_qr_test.moc"

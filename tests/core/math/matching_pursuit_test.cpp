@@ -9,6 +9,7 @@
 
 #include "core/support/error.h"
 #include "tests/support/random_matrix.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using Eigen::MatrixXd, Eigen::VectorXd;
@@ -220,5 +221,5 @@ class MatchingPursuitTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MatchingPursuitTest)
+GONIO_TEST(MatchingPursuitTest)
 #include "matching_pursuit_test.moc"

@@ -8,6 +8,8 @@
 
 #include "tests/support/random_matrix.h"
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using Eigen::MatrixXd;
 using gonio::testing::randomMatrix;
@@ -133,5 +135,5 @@ class RidgeRegressionTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(RidgeRegressionTest)
+GONIO_TEST(RidgeRegressionTest)
 #include "ridge_regression_test.moc"
