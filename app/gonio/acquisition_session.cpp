@@ -6,7 +6,7 @@
 #include <QPointer>
 #include <algorithm>
 
-#include "core/io/material.h"
+#include "core/materials/material.h"
 
 namespace gonio::app {
 
@@ -209,7 +209,7 @@ void AcquisitionSession::open(Document& document, const QString& folder) {
       [table = m_result->reconstruction->table, folder, name](const TaskControl& control) {
         if (!QDir().mkpath(folder)) throw Error(folder.toStdString() + ": the folder cannot be made");
         const std::string path = freePath(folder, name).toStdString();
-        io::writeMerl(*table, path);
+        materials::writeMerl(*table, path);
         return loadMaterial(path, control);
       },
       [&document, name](const LoadedMaterialPtr& material) {

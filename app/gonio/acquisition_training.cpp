@@ -7,8 +7,8 @@
 #include <QRegularExpression>
 
 #include "app/gonio/material_files.h"
-#include "core/io/bundled_library.h"
-#include "core/io/material.h"
+#include "core/materials/bundled_library.h"
+#include "core/materials/material.h"
 
 namespace gonio::app {
 
@@ -18,9 +18,9 @@ QString tr(const char* text) { return QCoreApplication::translate("AcquisitionTr
 
 QStringList libraryIds(const QString& collection) {
   QStringList ids;
-  for (const io::LibraryEntry& entry : io::bundledLibrary())
+  for (const materials::LibraryEntry& entry : materials::bundledLibrary())
     if (const QString id = QString::fromStdString(entry.id); id.startsWith(collection))
-      ids << QString::fromUtf8(io::libraryScheme.data(), qsizetype(io::libraryScheme.size())) + id;
+      ids << QString::fromUtf8(materials::libraryScheme.data(), qsizetype(materials::libraryScheme.size())) + id;
   return ids;
 }
 
@@ -57,7 +57,7 @@ std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringL
     throw Error("The training set has " + std::to_string(ids.size()) + " materials, expected 2 or more.");
   const auto load = [&](std::size_t material) {
     const std::string id = ids[qsizetype(material)].toStdString();
-    return io::readMaterial(id, {control.stop, {}}).tabulated({control.stop, {}});
+    return materials::readMaterial(id, {control.stop, {}}).tabulated({control.stop, {}});
   };
   return std::make_shared<const dictionary::PrincipalComponents>(
       dictionary::learnPrincipalComponents(std::size_t(ids.size()), load, {}, control));

@@ -190,9 +190,9 @@ void DocumentController::exportMerl(const QString& path) {
       [material, edits, path](const TaskControl& control) {
         const std::filesystem::path target = path.toStdString();
         if (std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); }))
-          io::writeMerl(material->material, target, control);
+          materials::writeMerl(material->material, target, control);
         else
-          io::writeMerl(*editing::bakeEdits(material->table, edits, control), target);
+          materials::writeMerl(*editing::bakeEdits(material->table, edits, control), target);
         return true;
       },
       [this, path, edits](bool) {

@@ -8,7 +8,7 @@
 #include <chrono>
 
 #include "app/gonio/material_files.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 
 namespace gonio::app {
 
@@ -51,7 +51,7 @@ LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook,
 
 void LibraryController::showBundled() {
   std::vector<widgets::LibraryItem> items;
-  for (const io::LibraryEntry& entry : io::bundledLibrary())
+  for (const materials::LibraryEntry& entry : materials::bundledLibrary())
     items.push_back({QString::fromStdString("library:" + entry.id), QString::fromStdString(entry.name),
                      QString::fromStdString(entry.description)});
   show(std::move(items), tr("Bundled library"), {});

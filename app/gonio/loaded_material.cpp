@@ -4,7 +4,7 @@
 
 namespace gonio::app {
 
-LoadedMaterialPtr measuredMaterial(io::Material material, std::shared_ptr<const editing::BlendSource> blend,
+LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
                                    const TaskControl& control) {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material = std::move(material);
@@ -25,7 +25,7 @@ LoadedMaterialPtr measuredMaterial(io::Material material, std::shared_ptr<const 
 
 LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control) {
   constexpr double readShare = 0.3;
-  return measuredMaterial(io::readMaterial(path, control.between(0, readShare)), nullptr,
+  return measuredMaterial(materials::readMaterial(path, control.between(0, readShare)), nullptr,
                           control.between(readShare, 1));
 }
 

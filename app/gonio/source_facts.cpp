@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/gonio/comparison_numbers.h"
-#include "core/io/sgd_library.h"
+#include "core/materials/sgd_library.h"
 #include "widgets/inputs/number_field.h"
 
 namespace gonio::app {
@@ -45,7 +45,7 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
     fact.toolTip += '\n' + tr("The material is this table: nothing was sampled.");
     return fact;
   }
-  const QString source = loaded.material.source.format == io::sgdFormat ? tr("the fit") : tr("the file");
+  const QString source = loaded.material.source.format == materials::sgdFormat ? tr("the fit") : tr("the file");
   fact.value += '\n' + (snr         ? tr("%1 dB against %2").arg(snrText(*snr), source)
                         : measuring ? tr("measuring its error")
                                     : tr("its error was not measured"));
@@ -60,11 +60,11 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
 
 QString sourceKind(const LoadedMaterial& loaded) {
   if (loaded.blend) return tr("Kept blend");
-  return loaded.material.source.format == io::sgdFormat ? tr("Published fit") : tr("Measured");
+  return loaded.material.source.format == materials::sgdFormat ? tr("Published fit") : tr("Measured");
 }
 
 std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::optional<double> tableSnr, bool measuring) {
-  const io::MaterialSource& source = loaded.material.source;
+  const materials::MaterialSource& source = loaded.material.source;
   const QString path = QString::fromStdString(source.path.string()), hash = QString::fromStdString(source.sha256);
   std::vector<widgets::Fact> facts;
   const QString description = QString::fromStdString(source.description);

@@ -10,7 +10,7 @@ namespace {
 
 int convert(const std::string& file, const std::string& out, const Tool& tool) {
   checkOutput(out);
-  const io::Material material = openMaterial(file, tool.control("reading"));
+  const materials::Material material = openMaterial(file, tool.control("reading"));
   writeMaterial(material, out, tool.control("converting"));
   const auto bytes = std::filesystem::file_size(out);
   print(tool, {{"from", material.source.format}, {"format", "MERL"}, {"out", out}, {"bytes", bytes}},

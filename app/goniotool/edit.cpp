@@ -73,7 +73,7 @@ Json clampedJson(const std::vector<models::ClampedParameter>& clamped) {
 }
 
 /// Writes the edited material, or the description of the edit; returns how many values had to be capped.
-std::size_t write(const io::Material& material, const std::shared_ptr<const TabulatedBrdf>& base,
+std::size_t write(const materials::Material& material, const std::shared_ptr<const TabulatedBrdf>& base,
                   const editing::DifferentialEdit& edit, const Options& options, const Tool& tool) {
   if (writesDocument(options)) {
     editing::EditDocument document;
@@ -145,7 +145,7 @@ int edit(const Options& options, const Tool& tool) {
   models::ParameterValues probe = models::defaultParameters(model.spec());
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, probe);
 
-  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   const fitting::FitResult fitted = fitting::fit(*table, model, {}, tool.control("fitting"));
   editing::DifferentialEdit edit{&model, fitted.parameters, fitted.parameters, options.strength, true};

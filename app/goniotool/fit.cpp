@@ -42,7 +42,7 @@ std::string text(const fitting::FitResult& result) {
 }
 
 /// One fit, or the one of the gamma whose picture is best, with what was tried in `json`.
-fitting::FitResult fitModel(const Options& options, const io::Material& material, const TabulatedBrdf& table,
+fitting::FitResult fitModel(const Options& options, const materials::Material& material, const TabulatedBrdf& table,
                             const models::Model& model, const Tool& tool, Json& trials) {
   const TaskControl control = tool.control("fitting " + options.model);
   if (options.gamma != chooseGamma) return fitting::fit(table, model, options.fitOptions(), control);
@@ -54,7 +54,7 @@ fitting::FitResult fitModel(const Options& options, const io::Material& material
   return tried.front().fit;
 }
 
-int fitOne(const Options& options, const io::Material& material, const Tool& tool) {
+int fitOne(const Options& options, const materials::Material& material, const Tool& tool) {
   const auto table = material.tabulated(tool.control("tabulating"));
   const models::Model& model = models::findModel(options.model);
   Json trials = Json::array();
@@ -91,7 +91,7 @@ std::string rankingText(const std::vector<study::RankedFit>& ranking, metrics::B
   return text + (ranking.empty() ? "" : warningsText(ranking.front().fit));
 }
 
-int fitAll(const Options& options, const io::Material& material, const Tool& tool) {
+int fitAll(const Options& options, const materials::Material& material, const Tool& tool) {
   const auto table = material.tabulated(tool.control("tabulating"));
   const metrics::BrdfMetric metric = metrics::metricByName(options.metric);
   study::RankingOptions rankingOptions;
@@ -127,7 +127,7 @@ int fit(const Options& options, const Tool& tool) {
   if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort orders the rows of --all");
   checkGamma(options);
   if (!options.out.empty()) checkOutput(options.out);
-  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
   return options.all ? fitAll(options, material, tool) : fitOne(options, material, tool);
 }
 

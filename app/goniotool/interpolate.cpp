@@ -9,8 +9,8 @@
 #include "app/goniotool/tool.h"
 #include "core/dictionary/decode.h"
 #include "core/editing/interpolation/interpolation.h"
-#include "core/io/code_file.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/code_file.h"
+#include "core/materials/pdv_file.h"
 #include "core/math/weights.h"
 #include "core/models/registry.h"
 #include "core/support/naming_file.h"
@@ -75,19 +75,20 @@ void checkOptions(const Options& options) {
 }
 
 /// The code of a file over another dictionary than the one that comes with Gonio.
-InterpolationEnd openCode(const std::string& path, const io::NamedEnsemble& dictionary) {
-  const io::CodeFile file = io::readCode(path);
-  namingFile(path, [&] { io::checkDictionary(file, dictionary); });
+InterpolationEnd openCode(const std::string& path, const materials::NamedEnsemble& dictionary) {
+  const materials::CodeFile file = materials::readCode(path);
+  namingFile(path, [&] { materials::checkDictionary(file, dictionary); });
   return {.table = dictionary::decode(dictionary.ensemble, file.code),
           .code = std::make_shared<const dictionary::SparseCode>(file.code)};
 }
 
 /// @param other a dictionary that was given, or null.
-InterpolationEnd openEnd(const std::string& material, const io::NamedEnsemble* other, const Tool& tool) {
+InterpolationEnd openEnd(const std::string& material, const materials::NamedEnsemble* other, const Tool& tool) {
   if (other && endsWith(material, codeSuffix)) return openCode(material, *other);
-  const io::Material opened = openMaterial(material, tool.control("reading " + material));
+  const materials::Material opened = openMaterial(material, tool.control("reading " + material));
   InterpolationEnd end{.table = opened.tabulated(tool.control("tabulating " + opened.name))};
-  if (io::isPdv(material)) end.factors = std::make_shared<const factorization::PdvFactors>(io::readPdv(material));
+  if (materials::isPdv(material))
+    end.factors = std::make_shared<const factorization::PdvFactors>(materials::readPdv(material));
   if (!other) end.code = opened.code;
   return end;
 }
@@ -108,9 +109,9 @@ Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, st
   const auto factors = interpolation.factors(weights);
   const auto code = interpolation.code(weights);
   if (endsWith(out, factorsSuffix))
-    io::writePdv(factors.value(), out);
+    materials::writePdv(factors.value(), out);
   else if (endsWith(out, codeSuffix))
-    io::writeCode(code.value(), dictionary, out);
+    materials::writeCode(code.value(), dictionary, out);
   else
     writeMaterial(*interpolation.table(weights, tool.control("blending")), out);
   Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
@@ -127,9 +128,9 @@ Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, st
 int interpolate(const Options& options, const Tool& tool) {
   checkOptions(options);
   const bool isGiven = !options.dictionary.empty();
-  std::shared_ptr<const io::NamedEnsemble> dictionary;
+  std::shared_ptr<const materials::NamedEnsemble> dictionary;
   if (isGiven || options.spaceChosen() == InterpolationSpace::dictionary)
-    dictionary = isGiven ? io::readDictionary(options.dictionary) : io::bundledDictionary();
+    dictionary = isGiven ? materials::readDictionary(options.dictionary) : materials::bundledDictionary();
   std::vector<InterpolationEnd> ends;
   for (const std::string& material : options.materials)
     ends.push_back(openEnd(material, isGiven ? dictionary.get() : nullptr, tool));

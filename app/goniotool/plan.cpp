@@ -12,7 +12,7 @@
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/io/atomic_file.h"
-#include "core/io/plan_file.h"
+#include "core/materials/plan_file.h"
 
 namespace gonio::tool {
 
@@ -78,7 +78,7 @@ double travelDegrees(const SamplingPlan& plan) {
 }
 
 void report(const Options& options, const SamplingPlan& plan, const SampleSelection& selection,
-            const io::BasisFile& basis, int kept, double trainingSeconds, double seconds, const Tool& tool) {
+            const materials::BasisFile& basis, int kept, double trainingSeconds, double seconds, const Tool& tool) {
   const std::string basisPath = basisBeside(options.out).string();
   Json json{{"samples", plan.samples.size()},
             {"method", options.method},
@@ -120,10 +120,10 @@ int plan(const Options& options, const Tool& tool) {
   const int learned = basis->components.count();
   const int kept = options.basisComponents > 0 ? std::min(options.basisComponents, learned) : learned;
   // A plan names its basis: without the one the other is not written.
-  io::writeBasis(basis->components, kept, basis->learnedFrom, basisPath,
-                 options.single ? io::BasisPrecision::single : io::BasisPrecision::half);
+  materials::writeBasis(basis->components, kept, basis->learnedFrom, basisPath,
+                        options.single ? materials::BasisPrecision::single : materials::BasisPrecision::half);
   plan.basisDigest = basisDigest(basisPath);
-  io::writePlan(
+  materials::writePlan(
       plan, options.out,
       {"learned from " + std::to_string(basis->learnedFrom.size()) + " materials",
        "angles in degrees, i is the light, o the viewer; of an isotropic material only phi_o - phi_i matters"});

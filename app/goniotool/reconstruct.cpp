@@ -8,8 +8,8 @@
 #include "app/goniotool/reconstruct_in_dictionaries.h"
 #include "app/goniotool/report.h"
 #include "core/acquisition/reconstruction.h"
-#include "core/io/plan_file.h"
-#include "core/io/values_file.h"
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
 
 namespace gonio::tool {
 
@@ -51,9 +51,9 @@ void checkBasis(const std::filesystem::path& basis, const SamplingPlan& plan) {
 }
 
 /// Named, else learned, else the one beside the plan.
-std::shared_ptr<const io::BasisFile> basisOf(const Options& options, const SamplingPlan& plan, const Tool& tool,
-                                             double& trainingSeconds) {
-  if (!options.basis.empty()) return io::readBasis(options.basis);
+std::shared_ptr<const materials::BasisFile> basisOf(const Options& options, const SamplingPlan& plan, const Tool& tool,
+                                                    double& trainingSeconds) {
+  if (!options.basis.empty()) return materials::readBasis(options.basis);
   const std::filesystem::path beside = basisBeside(options.plan);
   if (!options.train.empty()) {
     const int components = options.reconstruction.components;
@@ -65,7 +65,7 @@ std::shared_ptr<const io::BasisFile> basisOf(const Options& options, const Sampl
                 ": not found: the basis that goniotool plan writes beside a plan; name another by "
                 "--basis or materials to learn from by --train");
   checkBasis(beside, plan);
-  return io::readBasis(beside);
+  return materials::readBasis(beside);
 }
 
 /// The deviations as a table: of each cell its own in all channels.
@@ -126,8 +126,8 @@ int reconstruct(const Options& options, const Tool& tool) {
   if (!options.dictionary.empty()) throw UsageError("reconstruct: --dictionary is of --method dictionaries alone");
   if (!options.uncertainty.empty()) checkOutput(options.uncertainty);
   const ReconstructionOptions chosen = reconstructionOptions(options);
-  const SamplingPlan plan = io::readPlan(options.plan);
-  const MeasuredValues values = io::readValues(options.values, plan);
+  const SamplingPlan plan = materials::readPlan(options.plan);
+  const MeasuredValues values = materials::readValues(options.values, plan);
   double trainingSeconds = 0;
   const auto basis = basisOf(options, plan, tool, trainingSeconds);
   const auto start = std::chrono::steady_clock::now();

@@ -198,7 +198,7 @@ class GoniotoolTest : public QObject {
     };
     const editing::DifferentialEdit edit{&ggx, parameters("fitted"), parameters("edited"), 0.5, true};
     const auto expected = editing::bakeEdits(readTable(plastic_), std::span(&edit, 1));
-    io::writeMerl(*expected, folder_.path("expected.binary").toStdString());
+    materials::writeMerl(*expected, folder_.path("expected.binary").toStdString());
     QCOMPARE(bytesOf(out), bytesOf(folder_.path("expected.binary")));
   }
 

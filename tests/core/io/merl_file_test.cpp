@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/io/format_mismatch.h"
-#include "core/io/material.h"
 #include "core/io/sha256.h"
+#include "core/materials/material.h"
 #include "core/math/parallel.h"
 #include "tests/core/io/test_files.h"
 
@@ -155,19 +155,19 @@ class MerlFileTest : public QObject {
     raw[3] = 1.0 / 3;
     const Bytes bytes = merlFile(2, 3, 4, raw);
     const auto path = writeFile("io/merl/source.binary", bytes), copy = outputPath("io/merl/copy.binary");
-    const io::Material material = io::readMaterial(path);
+    const materials::Material material = materials::readMaterial(path);
     QCOMPARE(material.name, std::string("source"));
     QCOMPARE(material.source.format, std::string("MERL"));
     QCOMPARE(material.source.sha256, io::sha256Hex(bytes));
     QCOMPARE(material.source.grid, (std::vector<int>{2, 3, 4}));
     QCOMPARE(material.source.notes.size(), std::size_t(1));
     QVERIFY(material.tabulated() == material.table);
-    io::writeMerl(material, copy);
+    materials::writeMerl(material, copy);
     QCOMPARE(readFile(copy), bytes);
 
     raw[5] = 99;
     writeFile("io/merl/source.binary", merlFile(2, 3, 4, raw));
-    QVERIFY(contains(errorOf([&] { io::writeMerl(material, copy); }), "source.binary"));
+    QVERIFY(contains(errorOf([&] { materials::writeMerl(material, copy); }), "source.binary"));
     QCOMPARE(readFile(copy), bytes);
   }
 
@@ -189,7 +189,7 @@ class MerlFileTest : public QObject {
 
   void refusedFileTellsEveryReader() {
     const auto path = writeFile("io/merl/notes.txt", std::as_bytes(std::span("these are only words")));
-    const std::string error = errorOf([&] { io::readMaterial(path); });
+    const std::string error = errorOf([&] { materials::readMaterial(path); });
     QVERIFY2(contains(error, "notes.txt") && contains(error, "\n  MERL: found axis counts") &&
                  contains(error, "\n  RGL: found") && contains(error, "expected the signature 'tensor_file'"),
              error.c_str());
