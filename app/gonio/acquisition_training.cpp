@@ -33,7 +33,7 @@ TrainingSet fittedTraining() { return {tr("published fits of the library"), libr
 TrainingSet folderTraining(const QString& folder) {
   const QDir dir(folder);
   TrainingSet set{tr("files of %1").arg(dir.dirName()), {}};
-  for (const QFileInfo& file : dir.entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name))
+  for (const QFileInfo& file : dir.entryInfoList(measurementFilePatterns(), QDir::Files | QDir::Readable, QDir::Name))
     set.ids << file.absoluteFilePath();
   return set;
 }

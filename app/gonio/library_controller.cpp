@@ -8,7 +8,7 @@
 #include <chrono>
 
 #include "app/gonio/material_files.h"
-#include "core/materials/material.h"
+#include "core/materials/material_formats.h"
 
 namespace gonio::app {
 
@@ -61,10 +61,8 @@ void LibraryController::showFolder(const QString& folder) {
   std::vector<widgets::LibraryItem> items;
   const QDir dir(folder);
   for (const QFileInfo& file : dir.entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name)) {
-    const QString kind = file.suffix() == "bsdf"   ? tr("RGL file")
-                         : file.suffix() == "pdv"  ? tr("PDV factors")
-                         : file.suffix() == "code" ? tr("sparse code")
-                                                   : tr("MERL file");
+    const std::string_view label = materials::formatBySuffix(file.fileName().toStdString())->label;
+    const QString kind = QString::fromUtf8(label.data(), qsizetype(label.size()));
     items.push_back({file.absoluteFilePath(), file.completeBaseName(), tr("%1, %2").arg(kind, file.fileName())});
   }
   show(std::move(items), dir.dirName(), folder);

@@ -13,6 +13,7 @@
 #include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/interpolation_panel.h"
 #include "app/gonio/main_window.h"
+#include "app/gonio/material_files.h"
 #include "app/gonio/representation_panel.h"
 #include "app/gonio/scene_panel.h"
 #include "app/gonio/screenshot.h"
@@ -51,7 +52,9 @@ Options readOptions(const QApplication& application) {
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument(
-      "file", QObject::tr("Measured materials (.binary, .bsdf, .pdv) or documents (.gonio) to open."), "[FILE ...]");
+      "file",
+      QObject::tr("Materials (%1) or documents (*%2) to open.").arg(materialFilePatterns().join(' '), documentSuffix()),
+      "[FILE ...]");
   const auto hidden = [&parser](const char* name, const char* value) {
     QCommandLineOption option(name, {}, value);
     option.setFlags(QCommandLineOption::HiddenFromHelp);

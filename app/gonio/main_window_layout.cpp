@@ -14,6 +14,7 @@
 #include "app/gonio/fit_ranking_panel.h"
 #include "app/gonio/interpolation_panel.h"
 #include "app/gonio/main_window.h"
+#include "app/gonio/material_files.h"
 #include "app/gonio/reference_dialog.h"
 #include "app/gonio/scene_panel.h"
 #include "app/gonio/study_panel.h"
@@ -63,9 +64,9 @@ void MainWindow::buildDocks() {
   buildBottomDocks();
   const int em = fontMetrics().height();
   resizeDocks({library, inspector}, {em * 27, em * 28}, Qt::Horizontal);
-  m_libraryView->setEmptyText(
-      tr("There are no .binary, .bsdf or .pdv files in this folder.\nFile > Bundled Library shows the "
-         "materials that come with Gonio."));
+  m_libraryView->setEmptyText(tr("There are no materials in this folder (%1).\nFile > Bundled Library shows the "
+                                 "materials that come with Gonio.")
+                                  .arg(materialFilePatterns().join(' ')));
   connect(&m_libraryController, &LibraryController::titleChanged, m_libraryView, &widgets::LibraryView::setTitle);
   connect(m_libraryView, &widgets::LibraryView::visibleIdsChanged, &m_libraryController,
           &LibraryController::setVisible);

@@ -37,7 +37,7 @@ std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::st
 }
 
 std::filesystem::path basisBeside(const std::string& plan) {
-  return std::filesystem::path(plan).replace_extension(".basis");
+  return std::filesystem::path(plan).replace_extension(materials::basisSuffix);
 }
 
 std::string basisDigest(const std::filesystem::path& basis) {

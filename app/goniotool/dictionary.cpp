@@ -125,7 +125,7 @@ void addTrain(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<Options>();
   TrainingOptions& training = options->training;
   CLI::App* command = app.add_subcommand("train", "Learns an ensemble of dictionaries from materials");
-  command->add_option("SOURCE", options->sources, "Folders of .binary and .bsdf files, or files")->required();
+  command->add_option("SOURCE", options->sources, trainingHelp())->required();
   command->add_option("--out", options->out, "The dictionary (.dictionary)")->required();
   command->add_option("--exclude", options->excluded, "Names of materials to leave out")->delimiter(',');
   command->add_option("--dictionaries", training.dictionaries, "Of each sparsity (8)")->check(CLI::Range(1, 64));

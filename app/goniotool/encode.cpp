@@ -93,11 +93,11 @@ int encode(const Options& options, const Tool& tool) {
 }
 
 int decode(const Options& options, const Tool& tool) {
-  checkOutput(options.out);
+  materials::writableFormat(options.out);
   const auto dictionary = dictionaryOf(options);
   const materials::CodeFile file = materials::readCode(options.material);
   materials::checkDictionary(file, *dictionary);
-  writeMaterial(*dictionary::decode(dictionary->ensemble, file.code), options.out);
+  materials::writeMaterial(*dictionary::decode(dictionary->ensemble, file.code), options.out);
   print(tool,
         {{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}, {"out", options.out}},
         "wrote " + options.out + ", of " + std::to_string(file.code.coefficients()) + " coefficients a channel\n");
@@ -135,7 +135,7 @@ void addDecode(CLI::App& app, Tool& tool) {
   CLI::App* command = app.add_subcommand("decode", "The material that a sparse code stands for");
   command->add_option("CODE", options->material, "A .code file")->required();
   command->add_option("--dictionary", options->dictionary, "The dictionary that it was made with (the bundled one)");
-  command->add_option("--out", options->out, "The material (.binary)")->required();
+  command->add_option("--out", options->out, outputHelp("The material"))->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return decode(*options, tool); }; });
 }
 

@@ -17,7 +17,6 @@ namespace {
 
 using namespace factorization;
 
-constexpr const char* factorsSuffix = ".pdv";
 constexpr std::array<const char*, 2> formNames{"2d", "3d"};  // in the order of PdvForm
 
 struct Options {
@@ -35,9 +34,9 @@ struct Options {
   bool swaps() const { return !swapF1.empty() || !swapF2.empty(); }
 };
 
-bool isFactorsFile(const std::string& path) { return std::filesystem::path(path).extension() == factorsSuffix; }
+bool isFactorsFile(const std::string& path) { return materials::hasSuffixOf(materials::FormatId::pdv, path); }
 
-/// The factors of FILE: its own, where it is a .pdv file.
+/// The factors of FILE: its own, where it is a file of factors.
 PdvFactorization factorsOf(const Options& options, const materials::Material& material, const TabulatedBrdf& table,
                            const Tool& tool) {
   if (!materials::isPdv(options.material))
@@ -70,8 +69,8 @@ PdvFactors swapped(const Options& options, PdvFactors factors, const Tool& tool)
 
 void checkOptions(const Options& options) {
   if (options.keepFurther && !options.swaps()) throw UsageError("factor: --keep-terms is for --swap-f1 and --swap-f2");
-  if (!options.out.empty() && !isFactorsFile(options.out)) checkOutput(options.out);
-  if (!options.decode.empty()) checkOutput(options.decode);
+  if (!options.out.empty() && !isFactorsFile(options.out)) materials::writableFormat(options.out);
+  if (!options.decode.empty()) materials::writableFormat(options.decode);
 }
 
 int factor(const Options& options, const Tool& tool) {
@@ -86,7 +85,7 @@ int factor(const Options& options, const Tool& tool) {
   const double nanoseconds = study::measureEvaluation(*brdf).median;
   if (isFactorsFile(options.out)) materials::writePdv(result.factors, options.out);
   for (const std::string& path : {isFactorsFile(options.out) ? std::string() : options.out, options.decode})
-    if (!path.empty()) writeMaterial(*bakeTable(*brdf, table->grid(), tool.control("decoding")), path);
+    if (!path.empty()) materials::writeMaterial(*bakeTable(*brdf, table->grid(), tool.control("decoding")), path);
 
   const PdvFactors& f = result.factors;
   if (!result.residuals.empty()) result.residuals.erase(result.residuals.begin());
@@ -122,8 +121,11 @@ void addFactor(CLI::App& app, Tool& tool) {
   form->check(CLI::IsMember(std::vector<std::string>(formNames.begin(), formNames.end())));
   auto* transform = command->add_option("--transform", options->transform, "Of the reflectance (log-plus)");
   transform->check(CLI::IsMember(std::vector<std::string>(dataTransformNames.begin(), dataTransformNames.end())));
-  command->add_option("--out", options->out, "The factors (.pdv), or the material that they stand for (.binary)");
-  command->add_option("--decode", options->decode, "Bakes the material that the factors stand for to this .binary");
+  command->add_option(
+      "--out", options->out,
+      "The factors (" + suffixOf(materials::FormatId::pdv) + "), or " + outputHelp("the material that they stand for"));
+  command->add_option("--decode", options->decode,
+                      outputHelp("Bakes the material that the factors stand for to this file"));
   command->add_option("--swap-f1", options->swapF1, "Takes the first term's F1, strength by angle, from this material");
   command->add_option("--swap-f2", options->swapF2, "Takes the first term's F2, shape of the highlight, from this");
   command->add_flag("--keep-terms", options->keepFurther, "Swaps keep the terms behind the first");

@@ -60,8 +60,8 @@ int fitOne(const Options& options, const materials::Material& material, const To
   Json trials = Json::array();
   const fitting::FitResult result = fitModel(options, material, *table, model, tool, trials);
   if (!options.out.empty())
-    writeMaterial(*bakeTable(*model.instantiate(result.parameters), table->grid(), tool.control("baking")),
-                  options.out);
+    materials::writeMaterial(*bakeTable(*model.instantiate(result.parameters), table->grid(), tool.control("baking")),
+                             options.out);
   Json json = fitJson(result);
   json["metric"] = options.metric;
   std::string heading;
@@ -126,7 +126,7 @@ int fit(const Options& options, const Tool& tool) {
   if (options.all && !options.out.empty()) throw UsageError("fit: --out bakes one model; give --model");
   if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort orders the rows of --all");
   checkGamma(options);
-  if (!options.out.empty()) checkOutput(options.out);
+  if (!options.out.empty()) materials::writableFormat(options.out);
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   return options.all ? fitAll(options, material, tool) : fitOne(options, material, tool);
 }

@@ -50,20 +50,8 @@ materials::Material openMaterial(const std::string& argument, const TaskControl&
   return isDocument(argument) ? replay(argument, control) : materials::readMaterial(argument, control);
 }
 
-void checkOutput(const std::string& out) {
-  const std::string suffix = std::filesystem::path(out).extension().string();
-  if (suffix != ".binary")
-    throw Error(out + ": found the suffix '" + suffix + "', expected .binary (MERL): materials are written as that");
-}
-
-void writeMaterial(const materials::Material& material, const std::string& out, const TaskControl& control) {
-  checkOutput(out);
-  materials::writeMerl(material, out, control);
-}
-
-void writeMaterial(const TabulatedBrdf& table, const std::string& out) {
-  checkOutput(out);
-  materials::writeMerl(table, out);
+std::string outputHelp(const std::string& what) {
+  return what + " (" + materials::suffixText(materials::isWritable, "or") + ")";
 }
 
 }  // namespace gonio::tool

@@ -9,6 +9,7 @@
 
 #include "app/goniotool/bases.h"
 #include "app/goniotool/report.h"
+#include "app/goniotool/training_files.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/io/atomic_file.h"
@@ -137,11 +138,12 @@ void addPlan(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<Options>();
   SelectionOptions& selection = options->selection;
   CLI::App* command = app.add_subcommand("plan", "The directions at which to measure a material");
-  command->add_option("--train", options->train,
-                      "Folders of .binary and .bsdf files, or files, to learn from (the bundled library)");
+  command->add_option("--train", options->train, trainingHelp() + " to learn from (the bundled library)");
   command->add_option("--exclude", options->excluded, "Names of materials to leave out")->delimiter(',');
   command->add_option("--samples", selection.samples, "How many directions")->required()->check(CLI::Range(1, 4096));
-  command->add_option("--out", options->out, "CSV to write; beside it comes its basis, of the suffix .basis")
+  command
+      ->add_option("--out", options->out,
+                   "CSV to write; beside it comes its basis, of the suffix " + std::string(materials::basisSuffix))
       ->required();
   command->add_option("--method", options->method, "somp, somp-first-columns, condition-number, random, uniform (somp)")
       ->check(CLI::IsMember(std::vector<std::string>(methodNames.begin(), methodNames.end())));

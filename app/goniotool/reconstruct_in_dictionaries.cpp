@@ -39,7 +39,7 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
   const auto found = acquisition::reconstructInDictionaries(dictionary->ensemble, prior, plan, values, {},
                                                             tool.control("reconstructing"));
   const double seconds = secondsSince(start);
-  writeMaterial(*found.table, request.out);
+  materials::writeMaterial(*found.table, request.out);
   const Json json{{"method", dictionariesMethod},
                   {"samples", plan.samples.size()},
                   {"dictionary", found.dictionary},

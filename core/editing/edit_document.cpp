@@ -161,6 +161,11 @@ EditDocument documentFromText(std::string_view text) {
   }
 }
 
+bool isDocumentName(const std::filesystem::path& path) {
+  const std::string suffix = path.extension().string();
+  return std::ranges::equal(suffix, documentSuffix, {}, [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+}
+
 EditDocument readDocument(const std::filesystem::path& path) {
   return namingFile(path, [&] {
     const std::vector<std::byte> bytes = io::FileSource(path).readAll(maxDocumentBytes);

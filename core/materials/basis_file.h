@@ -10,8 +10,8 @@
 #include "core/io/byte_source.h"
 
 /// A file of principal components, `.basis`: what materials are reconstructed in from the samples of a plan.
-/// DescribedNumbers "GONIOPCA", version 2, with the grid, the counts of cells, components and signals, the precision
-/// and what it learned from; then
+/// A container (core/io/container.h) "GONIOPCA", version 2; a description with the grid, the counts of cells,
+/// components and signals, the precision and what it learned from; then
 ///   the cells that count, one bit a cell of the grid, the lowest bit first; for each of them the reference and the
 ///   mean (float32); the root of leftOutVariance() of the components that are kept: the largest (float32), then each
 ///   over it, float16 or float32; the singular values, then V column by column (float64); for each component the
@@ -19,6 +19,8 @@
 /// The weights of the cells follow from the grid. 1.1 million cells: 11.1 MB and 2.2 MB a component in half precision,
 /// by which a mapped value of size y moves by less than about y / 2000.
 namespace gonio::materials {
+
+inline constexpr std::string_view basisSuffix = ".basis";
 
 enum class BasisPrecision { single, half };
 

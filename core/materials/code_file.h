@@ -8,10 +8,10 @@
 #include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
 
-/// A file of a sparse code, `.code`, little-endian: "GONIOCOD", uint16 version (1), uint8 transform (in the order of
-/// dataTransformNames), uint8 precision (0 single, 1 half), uint16 counts of theta_h, theta_d, phi_d, uint16 whether
-/// phi_d is folded, uint64 id of the dictionary; then the packed channels (dictionary::packChannels). About 3 KB for
-/// 262 coefficients a channel in half precision.
+/// A file of a sparse code, `.code`: a container (core/io/container.h) "GONIOCOD", uint16 version 1; uint8 transform
+/// (in the order of dataTransformNames), uint8 precision (0 single, 1 half), uint16 counts of theta_h, theta_d, phi_d,
+/// uint16 whether phi_d is folded, uint64 id of the dictionary; then the packed channels (dictionary::packChannels).
+/// About 3 KB for 262 coefficients a channel in half precision.
 namespace gonio::materials {
 
 /// What the file has before the packed channels.
@@ -34,7 +34,8 @@ struct CodeFile {
 /// @throws Error naming the file: what was found, what was expected.
 CodeFile readCode(const std::filesystem::path& path);
 CodeFile readCode(const io::ByteSource& source);
-bool isCode(const io::ByteSource& source);
+/// @throws FormatMismatch when the bytes do not begin like a code.
+void expectCode(const io::ByteSource& source);
 
 /// @throws Error when the code is over another dictionary.
 void checkDictionary(const CodeFile& code, const NamedEnsemble& dictionary);

@@ -10,9 +10,10 @@
 
 namespace gonio::materials {
 
-/// A file of an ensemble, `.dictionary`: DescribedNumbers "GONIODIC", version 1, with the grid, the sparsities and what
-/// it learned from; the matrices of each dictionary (phi_d, theta_d, theta_h), column by column, float32. 5.9 MiB for
-/// 32 dictionaries. What is read is orthonormal to 1e-12: the rounding to single precision is polished away.
+/// A file of an ensemble, `.dictionary`: a container (core/io/container.h) "GONIODIC", version 1; a description with
+/// the grid, the sparsities and what it learned from; the matrices of each dictionary (phi_d, theta_d, theta_h), column
+/// by column, float32. 5.9 MiB for 32 dictionaries. What is read is orthonormal to 1e-12: the rounding to single
+/// precision is polished away.
 void writeDictionary(const dictionary::Ensemble& ensemble, const std::filesystem::path& path);
 
 /// An ensemble with its name: what codes call it by.

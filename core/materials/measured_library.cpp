@@ -3,10 +3,11 @@
 #include "core/materials/measured_library.h"
 
 #include <cstdio>
-#include <sstream>
 
+#include "core/io/csv_text.h"
 #include "core/io/sha256.h"
 #include "core/materials/code_file.h"
+#include "core/materials/material_formats.h"
 
 extern "C" {
 // One behind the other, in the order of the list, with the borders between them (bundled_files.S).
@@ -26,17 +27,16 @@ std::string MeasuredMaterial::sha256() const { return io::sha256Hex(io::MemorySo
 
 const std::vector<MeasuredMaterial>& measuredMaterials() {
   static const std::vector<MeasuredMaterial> materials = [] {
+    const io::CsvText csv = io::readCsvText(measuredFigures());
+    const std::size_t name = csv.neededColumn("name"), coefficients = csv.neededColumn("coefficients"),
+                      snr = csv.neededColumn("rendered_snr");
     std::vector<MeasuredMaterial> result;
-    std::istringstream lines{std::string(measuredFigures())};
-    std::string line;
-    std::getline(lines, line);
-    for (std::size_t i = 0; std::getline(lines, line); ++i) {
-      MeasuredMaterial& material = result.emplace_back();
-      std::istringstream cells(line);
-      char comma;
-      std::getline(cells, material.name, ',');
-      cells >> material.coefficients >> comma >> material.renderedSnr;
-      material.code = {gonioMeasuredCodes[i], gonioMeasuredCodes[i + 1]};
+    for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+      const io::CsvText::Row& row = csv.rows[i];
+      result.push_back({.name = row.fields[name],
+                        .coefficients = csv.integer(row, coefficients),
+                        .renderedSnr = csv.number(row, snr),
+                        .code = {gonioMeasuredCodes[i], gonioMeasuredCodes[i + 1]}});
     }
     return result;
   }();
@@ -47,7 +47,7 @@ Material measuredMaterial(const MeasuredMaterial& measured) {
   const io::MemorySource source(measured.code);
   Material material;
   material.name = measured.name;
-  material.source.format = "sparse code";
+  material.source.format = formatOf(FormatId::code).name;
   setCode(readCode(source), material);
   material.source.sha256 = measured.sha256();
   material.source.description = measured.description();

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/materials/pdv_file.h"
 
+#include <array>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 #include "core/io/atomic_file.h"
-#include "core/io/described_numbers.h"
+#include "core/io/container.h"
 #include "core/support/naming_file.h"
+#include "core/support/number_text.h"
 
 namespace gonio::materials {
 
@@ -19,11 +19,12 @@ using factorization::PdvFactors;
 using factorization::PdvForm;
 using factorization::PdvTerm;
 
-constexpr char magic[] = "GONIOPDV";
-constexpr std::size_t magicBytes = 8;
-constexpr std::uint32_t version = 1, mostNodes = 4096;
-enum Header { versionAt, formAt, transformAt, thetaAt, deviationAt, phiAt, termsAt, headerNumbers };
-constexpr std::size_t headerBytes = magicBytes + headerNumbers * sizeof(std::uint32_t) + sizeof(float);
+constexpr io::ContainerFormat format{.name = "PDV", .signature = "GONIOPDV"};
+constexpr std::uint32_t mostNodes = 4096;
+enum HeaderAt { formAt, transformAt, thetaAt, deviationAt, phiAt, termsAt, headerNumbers };
+using Header = std::array<std::uint32_t, headerNumbers>;
+/// Signature, version, header and highest y.
+constexpr std::size_t headerBytes = 8 + sizeof(std::uint32_t) + sizeof(Header) + sizeof(float);
 
 /// The numbers behind the header: those of the axes, and of one term in all channels.
 std::size_t floatCount(std::size_t nodes, std::size_t terms) { return nodes * (1 + 3 * terms); }
@@ -41,24 +42,20 @@ void visitCurves(PdvFactors& f, const Visit& visit) {
     }
 }
 
-[[noreturn]] void fail(const std::string& what, const std::string& found, const std::string& expected) {
-  throw Error("PDV factors: " + what + " is " + found + ", expected " + expected);
+[[noreturn]] void fail(const io::ContainerReader& file, const std::string& what, const std::string& found,
+                       const std::string& expected) {
+  file.fail(what + " is " + found + ", expected " + expected);
 }
 
-void checkNumber(const char* what, std::uint32_t found, std::uint32_t low, std::uint32_t high) {
-  if (found < low || found > high)
-    fail(what, std::to_string(found), std::to_string(low) + (low == high ? "" : " to " + std::to_string(high)));
-}
-
-void checkNodes(const std::vector<double>& nodes, const char* what) {
-  if (nodes.front() != 0) fail(std::string("the first node of ") + what, std::to_string(nodes.front()), "0");
+void checkNodes(const io::ContainerReader& file, const std::vector<double>& nodes, const char* what) {
+  if (nodes.front() != 0) fail(file, std::string("the first node of ") + what, numberText(nodes.front()), "0");
   for (std::size_t i = 1; i < nodes.size(); ++i)
     if (!(nodes[i] > nodes[i - 1]))
-      fail("node " + std::to_string(i) + " of " + what, std::to_string(nodes[i]),
-           "more than " + std::to_string(nodes[i - 1]));
+      fail(file, "node " + std::to_string(i) + " of " + what, numberText(nodes[i]),
+           "more than " + numberText(nodes[i - 1]));
 }
 
-PdvFactors emptyFactors(const std::uint32_t* header, float highest) {
+PdvFactors emptyFactors(const Header& header, float highest) {
   PdvFactors f{.form = header[formAt] == 0 ? PdvForm::twoFactors : PdvForm::threeFactors,
                .transform = static_cast<DataTransform>(header[transformAt]),
                .thetaNodes = std::vector<double>(header[thetaAt]),
@@ -72,20 +69,22 @@ PdvFactors emptyFactors(const std::uint32_t* header, float highest) {
   return f;
 }
 
-void checkHeader(const std::uint32_t* header, float highest, std::uint64_t bytes) {
-  checkNumber("the version", header[versionAt], version, version);
-  checkNumber("the form", header[formAt], 0, 1);
-  checkNumber("the transform", header[transformAt], 0, std::uint32_t(dataTransformNames.size()) - 1);
-  checkNumber("the count of nodes of theta_R", header[thetaAt], 2, mostNodes);
-  checkNumber("the count of nodes of |Dp|", header[deviationAt], 2, mostNodes);
-  checkNumber("the count of nodes of |phi|", header[phiAt], header[formAt] == 0 ? 1 : 2,
-              header[formAt] == 0 ? 1 : mostNodes);
-  checkNumber("the count of terms", header[termsAt], 1, std::uint32_t(mostPdvTerms));
-  if (!std::isfinite(highest)) fail("the highest value", "not finite", "a number");
-  const std::uint64_t nodes = std::uint64_t(header[thetaAt]) + header[deviationAt] + header[phiAt];
-  const std::uint64_t expected = headerBytes + sizeof(float) * floatCount(nodes, header[termsAt]);
-  if (bytes != expected)
-    fail("the size of the file", std::to_string(bytes) + " bytes", std::to_string(expected) + " for these counts");
+void checkHeader(const io::ContainerReader& file, const Header& header, float highest) {
+  const auto check = [&](const char* what, HeaderAt at, std::uint32_t low, std::uint32_t high) {
+    if (header[at] < low || header[at] > high)
+      fail(file, what, std::to_string(header[at]),
+           std::to_string(low) + (low == high ? "" : " to " + std::to_string(high)));
+  };
+  check("the form", formAt, 0, 1);
+  check("the transform", transformAt, 0, std::uint32_t(dataTransformNames.size()) - 1);
+  check("the count of nodes of theta_R", thetaAt, 2, mostNodes);
+  check("the count of nodes of |Dp|", deviationAt, 2, mostNodes);
+  const bool isFlat = header[formAt] == 0;
+  check("the count of nodes of |phi|", phiAt, isFlat ? 1 : 2, isFlat ? 1 : mostNodes);
+  check("the count of terms", termsAt, 1, std::uint32_t(mostPdvTerms));
+  if (!std::isfinite(highest)) fail(file, "the highest value", "not finite", "a number");
+  const std::size_t nodes = std::size_t(header[thetaAt]) + header[deviationAt] + header[phiAt];
+  file.expectLeft(sizeof(float) * floatCount(nodes, header[termsAt]));
 }
 
 }  // namespace
@@ -97,61 +96,35 @@ std::size_t pdvFileBytes(const PdvFactors& f) {
 
 void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {
   PdvFactors f = factors;
-  const std::uint32_t header[headerNumbers] = {version,
-                                               f.form == PdvForm::twoFactors ? 0u : 1u,
-                                               static_cast<std::uint32_t>(f.transform),
-                                               std::uint32_t(f.thetaNodes.size()),
-                                               std::uint32_t(f.deviationNodes.size()),
-                                               std::uint32_t(f.phiNodes.size()),
-                                               std::uint32_t(f.terms())};
-  const float highest = float(f.highest);
-  std::vector<std::byte> bytes(pdvFileBytes(f));
-  std::byte* at = bytes.data();
-  const auto put = [&](const void* from, std::size_t count) {
-    std::memcpy(at, from, count);
-    at += count;
-  };
-  put(magic, magicBytes);
-  put(header, sizeof header);
-  put(&highest, sizeof highest);
+  io::ContainerWriter file(format);
+  file.values(Header{f.form == PdvForm::twoFactors ? 0u : 1u, std::uint32_t(f.transform),
+                     std::uint32_t(f.thetaNodes.size()), std::uint32_t(f.deviationNodes.size()),
+                     std::uint32_t(f.phiNodes.size()), std::uint32_t(f.terms())});
+  file.number(float(f.highest));
   visitCurves(f, [&](const std::vector<double>& curve) {
-    for (const double value : curve) {
-      const float single = float(value);
-      put(&single, sizeof single);
-    }
+    for (const double value : curve) file.number(float(value));
   });
-  io::writeFileAtomically(path, bytes);
+  io::writeFileAtomically(path, file.bytes());
 }
 
 PdvFactors readPdv(const io::ByteSource& source) {
-  std::byte start[headerBytes];
-  if (source.size() < headerBytes)
-    fail("the size of the file", std::to_string(source.size()) + " bytes", "at least " + std::to_string(headerBytes));
-  source.readAt(0, start);
-  if (std::memcmp(start, magic, magicBytes) != 0)
-    throw Error(std::string("PDV factors: the file does not begin with ") + magic);
-  std::uint32_t header[headerNumbers];
-  float highest = 0;
-  std::memcpy(header, start + magicBytes, sizeof header);
-  std::memcpy(&highest, start + magicBytes + sizeof header, sizeof highest);
-  checkHeader(header, highest, source.size());
+  io::ContainerReader file(format, source);
+  Header header;
+  file.values(header, "header");
+  const auto highest = file.number<float>();
+  checkHeader(file, header, highest);
   PdvFactors f = emptyFactors(header, highest);
-  const std::vector<std::byte> bytes = source.readAll();
-  const std::byte* at = bytes.data() + headerBytes;
+  std::size_t at = 0;
   visitCurves(f, [&](std::vector<double>& curve) {
     for (double& value : curve) {
-      float single = 0;
-      std::memcpy(&single, at, sizeof single);
-      at += sizeof single;
-      if (!std::isfinite(single))
-        fail("number " + std::to_string((at - bytes.data() - std::ptrdiff_t(headerBytes)) / 4 - 1), "not finite",
-             "a number");
-      value = double(single);
+      value = double(file.number<float>());
+      if (!std::isfinite(value)) fail(file, "number " + std::to_string(at), "not finite", "a number");
+      ++at;
     }
   });
-  checkNodes(f.thetaNodes, "theta_R");
-  checkNodes(f.deviationNodes, "|Dp|");
-  checkNodes(f.phiNodes, "|phi|");
+  checkNodes(file, f.thetaNodes, "theta_R");
+  checkNodes(file, f.deviationNodes, "|Dp|");
+  checkNodes(file, f.phiNodes, "|phi|");
   return f;
 }
 
@@ -160,11 +133,15 @@ PdvFactors readPdv(const std::filesystem::path& path) {
 }
 
 bool isPdv(const std::filesystem::path& path) {
-  char start[magicBytes] = {};
-  std::ifstream stream(path, std::ios::binary);
-  return stream.read(start, magicBytes) && std::memcmp(start, magic, magicBytes) == 0;
+  try {
+    return isPdv(io::FileSource(path));
+  } catch (const Error&) {
+    return false;
+  }
 }
 
-bool isPdv(const io::ByteSource& source) { return io::beginsWith(source, std::string_view(magic, magicBytes)); }
+bool isPdv(const io::ByteSource& source) { return io::hasSignature(source, format); }
+
+void expectPdv(const io::ByteSource& source) { io::expectSignature(source, format); }
 
 }  // namespace gonio::materials

@@ -8,7 +8,7 @@
 #include "core/factorization/pdv_factors.h"
 #include "core/io/byte_source.h"
 
-/// Gonio's own file of PDV factors, `.pdv`, little-endian: the eight characters "GONIOPDV", uint32 version (1), form (0
+/// Gonio's own file of PDV factors, `.pdv`: a container (core/io/container.h) "GONIOPDV", version 1; uint32 form (0
 /// two factors, 1 three), transform (in the order of dataTransformNames), counts of nodes of theta_R, |Dp| and |phi| (1
 /// in the form with two factors), count of terms, float32 highest y; the nodes of the three axes; then for red, green
 /// and blue, for each term, F1, F2, F3: all float32. 45 KB for ten terms of three factors.
@@ -29,5 +29,7 @@ factorization::PdvFactors readPdv(const io::ByteSource& source);
 /// Whether a file begins like one. A file that cannot be read does not.
 bool isPdv(const std::filesystem::path& path);
 bool isPdv(const io::ByteSource& source);
+/// @throws FormatMismatch when the bytes do not begin like one.
+void expectPdv(const io::ByteSource& source);
 
 }  // namespace gonio::materials

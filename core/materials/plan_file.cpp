@@ -8,7 +8,6 @@
 #include <map>
 
 #include "core/io/atomic_file.h"
-#include "core/io/byte_source.h"
 #include "core/io/csv_text.h"
 #include "core/support/naming_file.h"
 #include "core/support/number_text.h"
@@ -23,7 +22,6 @@ using acquisition::SamplingPlan;
 constexpr std::array<std::string_view, 4> angleNames{"theta_i", "phi_i", "theta_o", "phi_o"};
 constexpr std::string_view methodLabel = "method: ", basisLabel = "basis, SHA-256: ";
 constexpr int decimals = 6;
-constexpr std::uint64_t mostBytes = 1 << 24;
 constexpr std::size_t mostSamples = 1 << 16;
 /// Half the last decimal, rounded up: 90 degrees may come back a little larger.
 constexpr double rounding = 1e-6;
@@ -158,10 +156,7 @@ SamplingPlan parsePlan(std::string_view text) {
 }
 
 SamplingPlan readPlan(const std::filesystem::path& path) {
-  return namingFile(path, [&] {
-    const std::vector<std::byte> bytes = io::FileSource(path).readAll(mostBytes);
-    return parsePlan({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  });
+  return namingFile(path, [&] { return parsePlan(io::readText(path)); });
 }
 
 }  // namespace gonio::materials

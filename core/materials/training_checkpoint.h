@@ -9,8 +9,8 @@
 
 namespace gonio::materials {
 
-/// A checkpoint of a training, atomic: DescribedNumbers "GONIOCKP", version 1, the state in double precision, with a
-/// text that tells the training apart. @throws Error naming the file.
+/// A checkpoint of a training, atomic: a container (core/io/container.h) "GONIOCKP", version 1, with a description that
+/// names the training, and the state in double precision. @throws Error naming the file.
 void writeCheckpoint(const dictionary::TrainingState& state, const std::string& training,
                      const std::filesystem::path& path);
 /// @throws Error naming the file; also where it is of another training.

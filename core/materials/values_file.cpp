@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "core/io/atomic_file.h"
-#include "core/io/byte_source.h"
 #include "core/io/csv_text.h"
 #include "core/math/spectrum.h"
 #include "core/support/naming_file.h"
@@ -23,7 +22,6 @@ namespace {
 using acquisition::MeasuredValues;
 using acquisition::SamplingPlan;
 
-constexpr std::uint64_t mostBytes = 1 << 24;
 constexpr double shortestWavelength = 100, longestWavelength = 3000;
 constexpr std::size_t leastWavelengths = 3;
 
@@ -163,10 +161,7 @@ MeasuredValues parseValues(std::string_view text, const SamplingPlan& plan) {
 }
 
 MeasuredValues readValues(const std::filesystem::path& path, const SamplingPlan& plan) {
-  return namingFile(path, [&] {
-    const std::vector<std::byte> bytes = io::FileSource(path).readAll(mostBytes);
-    return parseValues({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, plan);
-  });
+  return namingFile(path, [&] { return parseValues(io::readText(path), plan); });
 }
 
 }  // namespace gonio::materials

@@ -34,7 +34,7 @@ struct SmallLibrary {
     values.values[0] = albedo;
     values.values[*model.spec().find("roughness")] = Rgb(roughness);
     const QString path = folder.filePath(name + ".binary");
-    materials::writeMerl(*bakeTable(*model.instantiate(values), grid), path.toStdString());
+    materials::writeMaterial(*bakeTable(*model.instantiate(values), grid), path.toStdString());
     return path;
   }
 

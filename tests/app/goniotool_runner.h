@@ -83,7 +83,7 @@ class TestFolder {
                      const HalfDifferenceGrid& grid = smallGrid) const {
     const models::Model& source = models::findModel(model);
     const auto brdf = source.instantiate(testing::leadingParameters(source, parameters.values));
-    materials::writeMerl(*bakeTable(*brdf, grid), path(name).toStdString());
+    materials::writeMaterial(*bakeTable(*brdf, grid), path(name).toStdString());
     return path(name);
   }
 

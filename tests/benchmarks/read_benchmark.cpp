@@ -15,7 +15,7 @@ namespace {
 const std::filesystem::path& merlFile() {
   struct File {
     std::filesystem::path path = std::filesystem::temp_directory_path() / "gonio_benchmark.binary";
-    File() { materials::writeMerl(*benchmarks::plasticTable(), path); }
+    File() { materials::writeMaterial(*benchmarks::plasticTable(), path); }
     ~File() {
       std::error_code ignored;
       std::filesystem::remove(path, ignored);
@@ -38,7 +38,7 @@ void readMerl(benchmark::State& state) {
 BENCHMARK(readMerl)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void writeMerl(benchmark::State& state) {
-  for (auto _ : state) materials::writeMerl(*benchmarks::plasticTable(), merlFile());
+  for (auto _ : state) materials::writeMaterial(*benchmarks::plasticTable(), merlFile());
 }
 BENCHMARK(writeMerl)->Unit(benchmark::kMillisecond)->UseRealTime();
 

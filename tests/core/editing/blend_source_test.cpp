@@ -60,8 +60,8 @@ class BlendSourceTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    materials::writeMerl(*lambert(0.2), path("dark.binary"));
-    materials::writeMerl(*lambert(0.6), path("light.binary"));
+    materials::writeMaterial(*lambert(0.2), path("dark.binary"));
+    materials::writeMaterial(*lambert(0.6), path("light.binary"));
   }
 
   /// Read again, a blend is the sum that its weights say, and its hash is the one that was written.

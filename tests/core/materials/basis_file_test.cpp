@@ -110,12 +110,12 @@ class BasisFileTest : public QObject {
     const test::Bytes good = encodeBasis(basis_, 4, {"one"});
     const auto errorOf = [](const test::Bytes& bytes) { return test::errorOf([&] { read(bytes); }); };
     QVERIFY(errorOf(good).empty());
-    QVERIFY(test::contains(errorOf({}), "GONIOPCA"));
+    QVERIFY(test::contains(errorOf({}), "not a basis file (signature missing)"));
     QVERIFY(test::contains(errorOf({good.begin(), good.begin() + 12}), "basis"));
-    QVERIFY(test::contains(errorOf({good.begin(), good.end() - 1}), "bytes of numbers, expected"));
+    QVERIFY(test::contains(errorOf({good.begin(), good.end() - 1}), "the size of the file is "));
     test::Bytes longer = good;
     longer.push_back(std::byte(0));
-    QVERIFY(test::contains(errorOf(longer), "bytes of numbers, expected"));
+    QVERIFY(test::contains(errorOf(longer), "the size of the file is "));
     test::Bytes newer = good;
     newer[8] = std::byte(9);
     QVERIFY(test::contains(errorOf(newer), "the version is 9, expected 2"));

@@ -7,6 +7,7 @@
 #include "core/dictionary/decode.h"
 #include "core/dictionary/encode.h"
 #include "core/materials/code_file.h"
+#include "core/materials/measured_library.h"
 #include "core/materials/training_checkpoint.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/core/io/test_files.h"
@@ -73,19 +74,22 @@ class DictionaryFileTest : public QObject {
   void brokenDictionariesAreToldWithWhatWasFound() {
     const auto path = writtenEnsemble();
     const auto read = [](const std::filesystem::path& file) { materials::readDictionary(file); };
-    QVERIFY(contains(errorWith(path, 0, 'X', read), "does not begin with GONIODIC"));
+    QVERIFY(contains(errorWith(path, 0, 'X', read), "not a dictionary file (signature missing)"));
     QVERIFY(contains(errorWith(path, 0, 'X', read), "changed"));
     QVERIFY(contains(errorWith(path, 8, 9u, read), "the version is 9, expected 1"));
     QVERIFY(contains(errorWith(path, 12, 0xffffffffu, read), "the description has 4294967295 bytes"));
-    QVERIFY(contains(errorWith(path, 16, '?', read), "no JSON"));
+    QVERIFY(contains(errorWith(path, 16, '?', read), "not JSON"));
     const std::size_t size = std::filesystem::file_size(path);
     QVERIFY(contains(errorWith(path, size - 4, 0.5f, read), "not orthonormal"));
     QVERIFY(contains(errorWith(path, size - 4, std::numeric_limits<float>::quiet_NaN(), read), "not finite"));
     gonio::test::Bytes bytes = gonio::test::readFile(path);
+    const std::string expected = " bytes, expected " + std::to_string(size);
     bytes.push_back({});
-    QVERIFY(contains(errorOf([&] { read(gonio::test::writeFile("dictionary/longer", bytes)); }), "1 bytes behind"));
+    QVERIFY(contains(errorOf([&] { read(gonio::test::writeFile("dictionary/longer", bytes)); }),
+                     "the size of the file is " + std::to_string(size + 1) + expected));
     bytes.resize(bytes.size() - 2);
-    QVERIFY(contains(errorOf([&] { read(gonio::test::writeFile("dictionary/shorter", bytes)); }), "ends within"));
+    QVERIFY(contains(errorOf([&] { read(gonio::test::writeFile("dictionary/shorter", bytes)); }),
+                     "the size of the file is " + std::to_string(size - 1) + expected));
   }
 
   /// What a checkpoint gives back goes on with the same bits.
@@ -128,6 +132,14 @@ class DictionaryFileTest : public QObject {
     materials::CodeFile other = file;
     ++other.dictionaryId;
     QVERIFY(contains(errorOf([&] { materials::checkDictionary(other, *dictionary); }), "another dictionary"));
+  }
+
+  /// The library's codes, which are files of version 1: what is read is written with the same bytes.
+  void codesOfTheLibraryKeepTheirBytes() {
+    for (const materials::MeasuredMaterial& material : materials::measuredMaterials()) {
+      const materials::CodeFile file = materials::readCode(io::MemorySource(material.code));
+      QVERIFY(std::ranges::equal(materials::encodeCode(file.code, file.dictionaryId, file.precision), material.code));
+    }
   }
 
   /// The bundled one is over the grid of MERL tables, and codes over it are materials.

@@ -96,7 +96,7 @@ class PdvFileTest : public QObject {
     bytes[0] = std::byte('X');
     const auto foreign = test::writeFile("pdv/foreign.pdv", bytes);
     QVERIFY(!isPdv(foreign) && !isPdv("no such file"));
-    QVERIFY(test::errorOf([&] { readPdv(foreign); }).find("does not begin with GONIOPDV") != std::string::npos);
+    QVERIFY(test::errorOf([&] { readPdv(foreign); }).find("not a PDV file (signature missing)") != std::string::npos);
   }
 };
 

@@ -8,7 +8,6 @@
 #include "tests/core/io/test_files.h"
 
 using namespace gonio;
-using namespace gonio::io;
 using namespace gonio::materials;
 using acquisition::MeasuredValues;
 using acquisition::SamplingPlan;
