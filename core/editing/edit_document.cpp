@@ -10,6 +10,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/models/parameters_json.h"
+#include "core/support/lower_case.h"
 #include "core/support/naming_file.h"
 
 namespace gonio::editing {
@@ -162,8 +163,7 @@ EditDocument documentFromText(std::string_view text) {
 }
 
 bool isDocumentName(const std::filesystem::path& path) {
-  const std::string suffix = path.extension().string();
-  return std::ranges::equal(suffix, documentSuffix, {}, [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  return lowerCase(path.extension().string()) == documentSuffix;
 }
 
 EditDocument readDocument(const std::filesystem::path& path) {

@@ -9,6 +9,7 @@
 
 #include "core/io/byte_source.h"
 #include "core/support/error.h"
+#include "core/support/lower_case.h"
 
 namespace gonio::io {
 
@@ -51,12 +52,6 @@ char separatorOf(std::string_view line, std::string_view candidates) {
   return ',';
 }
 
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-  return text;
-}
-
 template <typename Number>
 std::optional<Number> parsed(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -75,7 +70,7 @@ std::string listOf(const std::vector<std::string>& names) {
 void readNames(CsvText& csv, std::string_view line, std::size_t number) {
   csv.separator = separatorOf(line, ",;\t");
   csv.namesLine = number;
-  for (std::string& name : split(line, csv.separator)) csv.names.push_back(lowered(std::move(name)));
+  for (std::string& name : split(line, csv.separator)) csv.names.push_back(lowerCase(std::move(name)));
   // Spreadsheets fill rows up with empty fields.
   while (!csv.names.empty() && csv.names.back().empty()) csv.names.pop_back();
   for (std::size_t c = 1; c < csv.names.size(); ++c)

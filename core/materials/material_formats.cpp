@@ -11,6 +11,7 @@
 #include "core/io/tensor_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
+#include "core/support/lower_case.h"
 
 namespace gonio::materials {
 
@@ -96,11 +97,6 @@ constexpr std::array formats{
                    .write = nullptr},
 };
 
-std::string lowered(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-  return text;
-}
-
 }  // namespace
 
 std::span<const MaterialFormat> materialFormats() { return formats; }
@@ -108,7 +104,7 @@ std::span<const MaterialFormat> materialFormats() { return formats; }
 const MaterialFormat& formatOf(FormatId id) { return *std::ranges::find(formats, id, &MaterialFormat::id); }
 
 const MaterialFormat* formatBySuffix(const std::filesystem::path& path) {
-  const std::string suffix = lowered(path.extension().string());
+  const std::string suffix = lowerCase(path.extension().string());
   for (const MaterialFormat& format : formats)
     if (std::ranges::find(format.suffixes, suffix) != format.suffixes.end()) return &format;
   return nullptr;

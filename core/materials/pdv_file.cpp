@@ -134,13 +134,11 @@ PdvFactors readPdv(const std::filesystem::path& path) {
 
 bool isPdv(const std::filesystem::path& path) {
   try {
-    return isPdv(io::FileSource(path));
+    return io::hasSignature(io::FileSource(path), format);
   } catch (const Error&) {
     return false;
   }
 }
-
-bool isPdv(const io::ByteSource& source) { return io::hasSignature(source, format); }
 
 void expectPdv(const io::ByteSource& source) { io::expectSignature(source, format); }
 

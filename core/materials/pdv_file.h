@@ -28,8 +28,7 @@ factorization::PdvFactors readPdv(const io::ByteSource& source);
 
 /// Whether a file begins like one. A file that cannot be read does not.
 bool isPdv(const std::filesystem::path& path);
-bool isPdv(const io::ByteSource& source);
-/// @throws FormatMismatch when the bytes do not begin like one.
+/// @throws FormatMismatch when bytes do not begin like one.
 void expectPdv(const io::ByteSource& source);
 
 }  // namespace gonio::materials
