@@ -126,14 +126,14 @@ void addEncode(CLI::App& app, Tool& tool) {
   command->add_option("--gamma", options->encoding.gamma, "Of the error that chooses the transform (2)")
       ->check(CLI::Range(1.0, 3.0));
   command->add_flag("--single", options->single, "Values in single precision, not in half");
-  command->add_option("--out", options->out, "The code (.code)");
+  command->add_option("--out", options->out, "The code (" + suffixOf(materials::FormatId::code) + ")");
   command->callback([options, &tool] { tool.run = [options, &tool] { return encode(*options, tool); }; });
 }
 
 void addDecode(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("decode", "The material that a sparse code stands for");
-  command->add_option("CODE", options->material, "A .code file")->required();
+  command->add_option("CODE", options->material, "A " + suffixOf(materials::FormatId::code) + " file")->required();
   command->add_option("--dictionary", options->dictionary, "The dictionary that it was made with (the bundled one)");
   command->add_option("--out", options->out, outputHelp("The material"))->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return decode(*options, tool); }; });

@@ -10,8 +10,8 @@
 
 namespace gonio {
 
-/// A camera that orbits a point of the world (y up), for the sphere previews the centre of the unit sphere at the origin.
-/// With both angles 0 it looks along -z.
+/// A camera that orbits a point of the world (y up), for the sphere previews the centre of the unit sphere at the
+/// origin. With both angles 0 it looks along -z.
 struct OrbitCamera {
   double yaw = 0;             ///< rad, about +y; positive moves the camera toward +x
   double pitch = 0;           ///< rad, positive moves the camera up, (-pi/2, pi/2)

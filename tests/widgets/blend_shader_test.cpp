@@ -9,6 +9,7 @@
 #include "core/models/registry.h"
 #include "offscreen_context.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/test_program.h"
 #include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
 #include "widgets/preview/blend_textures.h"
@@ -244,5 +245,5 @@ void main() {
   }
 };
 
-QTEST_MAIN(BlendShaderTest)
+GONIO_TEST(BlendShaderTest)
 #include "blend_shader_test.moc"

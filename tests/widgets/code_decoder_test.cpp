@@ -13,6 +13,7 @@
 #include "core/support/error.h"
 #include "offscreen_context.h"
 #include "tests/support/sphere_preview.h"
+#include "tests/support/test_program.h"
 #include "widgets/preview/preview_renderer.h"
 #include "widgets/preview/textures.h"
 
@@ -322,5 +323,5 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
   }
 };
 
-QTEST_MAIN(CodeDecoderTest)
+GONIO_TEST(CodeDecoderTest)
 #include "code_decoder_test.moc"

@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/test_program.h"
 #include "widgets/preview/textures.h"
 
 using namespace gonio;
@@ -44,5 +45,5 @@ class EnvironmentTexelsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(EnvironmentTexelsTest)
+GONIO_TEST(EnvironmentTexelsTest)
 #include "environment_texels_test.moc"

@@ -10,7 +10,9 @@
 namespace gonio::widgets {
 
 namespace {
-QString tr(const char* text) { return QCoreApplication::translate("ParameterText", text); }
+struct ParameterTextText {
+  Q_DECLARE_TR_FUNCTIONS(ParameterText)
+};
 }  // namespace
 
 QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
@@ -20,7 +22,7 @@ double displayFactor(const models::ParameterSpec& spec) {
 }
 
 QString displayUnit(const models::ParameterSpec& spec) {
-  return spec.scale == models::ParameterScale::angle ? tr("deg") : fromView(spec.unit);
+  return spec.scale == models::ParameterScale::angle ? ParameterTextText::tr("deg") : fromView(spec.unit);
 }
 
 QString displayValue(const models::ParameterSpec& spec, const Rgb& value) {
@@ -45,35 +47,37 @@ QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted) {
                           fromView(spec.description).toHtmlEscaped(), fromView(spec.formula).toHtmlEscaped());
   if (spec.choices.empty()) {
     const double factor = displayFactor(spec);
-    const QString unit = displayUnit(spec).isEmpty() ? tr("none") : displayUnit(spec);
-    text += line(tr("Unit"), unit);
-    text += line(tr("Slider"),
-                 tr("%1 to %2").arg(formatNumber(spec.softMin * factor), formatNumber(spec.softMax * factor)));
-    text +=
-        line(tr("Typed"), tr("%1 to %2").arg(formatNumber(spec.hardMin * factor), formatNumber(spec.hardMax * factor)));
+    const QString unit = displayUnit(spec).isEmpty() ? ParameterTextText::tr("none") : displayUnit(spec);
+    text += line(ParameterTextText::tr("Unit"), unit);
+    text += line(ParameterTextText::tr("Slider"),
+                 ParameterTextText::tr("%1 to %2")
+                     .arg(formatNumber(spec.softMin * factor), formatNumber(spec.softMax * factor)));
+    text += line(ParameterTextText::tr("Typed"),
+                 ParameterTextText::tr("%1 to %2")
+                     .arg(formatNumber(spec.hardMin * factor), formatNumber(spec.hardMax * factor)));
   }
-  text += line(tr("Default"), displayValue(spec, Rgb(spec.defaultValue)));
-  if (fitted) text += line(tr("Fitted"), displayValue(spec, *fitted));
-  if (!spec.reference.empty()) text += line(tr("Source"), fromView(spec.reference));
+  text += line(ParameterTextText::tr("Default"), displayValue(spec, Rgb(spec.defaultValue)));
+  if (fitted) text += line(ParameterTextText::tr("Fitted"), displayValue(spec, *fitted));
+  if (!spec.reference.empty()) text += line(ParameterTextText::tr("Source"), fromView(spec.reference));
   return text + QStringLiteral("</table>");
 }
 
 QString groupTitle(models::ParameterGroup group) {
   switch (group) {
     case models::ParameterGroup::diffuse:
-      return tr("Diffuse");
+      return ParameterTextText::tr("Diffuse");
     case models::ParameterGroup::specular:
-      return tr("Specular");
+      return ParameterTextText::tr("Specular");
     case models::ParameterGroup::fresnel:
-      return tr("Fresnel");
+      return ParameterTextText::tr("Fresnel");
     case models::ParameterGroup::shadowing:
-      return tr("Shadowing");
+      return ParameterTextText::tr("Shadowing");
     case models::ParameterGroup::layer:
-      return tr("Layer");
+      return ParameterTextText::tr("Layer");
     case models::ParameterGroup::coefficients:
-      return tr("Coefficients");
+      return ParameterTextText::tr("Coefficients");
     case models::ParameterGroup::convention:
-      return tr("Conventions");
+      return ParameterTextText::tr("Conventions");
   }
   return {};
 }

@@ -11,7 +11,9 @@ namespace gonio::widgets {
 namespace {
 constexpr double rangeQuantile = 0.995, smallestRange = 1e-3;
 
-QString tr(const char* text) { return QCoreApplication::translate("PreviewComparison", text); }
+struct PreviewComparisonText {
+  Q_DECLARE_TR_FUNCTIONS(PreviewComparison)
+};
 }  // namespace
 
 std::vector<double> pictureDifferences(const Image& first, const Image& second, DifferenceKind kind) {
@@ -44,9 +46,10 @@ double automaticRange(std::vector<double> differences) {
 }
 
 QString differenceTitle(DifferenceKind kind) {
-  if (kind == DifferenceKind::relative) return tr("Relative difference of luminance, %");
-  if (kind == DifferenceKind::signedValue) return tr("Signed difference of luminance, scene radiance");
-  return tr("Absolute difference of luminance, scene radiance");
+  if (kind == DifferenceKind::relative) return PreviewComparisonText::tr("Relative difference of luminance, %");
+  if (kind == DifferenceKind::signedValue)
+    return PreviewComparisonText::tr("Signed difference of luminance, scene radiance");
+  return PreviewComparisonText::tr("Absolute difference of luminance, scene radiance");
 }
 
 QString differenceNumber(DifferenceKind kind, double value) {

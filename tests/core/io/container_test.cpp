@@ -8,6 +8,7 @@
 
 #include "core/io/format_mismatch.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::test;
@@ -122,5 +123,5 @@ class ContainerTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ContainerTest)
+GONIO_TEST(ContainerTest)
 #include "container_test.moc"

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::test;
@@ -62,5 +63,5 @@ class CsvTextTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(CsvTextTest)
+GONIO_TEST(CsvTextTest)
 #include "csv_text_test.moc"

@@ -9,6 +9,7 @@
 #include "core/io/format_mismatch.h"
 #include "core/math/parallel.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::test;
@@ -163,5 +164,5 @@ class MerlFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MerlFileTest)
+GONIO_TEST(MerlFileTest)
 #include "merl_file_test.moc"

@@ -8,6 +8,7 @@
 #include "core/io/sha256.h"
 #include "core/materials/code_file.h"
 #include "tests/fuzz/reader_seeds.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::test;
@@ -139,5 +140,5 @@ class MaterialFormatsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MaterialFormatsTest)
+GONIO_TEST(MaterialFormatsTest)
 #include "material_formats_test.moc"
