@@ -11,7 +11,7 @@
 #include "tests/support/test_program.h"
 #include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
-#include "widgets/preview/preview_renderer.h"
+#include "widgets/preview/gl/preview_renderer.h"
 
 using namespace gonio;
 using editing::InterpolationSpace;

@@ -12,8 +12,8 @@
 #include "tests/support/test_program.h"
 #include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
-#include "widgets/preview/blend_textures.h"
-#include "widgets/preview/shader_library.h"
+#include "widgets/preview/gl/blend_textures.h"
+#include "widgets/preview/gl/shader_library.h"
 
 using namespace gonio;
 using editing::InterpolationSpace;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/code_decoder.h"
+#include "widgets/preview/gl/code_decoder.h"
 
 #include <QTest>
 #include <algorithm>
@@ -14,8 +14,8 @@
 #include "offscreen_context.h"
 #include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
-#include "widgets/preview/preview_renderer.h"
-#include "widgets/preview/textures.h"
+#include "widgets/preview/gl/preview_renderer.h"
+#include "widgets/preview/gl/textures.h"
 
 using namespace gonio;
 using dictionary::Ensemble;

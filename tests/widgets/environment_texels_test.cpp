@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tests/support/test_program.h"
-#include "widgets/preview/textures.h"
+#include "widgets/preview/gl/textures.h"
 
 using namespace gonio;
 using widgets::EnvironmentTexels;

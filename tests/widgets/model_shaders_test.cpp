@@ -14,7 +14,7 @@
 #include "tests/core/models/model_test_support.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
-#include "widgets/preview/shader_library.h"
+#include "widgets/preview/gl/shader_library.h"
 
 using namespace gonio;
 using namespace gonio::models;

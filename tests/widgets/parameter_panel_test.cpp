@@ -9,7 +9,7 @@
 
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
-#include "widgets/panels/collapsible_section.h"
+#include "widgets/inputs/collapsible_section.h"
 #include "widgets/parameters/colour_swatch.h"
 #include "widgets/parameters/linked_channels.h"
 #include "widgets/parameters/parameter_line.h"

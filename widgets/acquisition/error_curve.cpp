@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/charts/custom_plot.h"
+#include "widgets/charts/custom_plot_style.h"
 #include "widgets/inputs/number_field.h"
-#include "widgets/plots/custom_plot.h"
-#include "widgets/plots/custom_plot_style.h"
 
 namespace gonio::widgets {
 

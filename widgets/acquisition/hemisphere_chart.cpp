@@ -6,7 +6,7 @@
 #include <QPainterPath>
 #include <cmath>
 
-#include "widgets/plots/plot_style.h"
+#include "widgets/charts/plot_style.h"
 
 namespace gonio::widgets {
 

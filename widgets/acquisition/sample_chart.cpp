@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/plots/plot_style.h"
-#include "widgets/plots/plot_text.h"
+#include "widgets/charts/plot_style.h"
+#include "widgets/inputs/number_field.h"
 
 namespace gonio::widgets {
 

@@ -10,7 +10,7 @@
 namespace gonio::widgets {
 
 namespace {
-struct ParameterTextText {
+struct ParameterText {
   Q_DECLARE_TR_FUNCTIONS(ParameterText)
 };
 }  // namespace
@@ -22,7 +22,7 @@ double displayFactor(const models::ParameterSpec& spec) {
 }
 
 QString displayUnit(const models::ParameterSpec& spec) {
-  return spec.scale == models::ParameterScale::angle ? ParameterTextText::tr("deg") : fromView(spec.unit);
+  return spec.scale == models::ParameterScale::angle ? ParameterText::tr("deg") : fromView(spec.unit);
 }
 
 QString displayValue(const models::ParameterSpec& spec, const Rgb& value) {
@@ -47,37 +47,37 @@ QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted) {
                           fromView(spec.description).toHtmlEscaped(), fromView(spec.formula).toHtmlEscaped());
   if (spec.choices.empty()) {
     const double factor = displayFactor(spec);
-    const QString unit = displayUnit(spec).isEmpty() ? ParameterTextText::tr("none") : displayUnit(spec);
-    text += line(ParameterTextText::tr("Unit"), unit);
-    text += line(ParameterTextText::tr("Slider"),
-                 ParameterTextText::tr("%1 to %2")
-                     .arg(formatNumber(spec.softMin * factor), formatNumber(spec.softMax * factor)));
-    text += line(ParameterTextText::tr("Typed"),
-                 ParameterTextText::tr("%1 to %2")
-                     .arg(formatNumber(spec.hardMin * factor), formatNumber(spec.hardMax * factor)));
+    const QString unit = displayUnit(spec).isEmpty() ? ParameterText::tr("none") : displayUnit(spec);
+    text += line(ParameterText::tr("Unit"), unit);
+    text += line(
+        ParameterText::tr("Slider"),
+        ParameterText::tr("%1 to %2").arg(formatNumber(spec.softMin * factor), formatNumber(spec.softMax * factor)));
+    text += line(
+        ParameterText::tr("Typed"),
+        ParameterText::tr("%1 to %2").arg(formatNumber(spec.hardMin * factor), formatNumber(spec.hardMax * factor)));
   }
-  text += line(ParameterTextText::tr("Default"), displayValue(spec, Rgb(spec.defaultValue)));
-  if (fitted) text += line(ParameterTextText::tr("Fitted"), displayValue(spec, *fitted));
-  if (!spec.reference.empty()) text += line(ParameterTextText::tr("Source"), fromView(spec.reference));
+  text += line(ParameterText::tr("Default"), displayValue(spec, Rgb(spec.defaultValue)));
+  if (fitted) text += line(ParameterText::tr("Fitted"), displayValue(spec, *fitted));
+  if (!spec.reference.empty()) text += line(ParameterText::tr("Source"), fromView(spec.reference));
   return text + QStringLiteral("</table>");
 }
 
 QString groupTitle(models::ParameterGroup group) {
   switch (group) {
     case models::ParameterGroup::diffuse:
-      return ParameterTextText::tr("Diffuse");
+      return ParameterText::tr("Diffuse");
     case models::ParameterGroup::specular:
-      return ParameterTextText::tr("Specular");
+      return ParameterText::tr("Specular");
     case models::ParameterGroup::fresnel:
-      return ParameterTextText::tr("Fresnel");
+      return ParameterText::tr("Fresnel");
     case models::ParameterGroup::shadowing:
-      return ParameterTextText::tr("Shadowing");
+      return ParameterText::tr("Shadowing");
     case models::ParameterGroup::layer:
-      return ParameterTextText::tr("Layer");
+      return ParameterText::tr("Layer");
     case models::ParameterGroup::coefficients:
-      return ParameterTextText::tr("Coefficients");
+      return ParameterText::tr("Coefficients");
     case models::ParameterGroup::convention:
-      return ParameterTextText::tr("Conventions");
+      return ParameterText::tr("Conventions");
   }
   return {};
 }

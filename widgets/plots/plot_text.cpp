@@ -44,8 +44,6 @@ QString axisName(plots::SectionAxis axis) {
                                               : PlotsText::tr("θo");
 }
 
-QString degreesText(double radians) { return PlotsText::tr("%1°").arg(degrees(radians), 0, 'f', 1); }
-
 QString stateText(plots::PointState state) {
   return state == plots::PointState::belowHorizon ? PlotsText::tr("below the horizon") : PlotsText::tr("not measured");
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/inputs/number_field.h"
 #include "widgets/plots/curve_series.h"
 #include "widgets/plots/plot_text.h"
 

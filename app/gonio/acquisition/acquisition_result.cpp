@@ -11,7 +11,7 @@
 #include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/rendering/false_colour.h"
-#include "widgets/preview/preview_comparison.h"
+#include "widgets/preview/gl/preview_comparison.h"
 
 namespace gonio::app {
 

@@ -9,8 +9,8 @@
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
 #include "app/gonio/document/material_code.h"
-#include "widgets/preview/preview_comparison.h"
-#include "widgets/preview/preview_subject.h"
+#include "widgets/preview/gl/preview_comparison.h"
+#include "widgets/preview/gl/preview_subject.h"
 
 namespace gonio::widgets {
 class ComparisonBar;

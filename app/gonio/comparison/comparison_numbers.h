@@ -8,7 +8,7 @@
 
 #include "core/rendering/rendered_comparison.h"
 #include "core/support/task_control.h"
-#include "widgets/preview/preview_subject.h"
+#include "widgets/preview/gl/preview_subject.h"
 
 namespace gonio::app {
 

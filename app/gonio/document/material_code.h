@@ -6,7 +6,7 @@
 #include "core/dictionary/encode.h"
 #include "core/materials/dictionary_file.h"
 #include "widgets/panels/fact_list.h"
-#include "widgets/preview/code_texels.h"
+#include "widgets/preview/gl/code_texels.h"
 
 namespace gonio::app {
 

@@ -7,7 +7,7 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
-#include "widgets/plots/plot_style.h"
+#include "widgets/charts/plot_style.h"
 
 namespace gonio::app {
 

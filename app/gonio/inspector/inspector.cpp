@@ -9,7 +9,7 @@
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/inspector/source_facts.h"
 #include "app/gonio/inspector/table_error_monitor.h"
-#include "widgets/panels/collapsible_section.h"
+#include "widgets/inputs/collapsible_section.h"
 #include "widgets/panels/edit_stack.h"
 #include "widgets/panels/fact_list.h"
 #include "widgets/panels/model_panel.h"

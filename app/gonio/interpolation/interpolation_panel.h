@@ -7,7 +7,7 @@
 
 #include "app/gonio/interpolation/blend_ends.h"
 #include "app/gonio/interpolation/blend_spaces.h"
-#include "widgets/preview/preview_subject.h"
+#include "widgets/preview/gl/preview_subject.h"
 
 class QCheckBox;
 class QComboBox;

@@ -10,7 +10,7 @@
 #include "app/gonio/study/study_model.h"
 #include "core/study/machine.h"
 #include "core/study/study_plot.h"
-#include "widgets/preview/preview_subject.h"
+#include "widgets/preview/gl/preview_subject.h"
 
 class QComboBox;
 class QLabel;

@@ -37,8 +37,8 @@
 #include "widgets/panels/progress_strip.h"
 #include "widgets/parameters/parameter_text.h"
 #include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/gl/textures.h"
 #include "widgets/preview/preview_widget.h"
-#include "widgets/preview/textures.h"
 
 namespace gonio::app {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/plots/custom_plot_style.h"
+#include "widgets/charts/custom_plot_style.h"
 
 #include <cmath>
 
 #include "core/plots/clip_polyline.h"
-#include "widgets/plots/custom_plot.h"
+#include "widgets/charts/custom_plot.h"
 
 namespace gonio::widgets {
 

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "widgets/preview/preview_resources.h"
-#include "widgets/preview/preview_subject.h"
+#include "widgets/preview/gl/preview_resources.h"
+#include "widgets/preview/gl/preview_subject.h"
 
 namespace gonio::widgets {
 

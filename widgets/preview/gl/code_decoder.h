@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "widgets/preview/code_texels.h"
+#include "widgets/preview/gl/code_texels.h"
 
 namespace gonio::widgets {
 

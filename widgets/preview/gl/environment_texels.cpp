@@ -3,7 +3,7 @@
 #include <map>
 #include <mutex>
 
-#include "widgets/preview/textures.h"
+#include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
 

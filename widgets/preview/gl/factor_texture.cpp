@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/factor_texture.h"
+#include "widgets/preview/gl/factor_texture.h"
 
 #include <QVector3D>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/scene_uniforms.h"
+#include "widgets/preview/gl/scene_uniforms.h"
 
 #include <algorithm>
 #include <glm/vec4.hpp>

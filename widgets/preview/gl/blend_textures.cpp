@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/blend_textures.h"
+#include "widgets/preview/gl/blend_textures.h"
 
 #include <cassert>
 

@@ -5,8 +5,8 @@
 #include <QColor>
 
 #include "core/rendering/tone_map.h"
-#include "widgets/preview/preview_comparison.h"
-#include "widgets/preview/preview_renderer.h"
+#include "widgets/preview/gl/preview_comparison.h"
+#include "widgets/preview/gl/preview_renderer.h"
 
 namespace gonio::widgets {
 

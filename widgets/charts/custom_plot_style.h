@@ -5,7 +5,7 @@
 #include <QFont>
 #include <QSize>
 
-#include "widgets/plots/plot_style.h"
+#include "widgets/charts/plot_style.h"
 
 class QCustomPlot;
 class QCPAxis;

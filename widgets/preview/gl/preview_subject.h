@@ -8,7 +8,7 @@
 #include "core/brdf/tabulated_brdf.h"
 #include "core/editing/edit.h"
 #include "core/editing/interpolation/interpolation.h"
-#include "widgets/preview/code_texels.h"
+#include "widgets/preview/gl/code_texels.h"
 
 namespace gonio::widgets {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/shader_library.h"
+#include "widgets/preview/gl/shader_library.h"
 
 #include <QFile>
 #include <QSet>

@@ -6,11 +6,11 @@
 #include <QSize>
 
 #include "core/rendering/film.h"
-#include "widgets/preview/blend_textures.h"
-#include "widgets/preview/factor_texture.h"
-#include "widgets/preview/preview_resources.h"
-#include "widgets/preview/preview_subject.h"
-#include "widgets/preview/scene_uniforms.h"
+#include "widgets/preview/gl/blend_textures.h"
+#include "widgets/preview/gl/factor_texture.h"
+#include "widgets/preview/gl/preview_resources.h"
+#include "widgets/preview/gl/preview_subject.h"
+#include "widgets/preview/gl/scene_uniforms.h"
 
 namespace gonio::widgets {
 

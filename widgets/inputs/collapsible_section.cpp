@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/panels/collapsible_section.h"
+#include "widgets/inputs/collapsible_section.h"
 
 #include <QVBoxLayout>
 

@@ -5,11 +5,12 @@
 #include <QPalette>
 #include <QPen>
 
-#include "widgets/plots/plot_series.h"
-
 namespace gonio::widgets {
 
-/// Colours and lines of a plot: of the application's palette on the screen, dark on white in exported files.
+/// Where a curve comes from: it decides its colour and line style in every chart.
+enum class SeriesRole { measured, fit, edited };
+
+/// Colours and lines of a chart: the application's palette on the screen, dark on white in exported files.
 struct PlotStyle {
   QColor background, text, grid, accent;
   bool dark = false;

@@ -10,7 +10,7 @@
 #include "core/brdf/tabulated_brdf.h"
 #include "core/editing/interpolation/interpolation.h"
 #include "core/rendering/environment.h"
-#include "widgets/preview/code_decoder.h"
+#include "widgets/preview/gl/code_decoder.h"
 
 namespace gonio::widgets {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/code_decoder.h"
+#include "widgets/preview/gl/code_decoder.h"
 
 #include <QByteArray>
 #include <QVector3D>
@@ -9,8 +9,8 @@
 
 #include "core/dictionary/signals.h"
 #include "core/support/error.h"
-#include "widgets/preview/preview_resources.h"
-#include "widgets/preview/textures.h"
+#include "widgets/preview/gl/preview_resources.h"
+#include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/textures.h"
+#include "widgets/preview/gl/textures.h"
 
 #include <cmath>
 

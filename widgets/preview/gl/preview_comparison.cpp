@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/preview_comparison.h"
+#include "widgets/preview/gl/preview_comparison.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/plots/plot_style.h"
+#include "widgets/charts/plot_style.h"
 
 namespace gonio::widgets {
 

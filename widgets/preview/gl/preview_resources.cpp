@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/preview_resources.h"
+#include "widgets/preview/gl/preview_resources.h"
 
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 
 #include "core/rendering/false_colour.h"
 #include "core/support/error.h"
-#include "widgets/preview/shader_library.h"
-#include "widgets/preview/textures.h"
+#include "widgets/preview/gl/shader_library.h"
+#include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
 

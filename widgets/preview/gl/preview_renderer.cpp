@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/preview_renderer.h"
+#include "widgets/preview/gl/preview_renderer.h"
 
 #include <QMatrix3x3>
 #include <QVector2D>
@@ -11,7 +11,7 @@
 #include <glm/vec4.hpp>
 
 #include "core/support/error.h"
-#include "widgets/preview/textures.h"
+#include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
 
