@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "core/acquisition/sample_selection.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "tests/benchmarks/materials.h"
 #include "tests/core/acquisition/selection_test_support.h"
 
@@ -67,7 +67,7 @@ struct Training {
         materials,
         [&](std::size_t i) {
           const auto begin = Clock::now();
-          auto table = files.empty() ? syntheticMaterial(i) : io::readMaterial(files[i]).table;
+          auto table = files.empty() ? syntheticMaterial(i) : materials::readMaterial(files[i]).table;
           readSeconds += std::chrono::duration<double>(Clock::now() - begin).count();
           return table;
         },

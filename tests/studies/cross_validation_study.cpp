@@ -25,8 +25,8 @@
 
 #include "core/fitting/fit_data.h"
 #include "core/fitting/fit_parameters.h"
-#include "core/io/dictionary_file.h"
-#include "core/io/material.h"
+#include "core/materials/dictionary_file.h"
+#include "core/materials/material.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
 #include "tests/studies/comparison_judge.h"
@@ -82,7 +82,7 @@ struct Options {
 class Fold {
  public:
   Fold(const fs::path& dictionary, const std::vector<fs::path>& files)
-      : dictionary_(io::readDictionary(dictionary)), encoder_(dictionary_->ensemble) {
+      : dictionary_(materials::readDictionary(dictionary)), encoder_(dictionary_->ensemble) {
     const std::vector<std::string>& seen = dictionary_->ensemble.learnedFrom;
     for (const fs::path& file : files)
       (std::ranges::find(seen, file.stem().string()) == seen.end() ? heldOut_ : learnedFrom_).push_back(file);
@@ -110,11 +110,13 @@ class Fold {
   dictionary::TrainingMaterials training() const {
     dictionary::TrainingMaterials materials{.names = {}, .grid = dictionary_->ensemble.grid, .load = {}};
     for (const fs::path& file : learnedFrom_) materials.names.push_back(file.stem());
-    materials.load = [this](std::size_t material) { return io::readMaterial(learnedFrom_[material]).tabulated(); };
+    materials.load = [this](std::size_t material) {
+      return materials::readMaterial(learnedFrom_[material]).tabulated();
+    };
     return materials;
   }
 
-  std::shared_ptr<const io::NamedEnsemble> dictionary_;
+  std::shared_ptr<const materials::NamedEnsemble> dictionary_;
   dictionary::Encoder encoder_;
   std::vector<fs::path> heldOut_, learnedFrom_;
   std::optional<dictionary::PrincipalComponents> components_;

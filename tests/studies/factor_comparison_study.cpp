@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/factorization/pdv_factors.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
 #include "core/support/error.h"
 #include "tests/studies/comparison_bounds.h"
 #include "tests/studies/comparison_judge.h"
@@ -76,7 +76,7 @@ std::vector<std::size_t> byteBudgets() {
                      .channels = {}};
   for (const int terms : budgetTerms) {
     for (auto& channel : factors.channels) channel.resize(std::size_t(terms));
-    budgets.push_back(io::pdvFileBytes(factors));
+    budgets.push_back(materials::pdvFileBytes(factors));
   }
   return budgets;
 }
@@ -93,7 +93,7 @@ struct Contestant {
 };
 
 std::vector<ComparedModel> buildPdv(const TabulatedBrdf& table, std::span<const std::size_t> budgets, PdvForm form) {
-  const auto bytesOf = [](const PdvFactors& f) { return io::pdvFileBytes(f); };
+  const auto bytesOf = [](const PdvFactors& f) { return materials::pdvFileBytes(f); };
   const PdvFactors one = factorizePdv(table, {.form = form, .terms = 1}).factors;
   const std::size_t first = bytesOf(one);
   PdvFactors two = one;
@@ -155,8 +155,8 @@ int run(const Options& options) {
   }
   ComparisonRecords records(options.csv);
   const std::vector<std::size_t> budgets = byteBudgets();
-  const std::optional<io::NpfTable> published =
-      options.npf.empty() ? std::nullopt : std::optional(io::readNpf(options.npf));
+  const std::optional<factorization::NpfTable> published =
+      options.npf.empty() ? std::nullopt : std::optional(factorization::readNpf(options.npf));
   std::printf("material                     model            L     SNR    PSNR    BRDF      KB      s\n");
   for (const std::filesystem::path& file : options.files) {
     std::vector<Contestant> all = contestants(options);

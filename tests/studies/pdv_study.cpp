@@ -19,7 +19,7 @@
 #include "core/factorization/pdv_factors.h"
 #include "core/factorization/pdv_sampler.h"
 #include "core/fitting/fit.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
@@ -116,7 +116,8 @@ void printWidths(const std::string& name, const TabulatedBrdf& table) {
 int main(int argc, char** argv) {
   std::vector<std::pair<std::string, std::shared_ptr<const TabulatedBrdf>>> materials;
   for (int i = 1; i < argc; ++i)
-    materials.emplace_back(std::filesystem::path(argv[i]).stem().string(), io::readMaterial(argv[i]).tabulated());
+    materials.emplace_back(std::filesystem::path(argv[i]).stem().string(),
+                           materials::readMaterial(argv[i]).tabulated());
   std::printf("| material | cosine | printed | exact | GGX fit |\n|---|---|---|---|---|\n");
   for (const auto& [name, table] : materials) printNoise(name, *table);
   std::printf("\n| material | deviation | symmetric | half-difference | half-out |\n|---|---|---|---|---|\n");

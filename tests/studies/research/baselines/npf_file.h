@@ -16,19 +16,19 @@
 ///
 /// There, D and F are read by the floor of their node; makeNonparametricBrdf() draws lines between the nodes, which is
 /// the same at the nodes. The last entry of D and of F is a mark (1e-6) in place of a value: it becomes the one before.
-namespace gonio::io {
+namespace gonio::factorization {
 
 struct NpfTable {
-  std::map<std::string, factorization::NonparametricFactors, std::less<>> materials;
+  std::map<std::string, NonparametricFactors, std::less<>> materials;
 
   /// Null when there is none of this name.
-  const factorization::NonparametricFactors* find(std::string_view material) const;
+  const NonparametricFactors* find(std::string_view material) const;
 };
 
 /// Reads a table and, beside it, npf_row_order.csv.
 /// @throws Error naming the file: what was found, what was expected.
 NpfTable readNpf(const std::filesystem::path& path);
 /// The same of bytes and text; an error names no file. Nothing is allocated that the source's size does not bear out.
-NpfTable readNpf(const ByteSource& source, std::string_view rowNames);
+NpfTable readNpf(const io::ByteSource& source, std::string_view rowNames);
 
-}  // namespace gonio::io
+}  // namespace gonio::factorization

@@ -62,9 +62,10 @@ class NpfFileTest : public QObject {
                            }),
                            "found 12287 bytes"));
     QVERIFY(test::contains(test::errorOf([&] { read(good, "row,material\n2,a\n"); }),
-                           "line 2: found row '2', expected 0 to 1"));
-    QVERIFY(test::contains(test::errorOf([&] { read(good, "row,material\n0,a\nb\n"); }), "line 3: found no comma"));
-    QVERIFY(test::contains(test::errorOf([&] { read(good, "row,material\n-1,a\n"); }), "found row '-1'"));
+                           "line 2: found row 2, expected 0 to 1"));
+    QVERIFY(test::contains(test::errorOf([&] { read(good, "row,material\n0,a\nb\n"); }),
+                           "line 3: found 1 columns, expected 2: row, material"));
+    QVERIFY(test::contains(test::errorOf([&] { read(good, "row,material\n-1,a\n"); }), "found row -1"));
     for (const float bad : {-1.0f, std::nanf(""), INFINITY}) {
       test::Bytes bytes = good;
       std::memcpy(bytes.data() + 4 * (3 * (columns + 93) + 1), &bad, 4);
