@@ -10,6 +10,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/models/parameters_json.h"
+#include "core/support/lower_case.h"
 #include "core/support/naming_file.h"
 
 namespace gonio::editing {
@@ -174,6 +175,10 @@ EditDocument documentFromText(std::string_view text) {
   } catch (const nlohmann::json::exception& exception) {
     throw Error(std::string("found text that is not JSON (") + exception.what() + "), expected a gonio document");
   }
+}
+
+bool isDocumentName(const std::filesystem::path& path) {
+  return lowerCase(path.extension().string()) == documentSuffix;
 }
 
 EditDocument readDocument(const std::filesystem::path& path) {

@@ -14,6 +14,10 @@ namespace gonio::editing {
 
 struct BlendSource;
 
+inline constexpr std::string_view documentSuffix = ".gonio";
+/// Whether a name ends in documentSuffix, in either case.
+bool isDocumentName(const std::filesystem::path& path);
+
 /// What a .gonio file holds: which source, which edits; never measured data. JSON, versioned:
 ///   {"format": "gonio document", "version": 4, "source": {"path": "a.binary", "sha256": "..."},
 ///    "edits": [{"type": "differential", "model": "ggx", "fitted": {..}, "edited": {..}, "strength": 1,

@@ -12,7 +12,7 @@
 #include "core/dictionary/principal_components.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_data.h"
-#include "core/io/dictionary_file.h"
+#include "core/materials/dictionary_file.h"
 #include "core/study/representation.h"
 
 namespace gonio::study {
@@ -27,7 +27,7 @@ struct StudySubject {
 /// What representations are made by.
 struct BuildOptions {
   fitting::FitOptions fit;
-  std::shared_ptr<const io::NamedEnsemble> dictionary;                     ///< null: the bundled one
+  std::shared_ptr<const materials::NamedEnsemble> dictionary;              ///< null: the bundled one
   std::shared_ptr<const dictionary::PrincipalComponents> components = {};  ///< of some training set; null: none
 };
 

@@ -8,8 +8,8 @@
 
 #include "core/dictionary/decode.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/io/dictionary_file.h"
-#include "core/io/measured_library.h"
+#include "core/materials/dictionary_file.h"
+#include "core/materials/measured_library.h"
 #include "core/models/model.h"
 #include "core/rendering/scene_file.h"
 #include "tests/support/sphere_preview.h"
@@ -160,15 +160,16 @@ void environmentFactorBlend(benchmark::State& state) {
 /// A code into the texture that the preview samples: on the card, or on the CPU and uploaded. Both of the same code of
 /// the library, with so many coefficients a channel; until the card is done.
 struct CodeFixture : QOpenGLFunctions_4_1_Core {
-  std::shared_ptr<const io::NamedEnsemble> bundled = io::bundledDictionary();
+  std::shared_ptr<const materials::NamedEnsemble> bundled = materials::bundledDictionary();
   dictionary::SparseCode code;
   GLuint texture = 0;
 
   explicit CodeFixture(std::size_t coefficients) {
     PreviewFixture::instance();
     initializeOpenGLFunctions();
-    for (const io::MeasuredMaterial& material : io::measuredMaterials())
-      if (material.name == "cc_ibiza_sunset") code = io::measuredMaterial(material).code->truncated(coefficients);
+    for (const materials::MeasuredMaterial& material : materials::measuredMaterials())
+      if (material.name == "cc_ibiza_sunset")
+        code = materials::measuredMaterial(material).code->truncated(coefficients);
     dictionary::GridGeometry::of(code.grid);
   }
   ~CodeFixture() { glDeleteTextures(1, &texture); }

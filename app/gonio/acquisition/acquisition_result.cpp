@@ -8,7 +8,7 @@
 
 #include "app/gonio/acquisition/acquisition_training.h"
 #include "app/gonio/library/thumbnail.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/rendering/false_colour.h"
 #include "widgets/preview/gl/preview_comparison.h"
@@ -70,7 +70,7 @@ AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& n
 AcquisitionReferencePtr readAcquisitionReference(const QString& id, const SphereRenderOptions& picture,
                                                  const TaskControl& control) {
   constexpr double readShare = 0.6;
-  const io::Material material = io::readMaterial(id.toStdString(), control.between(0, readShare / 2));
+  const materials::Material material = materials::readMaterial(id.toStdString(), control.between(0, readShare / 2));
   auto table = material.tabulated(control.between(readShare / 2, readShare));
   return acquisitionReference(id, QString::fromStdString(material.name), std::move(table), picture,
                               control.between(readShare, 1));

@@ -8,6 +8,7 @@
 
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/document/edit_transfer.h"
+#include "app/gonio/document/material_files.h"
 #include "core/editing/factor_transfer.h"
 #include "core/io/image_io.h"
 #include "core/rendering/path_tracer.h"
@@ -21,7 +22,6 @@ const QString openKey = QStringLiteral("open"), fitKey = QStringLiteral("fit"), 
               pasteKey = QStringLiteral("paste-factors");
 constexpr int exrSide = 1024, exrSamples = 128;
 
-bool isDocument(const QString& path) { return path.endsWith(".gonio", Qt::CaseInsensitive); }
 QString shortName(const QString& path) { return path.section('/', -1); }
 
 editing::FactorEdit carriedOver(const editing::FactorEdit& edit, const TabulatedBrdf& table,
@@ -198,9 +198,9 @@ void DocumentController::exportMerl(const QString& path) {
       [material, edits, path](const TaskControl& control) {
         const std::filesystem::path target = path.toStdString();
         if (isIdentity(edits))
-          io::writeMerl(material->material, target, control);
+          materials::writeMaterial(material->material, target, control);
         else
-          io::writeMerl(*editing::bakeEdits(material->table, edits, control), target);
+          materials::writeMaterial(*editing::bakeEdits(material->table, edits, control), target);
         return true;
       },
       [this, path, edits](bool) {

@@ -110,7 +110,7 @@ void FactorCurvesPanel::takeOver(FactorAxis axis, const QString& id) {
   m_tasks.run<PdvFactors>(
       {tr("Taking F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)), swapKey},
       [id, edited = edit.edited](const TaskControl& control) {
-        const auto table = io::readMaterial(id.toStdString(), {control.stop, {}}).tabulated({control.stop, {}});
+        const auto table = materials::readMaterial(id.toStdString(), {control.stop, {}}).tabulated({control.stop, {}});
         factorization::PdvOptions options{.form = edited->form, .transform = edited->transform, .terms = 1};
         options.deviationNodes = edited->deviationNodes;
         return factorizePdv(*table, options, control).factors;

@@ -5,7 +5,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 
-#include "app/gonio/library/material_files.h"
+#include "app/gonio/document/material_files.h"
 #include "widgets/interpolation/material_well.h"
 
 namespace gonio::app {
@@ -94,9 +94,7 @@ void SceneNeighbours::clear(int place) {
 }
 
 void SceneNeighbours::askForFile(int place) {
-  auto* dialog =
-      new QFileDialog(this, tr("Material %1").arg(letterOf(place)), {},
-                      tr("Materials and documents (%1 *.gonio);;All files (*)").arg(materialFilePatterns().join(' ')));
+  auto* dialog = new QFileDialog(this, tr("Material %1").arg(letterOf(place)), {}, materialFilter());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) { read(place, path); });

@@ -267,7 +267,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const QString file = widgets::draggedMaterial(event->mimeData());
+  const QString file = widgets::draggedFile(event->mimeData());
   if (file.isEmpty()) return;
   m_dropOverlay->announce(dropDescription(file, event->modifiers() & Qt::ControlModifier));
   event->acceptProposedAction();
@@ -277,7 +277,7 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { m_dropOverlay->hide(); }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   m_dropOverlay->hide();
-  const QString file = widgets::draggedMaterial(event->mimeData());
+  const QString file = widgets::draggedFile(event->mimeData());
   if (isPicture(file))
     setEnvironment(file);
   else if (isScene(file))

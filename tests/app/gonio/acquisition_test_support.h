@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 
 #include "app/gonio/acquisition/acquisition_session.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/models/registry.h"
 
 namespace gonio::app::test {
@@ -34,7 +34,7 @@ struct SmallLibrary {
     values.values[0] = albedo;
     values.values[*model.spec().find("roughness")] = Rgb(roughness);
     const QString path = folder.filePath(name + ".binary");
-    io::writeMerl(*bakeTable(*model.instantiate(values), grid), path.toStdString());
+    materials::writeMaterial(*bakeTable(*model.instantiate(values), grid), path.toStdString());
     return path;
   }
 

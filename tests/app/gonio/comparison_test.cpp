@@ -140,7 +140,7 @@ class ComparisonTest : public QObject {
     for (const auto& [path, name] :
          {std::pair("library:sgd/chrome", "Published fit"), {"library:rgl/paper_blue", "Measured"}}) {
       auto loaded = std::make_shared<LoadedMaterial>(*lambertMaterial("", 0.5));
-      loaded->material.source = io::readMaterial(path).source;
+      loaded->material.source = materials::readMaterial(path).source;
       editor.document.setMaterial(loaded);
       QCOMPARE(editor.comparison.name(ComparedSubject::measured), QString(name));
     }

@@ -12,7 +12,7 @@
 
 #include "app/gonio/document/edit_steps.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/factor_curves_test_support.h"
 #include "tests/support/test_program.h"
@@ -172,7 +172,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     const QTemporaryDir folder;
     const QString path = folder.filePath("other.pdv");
     const auto other = glossyMaterial(0.6, {24, 24, 24});
-    io::writePdv(factorization::factorizePdv(*other->table, {.terms = 1}).factors, path.toStdString());
+    materials::writePdv(factorization::factorizePdv(*other->table, {.terms = 1}).factors, path.toStdString());
     for (const FactorAxis axis : {FactorAxis::theta, FactorAxis::deviation}) {
       undoAll();
       drop(axis, path);
@@ -181,7 +181,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
       QCOMPARE(m_document.history().count(), 1);
       QVERIFY(m_document.history().text(0).contains("other.pdv"));
       QCOMPARE(edit().edited->terms(), 1);
-      const auto table = io::readMaterial(path.toStdString()).tabulated();
+      const auto table = materials::readMaterial(path.toStdString()).tabulated();
       const PdvFactors expected =
           factorization::factorizePdv(*table, {.form = factorization::PdvForm::twoFactors,
                                                .terms = 1,

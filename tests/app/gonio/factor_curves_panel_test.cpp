@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/factorization/pdv_operations.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/factor_curves_test_support.h"
 #include "tests/support/test_program.h"
@@ -112,7 +112,8 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
           factorization::factorizePdv(*m_document.material()->table,
                                       {.form = factorization::PdvForm::twoFactors, .terms = terms})
               .factors;
-      QVERIFY(texts[terms > 1].contains(QString::number(double(io::pdvFileBytes(factors)) / 1000, 'f', 1) + " kB"));
+      QVERIFY(
+          texts[terms > 1].contains(QString::number(double(materials::pdvFileBytes(factors)) / 1000, 'f', 1) + " kB"));
     }
     QVERIFY(texts[0] != texts[1] && texts[0].contains("ns"));
   }

@@ -9,8 +9,8 @@
 #include "core/dictionary/decode.h"
 #include "core/editing/edit.h"
 #include "core/factorization/pdv_factors.h"
-#include "core/io/dictionary_file.h"
-#include "core/io/material.h"
+#include "core/materials/dictionary_file.h"
+#include "core/materials/material.h"
 #include "core/rendering/scene_file.h"
 #include "core/rendering/sphere_renderer.h"
 #include "tests/core/rendering/tracing.h"
@@ -199,8 +199,8 @@ class PathTracerMaterialsTest : public QObject {
   }
 
   void codesAgreeWithTheirTable() {
-    const io::Material library = io::readMaterial("library:rgl/paper_blue");
-    const auto& ensemble = io::bundledDictionary()->ensemble;
+    const materials::Material library = materials::readMaterial("library:rgl/paper_blue");
+    const auto& ensemble = materials::bundledDictionary()->ensemble;
     const Scene scene = openScene("sphere-under-lamp");
     const Tiles code = tracedTiles(scene, traced(dictionary::makeCodeBrdf(ensemble, *library.code)),
                                    {.size = 12, .samples = 16}, 1),
