@@ -25,10 +25,7 @@ glm::dvec2 viewExtent(const CameraFrame& frame, double aspect) {
 }
 
 CameraRay cameraRay(const CameraFrame& frame, double x, double y, double aspect) {
-  const glm::dvec2 extent = viewExtent(frame, aspect);
-  const Direction across = x * extent.x * frame.right + y * extent.y * frame.up;
-  if (frame.orthographic) return {frame.eye + across, frame.forward};
-  return {frame.eye, glm::normalize(across + frame.forward)};
+  return cameraRay(frame, glm::dvec2(x, y) * viewExtent(frame, aspect));
 }
 
 std::optional<Direction> sphereHit(const CameraRay& ray) {
@@ -36,12 +33,6 @@ std::optional<Direction> sphereHit(const CameraRay& ray) {
   const double depth2 = 1 - glm::dot(closest, closest);
   if (!(depth2 > 0)) return std::nullopt;
   return glm::normalize(closest - std::sqrt(depth2) * ray.direction);
-}
-
-ShadingFrame shadingFrame(const Direction& normal) {
-  const double radius = std::sqrt(normal.x * normal.x + normal.z * normal.z);
-  const Direction tangent = radius > 0 ? Direction{normal.z / radius, 0, -normal.x / radius} : Direction{1, 0, 0};
-  return {tangent, glm::cross(normal, tangent), normal};
 }
 
 EnvironmentRotation::EnvironmentRotation(double angle) : c_(std::cos(angle)), s_(std::sin(angle)) {}

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -10,8 +11,8 @@
 
 namespace gonio {
 
-/// A camera that orbits a point of the world (y up), for the sphere previews the centre of the unit sphere at the origin.
-/// With both angles 0 it looks along -z.
+/// A camera that orbits a point of the world (y up), for the sphere previews the centre of the unit sphere at the
+/// origin. With both angles 0 it looks along -z.
 struct OrbitCamera {
   double yaw = 0;             ///< rad, about +y; positive moves the camera toward +x
   double pitch = 0;           ///< rad, positive moves the camera up, (-pi/2, pi/2)
@@ -39,6 +40,12 @@ struct CameraRay {
   Direction origin, direction;  ///< world, `direction` unit
 };
 CameraRay cameraRay(const CameraFrame& frame, double x, double y, double aspect);
+/// The same at (x e.x, y e.y).
+inline CameraRay cameraRay(const CameraFrame& frame, const glm::dvec2& viewPoint) {
+  const Direction across = viewPoint.x * frame.right + viewPoint.y * frame.up;
+  if (frame.orthographic) return {frame.eye + across, frame.forward};
+  return {frame.eye, glm::normalize(across + frame.forward)};
+}
 
 /// The normal (= position) at which a ray meets the unit sphere first, world; nothing where it passes by. Exact at the
 /// silhouette: from the ray's closest point to the centre. The centre lies ahead of the ray's origin, outside.
@@ -54,7 +61,11 @@ struct ShadingFrame {
   }
   Direction toWorld(const Direction& local) const { return local.x * tangent + local.y * bitangent + local.z * normal; }
 };
-ShadingFrame shadingFrame(const Direction& normal);
+inline ShadingFrame shadingFrame(const Direction& normal) {
+  const double radius = std::sqrt(normal.x * normal.x + normal.z * normal.z);
+  const Direction tangent = radius > 0 ? Direction{normal.z / radius, 0, -normal.x / radius} : Direction{1, 0, 0};
+  return {tangent, glm::cross(normal, tangent), normal};
+}
 
 /// Radiance that arrives from one direction: `toLight` in world space (unit), `irradiance` perpendicular to it.
 struct DirectionalLight {
