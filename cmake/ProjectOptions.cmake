@@ -30,3 +30,13 @@ if(GONIO_SANITIZE)
   target_compile_options(gonio_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
   target_link_options(gonio_options INTERFACE -fsanitize=address,undefined)
 endif()
+
+# gonio_unity(TARGET [FILES]): compiles up to FILES (8) sources of a room at once. Names in the anonymous namespaces of a room
+# therefore differ from file to file.
+function(gonio_unity target)
+  set(files 8)
+  if(ARGC GREATER 1)
+    set(files ${ARGV1})
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GONIO_UNITY} UNITY_BUILD_BATCH_SIZE ${files})
+endfunction()

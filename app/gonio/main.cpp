@@ -8,17 +8,17 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 
-#include "app/gonio/acquisition_panel.h"
-#include "app/gonio/factor_curves_panel.h"
-#include "app/gonio/fit_ranking_panel.h"
-#include "app/gonio/interpolation_panel.h"
-#include "app/gonio/main_window.h"
-#include "app/gonio/representation_panel.h"
-#include "app/gonio/scene_panel.h"
-#include "app/gonio/screenshot.h"
-#include "app/gonio/study_panel.h"
-#include "app/gonio/theme.h"
-#include "app/gonio/thumbnail.h"
+#include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/factors/factor_curves_panel.h"
+#include "app/gonio/inspector/representation_panel.h"
+#include "app/gonio/interpolation/interpolation_panel.h"
+#include "app/gonio/library/thumbnail.h"
+#include "app/gonio/scene/scene_panel.h"
+#include "app/gonio/study/fit_ranking_panel.h"
+#include "app/gonio/study/study_panel.h"
+#include "app/gonio/window/main_window.h"
+#include "app/gonio/window/screenshot.h"
+#include "app/gonio/window/theme.h"
 #include "widgets/curves/curve_editor.h"
 
 namespace {

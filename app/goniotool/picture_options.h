@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/goniotool/tool.h"
-#include "core/rendering/sphere_renderer.h"
 #include "core/rendering/scene.h"
+#include "core/rendering/sphere_renderer.h"
 #include "core/rendering/tone_map.h"
 
 namespace gonio::tool {
@@ -24,8 +24,8 @@ struct PictureOptions {
   std::uint64_t seed = 1;
   bool showEnvironment = false;
 
-  /// Puts a distant light that was asked for in the place of all lights of the scene, an environment in the place of its
-  /// environment.
+  /// Puts a distant light that was asked for in the place of all lights of the scene, an environment in the place of
+  /// its environment.
   /// @throws Error when the environment is neither bundled nor a readable picture; UsageError for the rest.
   void apply(Scene& scene) const;
   /// @throws UsageError when the size is not understood.

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/goniotool/tool.h"
-#include "core/study/fit_ranking.h"
 #include "core/math/types.h"
+#include "core/study/fit_ranking.h"
 
 /// What subcommands print. JSON keys keep the order in which they are documented (docs/command-line.md).
 namespace gonio::tool {

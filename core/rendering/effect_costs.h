@@ -25,8 +25,8 @@ struct EffectCosts {
   std::vector<EffectCost> effects;
 };
 
-/// Measures each effect by rendering with it on and off: (1 + effectCount) x repeats pictures and one more. Effects that cannot act
-/// (no light of the kind) cost what the timer's noise says.
+/// Measures each effect by rendering with it on and off: (1 + effectCount) x repeats pictures and one more. Effects
+/// that cannot act (no light of the kind) cost what the timer's noise says.
 /// @param materials of bindMaterials().
 /// @throws Cancelled.
 EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared_ptr<const TracedMaterial>>& materials,

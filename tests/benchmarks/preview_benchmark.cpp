@@ -15,8 +15,8 @@
 #include "tests/support/sphere_preview.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/interpolation/prepared_blend.h"
-#include "widgets/preview/preview_renderer.h"
-#include "widgets/preview/textures.h"
+#include "widgets/preview/gl/preview_renderer.h"
+#include "widgets/preview/gl/textures.h"
 
 namespace {
 

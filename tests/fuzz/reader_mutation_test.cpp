@@ -9,6 +9,7 @@
 
 #include "tests/fuzz/reader_seeds.h"
 #include "tests/fuzz/reader_targets.h"
+#include "tests/support/test_program.h"
 
 namespace {
 /// The largest request for memory since it was last set to 0.
@@ -161,5 +162,5 @@ class ReaderMutationTest : public QObject {
   void scene() { check("scene.json", sceneSeed(), readSceneBytes); }
 };
 
-QTEST_APPLESS_MAIN(ReaderMutationTest)
+GONIO_TEST(ReaderMutationTest)
 #include "reader_mutation_test.moc"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "widgets/preview/preview_renderer.h"
+#include "widgets/preview/gl/preview_renderer.h"
 
 namespace gonio::tests {
 

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
 #include "widgets/acquisition/error_curve.h"
 #include "widgets/acquisition/half_difference_chart.h"
@@ -237,5 +238,5 @@ class AcquisitionChartsTest : public QObject {
   }
 };
 
-QTEST_MAIN(AcquisitionChartsTest)
+GONIO_TEST(AcquisitionChartsTest)
 #include "acquisition_charts_test.moc"

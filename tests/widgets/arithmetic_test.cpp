@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using gonio::widgets::evaluateArithmetic;
 
 class ArithmeticTest : public QObject {
@@ -46,5 +48,5 @@ class ArithmeticTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ArithmeticTest)
+GONIO_TEST(ArithmeticTest)
 #include "arithmetic_test.moc"

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using namespace gonio::widgets;
 
@@ -189,5 +191,5 @@ class BlendPadTest : public QObject {
   }
 };
 
-QTEST_MAIN(BlendPadTest)
+GONIO_TEST(BlendPadTest)
 #include "blend_pad_test.moc"

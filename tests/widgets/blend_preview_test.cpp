@@ -7,10 +7,11 @@
 #include "core/models/registry.h"
 #include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
+#include "tests/support/sphere_preview.h"
+#include "tests/support/test_program.h"
 #include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
-#include "widgets/preview/preview_renderer.h"
-#include "tests/support/sphere_preview.h"
+#include "widgets/preview/gl/preview_renderer.h"
 
 using namespace gonio;
 using editing::InterpolationSpace;
@@ -163,5 +164,5 @@ class BlendPreviewTest : public QObject {
   }
 };
 
-QTEST_MAIN(BlendPreviewTest)
+GONIO_TEST(BlendPreviewTest)
 #include "blend_preview_test.moc"

@@ -9,10 +9,11 @@
 #include "core/models/registry.h"
 #include "offscreen_context.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/test_program.h"
 #include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
-#include "widgets/preview/blend_textures.h"
-#include "widgets/preview/shader_library.h"
+#include "widgets/preview/gl/blend_textures.h"
+#include "widgets/preview/gl/shader_library.h"
 
 using namespace gonio;
 using editing::InterpolationSpace;
@@ -244,5 +245,5 @@ void main() {
   }
 };
 
-QTEST_MAIN(BlendShaderTest)
+GONIO_TEST(BlendShaderTest)
 #include "blend_shader_test.moc"

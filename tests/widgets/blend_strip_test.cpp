@@ -8,6 +8,7 @@
 #include <QTest>
 #include <utility>
 
+#include "tests/support/test_program.h"
 #include "widgets/interpolation/sphere_picture.h"
 
 using namespace gonio::widgets;
@@ -155,5 +156,5 @@ class BlendStripTest : public QObject {
   }
 };
 
-QTEST_MAIN(BlendStripTest)
+GONIO_TEST(BlendStripTest)
 #include "blend_strip_test.moc"

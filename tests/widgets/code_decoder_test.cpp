@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/code_decoder.h"
+#include "widgets/preview/gl/code_decoder.h"
 
 #include <QTest>
 #include <algorithm>
@@ -13,8 +13,9 @@
 #include "core/support/error.h"
 #include "offscreen_context.h"
 #include "tests/support/sphere_preview.h"
-#include "widgets/preview/preview_renderer.h"
-#include "widgets/preview/textures.h"
+#include "tests/support/test_program.h"
+#include "widgets/preview/gl/preview_renderer.h"
+#include "widgets/preview/gl/textures.h"
 
 using namespace gonio;
 using dictionary::Ensemble;
@@ -322,5 +323,5 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
   }
 };
 
-QTEST_MAIN(CodeDecoderTest)
+GONIO_TEST(CodeDecoderTest)
 #include "code_decoder_test.moc"

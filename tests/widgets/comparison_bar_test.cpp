@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QUrl>
 
+#include "tests/support/test_program.h"
 #include "widgets/library/material_drag.h"
 
 using namespace gonio::widgets;
@@ -123,5 +124,5 @@ class ComparisonBarTest : public QObject {
   std::unique_ptr<ComparisonBar> bar_;
 };
 
-QTEST_MAIN(ComparisonBarTest)
+GONIO_TEST(ComparisonBarTest)
 #include "comparison_bar_test.moc"

@@ -6,6 +6,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
 
 using namespace gonio;
@@ -199,5 +200,5 @@ class CurveEditorTest : public QObject {
   }
 };
 
-QTEST_MAIN(CurveEditorTest)
+GONIO_TEST(CurveEditorTest)
 #include "curve_editor_test.moc"

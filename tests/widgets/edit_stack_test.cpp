@@ -7,6 +7,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/support/test_program.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
 
@@ -85,5 +86,5 @@ class EditStackTest : public QObject {
   }
 };
 
-QTEST_MAIN(EditStackTest)
+GONIO_TEST(EditStackTest)
 #include "edit_stack_test.moc"

@@ -3,7 +3,8 @@
 #include <QTest>
 #include <cmath>
 
-#include "widgets/preview/textures.h"
+#include "tests/support/test_program.h"
+#include "widgets/preview/gl/textures.h"
 
 using namespace gonio;
 using widgets::EnvironmentTexels;
@@ -44,5 +45,5 @@ class EnvironmentTexelsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(EnvironmentTexelsTest)
+GONIO_TEST(EnvironmentTexelsTest)
 #include "environment_texels_test.moc"

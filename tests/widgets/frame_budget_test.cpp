@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using gonio::widgets::FrameBudget;
 
 class FrameBudgetTest : public QObject {
@@ -44,5 +46,5 @@ class FrameBudgetTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FrameBudgetTest)
+GONIO_TEST(FrameBudgetTest)
 #include "frame_budget_test.moc"

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/test_program.h"
 #include "widgets/library/library_model.h"
 
 using namespace gonio::widgets;
@@ -86,5 +87,5 @@ class LibraryViewTest : public QObject {
   }
 };
 
-QTEST_MAIN(LibraryViewTest)
+GONIO_TEST(LibraryViewTest)
 #include "library_view_test.moc"

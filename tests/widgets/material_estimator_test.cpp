@@ -5,6 +5,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using widgets::MaterialEstimator;
 
@@ -58,5 +60,5 @@ class MaterialEstimatorTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MaterialEstimatorTest)
+GONIO_TEST(MaterialEstimatorTest)
 #include "material_estimator_test.moc"

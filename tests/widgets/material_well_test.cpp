@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "tests/support/test_program.h"
 #include "widgets/library/material_drag.h"
 
 using namespace gonio::widgets;
@@ -99,5 +100,5 @@ class MaterialWellTest : public QObject {
   }
 };
 
-QTEST_MAIN(MaterialWellTest)
+GONIO_TEST(MaterialWellTest)
 #include "material_well_test.moc"

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <set>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class ModelPanelTest : public QObject {
@@ -52,5 +54,5 @@ class ModelPanelTest : public QObject {
   }
 };
 
-QTEST_MAIN(ModelPanelTest)
+GONIO_TEST(ModelPanelTest)
 #include "model_panel_test.moc"

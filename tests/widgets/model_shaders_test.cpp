@@ -12,8 +12,9 @@
 #include <random>
 
 #include "tests/core/models/model_test_support.h"
+#include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
-#include "widgets/preview/shader_library.h"
+#include "widgets/preview/gl/shader_library.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -232,15 +233,5 @@ void main() {
   }
 };
 
-int main(int argc, char** argv) {
-#ifdef Q_OS_LINUX
-  // Without a display Qt would end the program; on the offscreen platform the test finds no context and skips.
-  if (!qEnvironmentVariableIsSet("DISPLAY") && !qEnvironmentVariableIsSet("WAYLAND_DISPLAY"))
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-#endif
-  QGuiApplication application(argc, argv);
-  ModelShadersTest test;
-  return QTest::qExec(&test, argc, argv);
-}
-
+GONIO_TEST(ModelShadersTest)
 #include "model_shaders_test.moc"

@@ -7,6 +7,8 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/support/test_program.h"
+
 using gonio::widgets::NumberField;
 
 class NumberFieldTest : public QObject {
@@ -111,5 +113,5 @@ class NumberFieldTest : public QObject {
   }
 };
 
-QTEST_MAIN(NumberFieldTest)
+GONIO_TEST(NumberFieldTest)
 #include "number_field_test.moc"

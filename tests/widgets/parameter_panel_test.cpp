@@ -8,7 +8,8 @@
 #include <QToolButton>
 
 #include "core/models/registry.h"
-#include "widgets/panels/collapsible_section.h"
+#include "tests/support/test_program.h"
+#include "widgets/inputs/collapsible_section.h"
 #include "widgets/parameters/colour_swatch.h"
 #include "widgets/parameters/linked_channels.h"
 #include "widgets/parameters/parameter_line.h"
@@ -198,5 +199,5 @@ class ParameterPanelTest : public QObject {
   }
 };
 
-QTEST_MAIN(ParameterPanelTest)
+GONIO_TEST(ParameterPanelTest)
 #include "parameter_panel_test.moc"

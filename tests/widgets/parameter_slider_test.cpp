@@ -7,6 +7,8 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/support/test_program.h"
+
 using gonio::models::ParameterScale;
 using gonio::widgets::ParameterSlider;
 
@@ -97,5 +99,5 @@ class ParameterSliderTest : public QObject {
   }
 };
 
-QTEST_MAIN(ParameterSliderTest)
+GONIO_TEST(ParameterSliderTest)
 #include "parameter_slider_test.moc"

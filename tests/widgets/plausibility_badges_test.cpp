@@ -8,6 +8,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using namespace gonio::widgets;
 using metrics::PlausibilityCheck;
@@ -82,5 +84,5 @@ class PlausibilityBadgesTest : public QObject {
   }
 };
 
-QTEST_MAIN(PlausibilityBadgesTest)
+GONIO_TEST(PlausibilityBadgesTest)
 #include "plausibility_badges_test.moc"

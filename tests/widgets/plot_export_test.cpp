@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/support/error.h"
+#include "tests/support/test_program.h"
 #include "tests/widgets/plot_test_support.h"
 #include "widgets/plots/plot_export.h"
 
@@ -118,5 +119,5 @@ class PlotExportTest : public QObject {
   }
 };
 
-QTEST_MAIN(PlotExportTest)
+GONIO_TEST(PlotExportTest)
 #include "plot_export_test.moc"

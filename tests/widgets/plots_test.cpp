@@ -4,6 +4,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "tests/support/test_program.h"
 #include "tests/widgets/plot_test_support.h"
 
 using namespace gonio;
@@ -158,5 +159,5 @@ class PlotsTest : public QObject {
   }
 };
 
-QTEST_MAIN(PlotsTest)
+GONIO_TEST(PlotsTest)
 #include "plots_test.moc"

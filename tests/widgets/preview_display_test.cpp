@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/preview_display.h"
+#include "widgets/preview/gl/preview_display.h"
 
 #include <QTest>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include "core/models/model.h"
 #include "core/rendering/false_colour.h"
 #include "offscreen_context.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using widgets::CompareMode;
@@ -149,5 +150,5 @@ class PreviewDisplayTest : public QObject {
   std::unique_ptr<widgets::PreviewRenderer> bright_, dark_;
 };
 
-QTEST_MAIN(PreviewDisplayTest)
+GONIO_TEST(PreviewDisplayTest)
 #include "preview_display_test.moc"

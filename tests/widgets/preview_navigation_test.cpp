@@ -5,6 +5,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using namespace gonio::widgets;
 
@@ -77,5 +79,5 @@ class PreviewNavigationTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PreviewNavigationTest)
+GONIO_TEST(PreviewNavigationTest)
 #include "preview_navigation_test.moc"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "widgets/preview/preview_renderer.h"
+#include "widgets/preview/gl/preview_renderer.h"
 
 #include <QTest>
 #include <cmath>
@@ -13,6 +13,7 @@
 #include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
 #include "tests/support/sphere_preview.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -298,5 +299,5 @@ class PreviewRendererTest : public QObject {
   std::unique_ptr<widgets::PreviewRenderer> renderer_;
 };
 
-QTEST_MAIN(PreviewRendererTest)
+GONIO_TEST(PreviewRendererTest)
 #include "preview_renderer_test.moc"

@@ -10,6 +10,7 @@
 #include "core/rendering/scene_file.h"
 #include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
+#include "tests/support/test_program.h"
 #include "widgets/preview/false_colour_legend.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/split_bar.h"
@@ -251,5 +252,5 @@ class PreviewWidgetTest : public QObject {
   std::unique_ptr<PreviewWidget> widget_;
 };
 
-QTEST_MAIN(PreviewWidgetTest)
+GONIO_TEST(PreviewWidgetTest)
 #include "preview_widget_test.moc"

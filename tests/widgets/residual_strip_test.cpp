@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
 #include "widgets/curves/curve_editor.h"
 
 using namespace gonio::widgets;
@@ -50,5 +51,5 @@ class ResidualStripTest : public QObject {
   }
 };
 
-QTEST_MAIN(ResidualStripTest)
+GONIO_TEST(ResidualStripTest)
 #include "residual_strip_test.moc"

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
 
 using namespace gonio;
@@ -126,5 +127,5 @@ class StudyScatterTest : public QObject {
   }
 };
 
-QTEST_MAIN(StudyScatterTest)
+GONIO_TEST(StudyScatterTest)
 #include "study_scatter_test.moc"

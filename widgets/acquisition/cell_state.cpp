@@ -8,7 +8,9 @@ namespace gonio::widgets {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("CellState", text); }
+struct CellStateText {
+  Q_DECLARE_TR_FUNCTIONS(CellState)
+};
 
 Qt::BrushStyle hatching(CellState state) {
   switch (state) {
@@ -31,17 +33,17 @@ Qt::BrushStyle hatching(CellState state) {
 QString stateName(CellState state) {
   switch (state) {
     case CellState::belowHorizon:
-      return tr("below the horizon");
+      return CellStateText::tr("below the horizon");
     case CellState::grazing:
-      return tr("grazing");
+      return CellStateText::tr("grazing");
     case CellState::forbidden:
-      return tr("out of the rig's reach");
+      return CellStateText::tr("out of the rig's reach");
     case CellState::unlearned:
-      return tr("not in all materials");
+      return CellStateText::tr("not in all materials");
     case CellState::measurable:
       break;
   }
-  return tr("measurable");
+  return CellStateText::tr("measurable");
 }
 
 QBrush stateBrush(CellState state, const PlotStyle& style) {

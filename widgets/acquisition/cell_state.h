@@ -6,7 +6,7 @@
 #include <QString>
 #include <cstdint>
 
-#include "widgets/plots/plot_style.h"
+#include "widgets/charts/plot_style.h"
 
 namespace gonio::widgets {
 

@@ -9,16 +9,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/charts/custom_plot.h"
+#include "widgets/charts/custom_plot_style.h"
 #include "widgets/inputs/number_field.h"
-#include "widgets/plots/custom_plot.h"
-#include "widgets/plots/custom_plot_style.h"
 
 namespace gonio::widgets {
 
 namespace {
 constexpr double markerSize = 7, ringSize = 15;
 /// How near the pointer has to be, px.
-constexpr double reach = 12;
+constexpr double hoverReach = 12;
 }  // namespace
 
 ErrorCurve::ErrorCurve(QWidget* parent) : QWidget(parent), m_chart(new QCustomPlot(this)), m_hint(new QLabel(m_chart)) {
@@ -66,7 +66,7 @@ std::optional<QPointF> ErrorCurve::place(int point) const {
 
 int ErrorCurve::pointAt(const QPointF& at) const {
   int found = -1;
-  double least = reach;
+  double least = hoverReach;
   for (int i = 0; i < int(m_points.size()); ++i)
     if (const auto dot = place(i); dot && std::hypot(dot->x() - at.x(), dot->y() - at.y()) < least) {
       least = std::hypot(dot->x() - at.x(), dot->y() - at.y());

@@ -10,9 +10,8 @@
 
 #include "core/plots/slice.h"
 #include "core/rendering/false_colour.h"
+#include "widgets/charts/plot_style.h"
 #include "widgets/inputs/number_field.h"
-#include "widgets/plots/plot_style.h"
-#include "widgets/plots/plot_text.h"
 
 namespace gonio::widgets {
 

@@ -6,14 +6,14 @@
 #include <QPainterPath>
 #include <cmath>
 
-#include "widgets/plots/plot_style.h"
+#include "widgets/charts/plot_style.h"
 
 namespace gonio::widgets {
 
 namespace {
 
 constexpr int ringStep = 15, rayStep = 30;
-constexpr double dotRadius = 4, markedRadius = 6;
+constexpr double directionRadius = 4, markedDirectionRadius = 6;
 /// Of the ray that carries the rings' labels. Nodes of a grid have their half vector at azimuth 0: few samples lie on
 /// the other side.
 constexpr double labelAzimuth = radians(188);
@@ -114,7 +114,7 @@ void HemisphereChart::drawSample(QPainter& painter, int sample, bool marked) con
   if (!marked) line.setAlphaF(0.35f);
   painter.setPen(QPen(line, marked ? 2.0 : 1.0));
   painter.drawLine(at[0], at[1]);
-  const double radius = marked ? markedRadius : dotRadius;
+  const double radius = marked ? markedDirectionRadius : directionRadius;
   painter.setPen(QPen(marked ? style.accent : style.background, marked ? 2 : 1));
   painter.setBrush(style.colour(lightRole));
   drawLight(painter, at[0], radius);
@@ -129,7 +129,7 @@ void HemisphereChart::drawLegend(QPainter& painter) const {
   const auto entry = [&](SeriesRole role, const QString& text, void (*shape)(QPainter&, const QPointF&, double)) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(style.colour(role));
-    shape(painter, QPointF(x, y), dotRadius);
+    shape(painter, QPointF(x, y), directionRadius);
     painter.setPen(style.text);
     painter.drawText(QPointF(x + 0.6 * em, y + 0.35 * em), text);
     x += 1.8 * em + fontMetrics().horizontalAdvance(text);

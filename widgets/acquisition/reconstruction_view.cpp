@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/rendering/false_colour.h"
+#include "widgets/charts/plot_style.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/interpolation/sphere_picture.h"
-#include "widgets/plots/plot_style.h"
 
 namespace gonio::widgets {
 

@@ -10,16 +10,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/plots/plot_style.h"
-#include "widgets/plots/plot_text.h"
+#include "widgets/charts/plot_style.h"
+#include "widgets/inputs/number_field.h"
 
 namespace gonio::widgets {
 
 namespace {
 /// How near the pointer has to be, px.
-constexpr double reach = 12;
+constexpr double chartReach = 12;
 /// Of a dot, px.
-constexpr double dotRadius = 4.5;
+constexpr double sampleRadius = 4.5;
 }  // namespace
 
 QString sampleText(int number, const DirectionPair& directions) {
@@ -57,7 +57,7 @@ void SampleChart::setHint(const QString& hint) {
 
 int SampleChart::sampleAt(const QPointF& place) const {
   int found = -1;
-  double least = reach;
+  double least = chartReach;
   for (int i = 0; i < int(m_samples.size()); ++i)
     for (const QPointF& dot : places(i)) {
       const double distance = std::hypot(dot.x() - place.x(), dot.y() - place.y());
@@ -83,7 +83,7 @@ void SampleChart::drawNumber(QPainter& painter, int sample, std::vector<QRectF>&
   const QString text = QString::number(sample + 1);
   const QSizeF size(fontMetrics().horizontalAdvance(text) + 3, 0.85 * fontMetrics().height());
   const QPointF dot = places(sample).front();
-  constexpr double away = dotRadius + 2;
+  constexpr double away = sampleRadius + 2;
   const QPointF corners[] = {{away, -size.height() / 2},
                              {-away - size.width(), -size.height() / 2},
                              {-size.width() / 2, -away - size.height()},
@@ -104,7 +104,7 @@ void SampleChart::drawNumber(QPainter& painter, int sample, std::vector<QRectF>&
 void SampleChart::drawNumbers(QPainter& painter, std::vector<QRectF> taken) const {
   for (int i = 0; i < int(m_samples.size()); ++i)
     for (const QPointF& dot : places(i))
-      taken.emplace_back(dot - QPointF(dotRadius, dotRadius), QSizeF(2 * dotRadius, 2 * dotRadius));
+      taken.emplace_back(dot - QPointF(sampleRadius, sampleRadius), QSizeF(2 * sampleRadius, 2 * sampleRadius));
   if (m_current >= 0) drawNumber(painter, m_current, taken);
   for (int i = 0; i < int(m_samples.size()); ++i)
     if (i != m_current) drawNumber(painter, i, taken);

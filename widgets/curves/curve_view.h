@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "widgets/plots/plot_style.h"
+#include "widgets/charts/plot_style.h"
 
 class QPainter;
 

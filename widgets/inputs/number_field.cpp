@@ -7,11 +7,14 @@
 #include <QWheelEvent>
 #include <algorithm>
 
+#include "core/math/types.h"
 #include "widgets/inputs/arithmetic.h"
 
 namespace gonio::widgets {
 
 QString formatNumber(double value) { return QString::number(value == 0 ? 0.0 : value, 'g', 4); }
+
+QString degreesText(double radians) { return QStringLiteral("%1°").arg(degrees(radians), 0, 'f', 1); }
 
 NumberField::NumberField(QWidget* parent) : QLineEdit(parent) {
   setAlignment(Qt::AlignRight);

@@ -52,5 +52,7 @@ class NumberField : public QLineEdit {
 
 /// Four significant digits with the point of the C locale, no trailing zeros: "0.3", "1.25e-05".
 QString formatNumber(double value);
+/// An angle in degrees with its unit: "45.5°".
+QString degreesText(double radians);
 
 }  // namespace gonio::widgets

@@ -13,7 +13,9 @@ namespace {
 
 using editing::InterpolationSpace;
 
-QString tr(const char* text) { return QCoreApplication::translate("InterpolationSpace", text); }
+struct InterpolationSpaceText {
+  Q_DECLARE_TR_FUNCTIONS(InterpolationSpace)
+};
 
 constexpr double preparedShare = 0.9;
 
@@ -61,38 +63,38 @@ PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double
 QString spaceName(InterpolationSpace space) {
   switch (space) {
     case InterpolationSpace::linear:
-      return tr("Linear");
+      return InterpolationSpaceText::tr("Linear");
     case InterpolationSpace::parameters:
-      return tr("Parameters");
+      return InterpolationSpaceText::tr("Parameters");
     case InterpolationSpace::differential:
-      return tr("Differential");
+      return InterpolationSpaceText::tr("Differential");
     case InterpolationSpace::factors:
-      return tr("Factors");
+      return InterpolationSpaceText::tr("Factors");
     default:
-      return tr("Dictionary");
+      return InterpolationSpaceText::tr("Dictionary");
   }
 }
 
 QString spaceExplanation(InterpolationSpace space) {
   switch (space) {
     case InterpolationSpace::linear:
-      return tr(
+      return InterpolationSpaceText::tr(
           "The reflectances themselves are mixed. Half of a sharp and half of a wide highlight are both highlights "
           "on top of each other, like two coats: nothing in between. All measured detail stays.");
     case InterpolationSpace::parameters:
-      return tr(
+      return InterpolationSpaceText::tr(
           "A model is fitted to each material and its parameters are mixed: a highlight of medium width lies "
           "between a sharp and a wide one. What the model does not explain is lost between the materials.");
     case InterpolationSpace::differential:
-      return tr(
+      return InterpolationSpaceText::tr(
           "Each material is moved to the mixed parameters of the model by a differential edit, which keeps its "
           "measured detail; then the results are mixed. Source: Tongbuasirilai and Unger 2016.");
     case InterpolationSpace::factors:
-      return tr(
+      return InterpolationSpaceText::tr(
           "The factor curves of projected-deviation coordinates are mixed: strength and width of the highlight go "
           "from one to the other. What the curves do not explain is lost between the materials.");
     default:
-      return tr(
+      return InterpolationSpaceText::tr(
           "Each material is a sum of learned patterns with few coefficients; the coefficients are mixed, so the "
           "logarithm-like transformed reflectances are. What the codes leave out is lost between the materials.");
   }

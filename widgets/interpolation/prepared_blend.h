@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "core/editing/blend_source.h"
-#include "widgets/preview/preview_subject.h"
+#include "widgets/preview/gl/preview_subject.h"
 
 namespace gonio::widgets {
 

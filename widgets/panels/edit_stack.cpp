@@ -14,7 +14,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr double percent = 100;
+constexpr double percentScale = 100;
 }
 
 struct EditStack::Row {
@@ -37,7 +37,7 @@ struct EditStack::Row {
     slider->setRange(0, 1, models::ParameterScale::linear);
     slider->setReference(1);
     field->setRange(0, 1);
-    field->setUnit(QStringLiteral("%"), percent);
+    field->setUnit(QStringLiteral("%"), percentScale);
     field->setStep(0.01);
     field->setFixedWidth(em * 5);
     auto* layout = new QHBoxLayout(widget);

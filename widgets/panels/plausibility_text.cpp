@@ -10,7 +10,9 @@ namespace gonio::widgets {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("PlausibilityText", text); }
+struct PlausibilityText {
+  Q_DECLARE_TR_FUNCTIONS(PlausibilityText)
+};
 QString number(double value) { return QString::number(value, 'g', 3); }
 QString percent(double share) { return QStringLiteral("%1 %").arg(number(100 * share)); }
 
@@ -21,8 +23,8 @@ struct Text {
 QString where(const metrics::PlausibilityCheck& check) {
   if (!check.at) return {};
   const double o = degrees(polarAngle(check.at->wo));
-  if (check.name == "energy") return tr("for a viewer at %1°").arg(o, 0, 'f', 0);
-  return tr("for light at %1°, viewer at %2°, %3° apart in azimuth")
+  if (check.name == "energy") return PlausibilityText::tr("for a viewer at %1°").arg(o, 0, 'f', 0);
+  return PlausibilityText::tr("for light at %1°, viewer at %2°, %3° apart in azimuth")
       .arg(degrees(polarAngle(check.at->wi)), 0, 'f', 0)
       .arg(o, 0, 'f', 0)
       .arg(std::abs(degrees(std::remainder(azimuth(check.at->wi) - azimuth(check.at->wo), 2 * pi))), 0, 'f', 0);
@@ -30,25 +32,36 @@ QString where(const metrics::PlausibilityCheck& check) {
 
 Text textOf(const metrics::PlausibilityCheck& check) {
   if (check.name == "energy")
-    return {tr("Energy"), tr("No surface sends back more light than it receives: the directional albedo is at most 1."),
-            tr("Largest albedo: %1 (limit %2)").arg(number(check.worst), number(check.limit)),
-            tr("Lower the specular scale or the diffuse colour, or raise the roughness at grazing angles.")};
+    return {
+        PlausibilityText::tr("Energy"),
+        PlausibilityText::tr("No surface sends back more light than it receives: the directional albedo is at most 1."),
+        PlausibilityText::tr("Largest albedo: %1 (limit %2)").arg(number(check.worst), number(check.limit)),
+        PlausibilityText::tr(
+            "Lower the specular scale or the diffuse colour, or raise the roughness at grazing angles.")};
   if (check.name == "reciprocity")
-    return {tr("Reciprocity"), tr("Light takes the same way back: exchanging light and viewer changes nothing."),
-            tr("Largest difference: %1 of the value (limit %2)").arg(percent(check.worst), percent(check.limit)),
-            tr("Models that are not reciprocal by construction say so in their tooltips; choose another one.")};
+    return {PlausibilityText::tr("Reciprocity"),
+            PlausibilityText::tr("Light takes the same way back: exchanging light and viewer changes nothing."),
+            PlausibilityText::tr("Largest difference: %1 of the value (limit %2)")
+                .arg(percent(check.worst), percent(check.limit)),
+            PlausibilityText::tr(
+                "Models that are not reciprocal by construction say so in their tooltips; choose another one.")};
   if (check.name == "negative")
-    return {tr("Negative"),
-            tr("The edit takes away more than was measured there. The picture shows 0 instead: black patches."),
-            tr("Lowest value: %1 1/sr, at %2 of the directions").arg(number(-check.worst), percent(check.share)),
-            tr("Take back part of the edit, or fit a model that explains the measurement better.")};
+    return {PlausibilityText::tr("Negative"),
+            PlausibilityText::tr(
+                "The edit takes away more than was measured there. The picture shows 0 instead: black patches."),
+            PlausibilityText::tr("Lowest value: %1 1/sr, at %2 of the directions")
+                .arg(number(-check.worst), percent(check.share)),
+            PlausibilityText::tr("Take back part of the edit, or fit a model that explains the measurement better.")};
   if (check.name == "non-finite")
-    return {tr("Finite"), tr("Every value is a number."), tr("Values that are no numbers: %1").arg(check.worst),
-            tr("Take back the last change and report it: this is a fault of the program.")};
-  return {tr("Measured"),
-          tr("Where the table has no data, the picture is black or takes the values of the cells around."),
-          tr("Share of what is seen without data: %1 (limit %2)").arg(percent(check.worst), percent(check.limit)),
-          tr("Judge those angles with care: nothing was measured there.")};
+    return {PlausibilityText::tr("Finite"), PlausibilityText::tr("Every value is a number."),
+            PlausibilityText::tr("Values that are no numbers: %1").arg(check.worst),
+            PlausibilityText::tr("Take back the last change and report it: this is a fault of the program.")};
+  return {PlausibilityText::tr("Measured"),
+          PlausibilityText::tr(
+              "Where the table has no data, the picture is black or takes the values of the cells around."),
+          PlausibilityText::tr("Share of what is seen without data: %1 (limit %2)")
+              .arg(percent(check.worst), percent(check.limit)),
+          PlausibilityText::tr("Judge those angles with care: nothing was measured there.")};
 }
 
 }  // namespace
@@ -58,9 +71,11 @@ QString plausibilityWord(const metrics::PlausibilityCheck& check) { return textO
 QString plausibilityText(const metrics::PlausibilityCheck& check) {
   const Text text = textOf(check);
   const bool locate = check.at && (check.worst > 0 || !check.passed);
-  const QString worst = locate ? tr("%1, %2.").arg(text.worst, where(check)) : tr("%1.").arg(text.worst);
+  const QString worst = locate ? PlausibilityText::tr("%1, %2.").arg(text.worst, where(check))
+                               : PlausibilityText::tr("%1.").arg(text.worst);
   return QStringLiteral("<p><b>%1</b> %2</p><p>%3</p>%4")
-      .arg(check.passed ? tr("Passed.") : tr("Not plausible."), text.meaning.toHtmlEscaped(), worst.toHtmlEscaped(),
+      .arg(check.passed ? PlausibilityText::tr("Passed.") : PlausibilityText::tr("Not plausible."),
+           text.meaning.toHtmlEscaped(), worst.toHtmlEscaped(),
            check.passed ? QString() : QStringLiteral("<p>%1</p>").arg(text.remedy.toHtmlEscaped()));
 }
 

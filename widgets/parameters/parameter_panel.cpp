@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "widgets/panels/collapsible_section.h"
+#include "widgets/inputs/collapsible_section.h"
 #include "widgets/parameters/parameter_row.h"
 #include "widgets/parameters/parameter_text.h"
 

@@ -10,7 +10,9 @@
 namespace gonio::widgets {
 
 namespace {
-QString tr(const char* text) { return QCoreApplication::translate("ParameterText", text); }
+struct ParameterText {
+  Q_DECLARE_TR_FUNCTIONS(ParameterText)
+};
 }  // namespace
 
 QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
@@ -20,7 +22,7 @@ double displayFactor(const models::ParameterSpec& spec) {
 }
 
 QString displayUnit(const models::ParameterSpec& spec) {
-  return spec.scale == models::ParameterScale::angle ? tr("deg") : fromView(spec.unit);
+  return spec.scale == models::ParameterScale::angle ? ParameterText::tr("deg") : fromView(spec.unit);
 }
 
 QString displayValue(const models::ParameterSpec& spec, const Rgb& value) {
@@ -45,35 +47,37 @@ QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted) {
                           fromView(spec.description).toHtmlEscaped(), fromView(spec.formula).toHtmlEscaped());
   if (spec.choices.empty()) {
     const double factor = displayFactor(spec);
-    const QString unit = displayUnit(spec).isEmpty() ? tr("none") : displayUnit(spec);
-    text += line(tr("Unit"), unit);
-    text += line(tr("Slider"),
-                 tr("%1 to %2").arg(formatNumber(spec.softMin * factor), formatNumber(spec.softMax * factor)));
-    text +=
-        line(tr("Typed"), tr("%1 to %2").arg(formatNumber(spec.hardMin * factor), formatNumber(spec.hardMax * factor)));
+    const QString unit = displayUnit(spec).isEmpty() ? ParameterText::tr("none") : displayUnit(spec);
+    text += line(ParameterText::tr("Unit"), unit);
+    text += line(
+        ParameterText::tr("Slider"),
+        ParameterText::tr("%1 to %2").arg(formatNumber(spec.softMin * factor), formatNumber(spec.softMax * factor)));
+    text += line(
+        ParameterText::tr("Typed"),
+        ParameterText::tr("%1 to %2").arg(formatNumber(spec.hardMin * factor), formatNumber(spec.hardMax * factor)));
   }
-  text += line(tr("Default"), displayValue(spec, Rgb(spec.defaultValue)));
-  if (fitted) text += line(tr("Fitted"), displayValue(spec, *fitted));
-  if (!spec.reference.empty()) text += line(tr("Source"), fromView(spec.reference));
+  text += line(ParameterText::tr("Default"), displayValue(spec, Rgb(spec.defaultValue)));
+  if (fitted) text += line(ParameterText::tr("Fitted"), displayValue(spec, *fitted));
+  if (!spec.reference.empty()) text += line(ParameterText::tr("Source"), fromView(spec.reference));
   return text + QStringLiteral("</table>");
 }
 
 QString groupTitle(models::ParameterGroup group) {
   switch (group) {
     case models::ParameterGroup::diffuse:
-      return tr("Diffuse");
+      return ParameterText::tr("Diffuse");
     case models::ParameterGroup::specular:
-      return tr("Specular");
+      return ParameterText::tr("Specular");
     case models::ParameterGroup::fresnel:
-      return tr("Fresnel");
+      return ParameterText::tr("Fresnel");
     case models::ParameterGroup::shadowing:
-      return tr("Shadowing");
+      return ParameterText::tr("Shadowing");
     case models::ParameterGroup::layer:
-      return tr("Layer");
+      return ParameterText::tr("Layer");
     case models::ParameterGroup::coefficients:
-      return tr("Coefficients");
+      return ParameterText::tr("Coefficients");
     case models::ParameterGroup::convention:
-      return tr("Conventions");
+      return ParameterText::tr("Conventions");
   }
   return {};
 }

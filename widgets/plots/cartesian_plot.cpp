@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/plots/cartesian_plot.h"
 
+#include "widgets/inputs/number_field.h"
 #include "widgets/plots/plot_text.h"
 
 namespace gonio::widgets {

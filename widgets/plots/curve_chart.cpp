@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "core/plots/value_scale.h"
+#include "widgets/charts/custom_plot.h"
+#include "widgets/charts/custom_plot_style.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/plots/curve_series.h"
-#include "widgets/plots/custom_plot.h"
-#include "widgets/plots/custom_plot_style.h"
 #include "widgets/plots/plot_text.h"
 
 namespace gonio::widgets {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "widgets/inputs/number_field.h"
 #include "widgets/plots/plot_text.h"
 
 namespace gonio::widgets {

@@ -5,8 +5,8 @@
 #include <QWidget>
 
 #include "core/plots/csv_table.h"
+#include "widgets/charts/plot_style.h"
 #include "widgets/plots/plot_series.h"
-#include "widgets/plots/plot_style.h"
 
 class QLabel;
 

@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "core/plots/plotted_values.h"
+#include "widgets/charts/plot_style.h"
 
 namespace gonio::widgets {
-
-/// Where a curve comes from: it decides its colour and line style in every plot.
-enum class SeriesRole { measured, fit, edited };
 
 /// Numbers (a Curve, a Slice or a LobeSurface) with the name that legends show.
 template <class Data>

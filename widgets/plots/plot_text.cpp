@@ -9,46 +9,48 @@
 namespace gonio::widgets {
 
 namespace {
-QString tr(const char* text) { return QCoreApplication::translate("Plots", text); }
+struct PlotsText {
+  Q_DECLARE_TR_FUNCTIONS(Plots)
+};
 }  // namespace
 
 QString channelName(plots::Channel channel) {
   switch (channel) {
     case plots::Channel::red:
-      return tr("Red");
+      return PlotsText::tr("Red");
     case plots::Channel::green:
-      return tr("Green");
+      return PlotsText::tr("Green");
     case plots::Channel::blue:
-      return tr("Blue");
+      return PlotsText::tr("Blue");
     case plots::Channel::luminance:
       break;
   }
-  return tr("Luminance");
+  return PlotsText::tr("Luminance");
 }
 
 QString cosineName(plots::CosineFactor cosine) {
-  return cosine == plots::CosineFactor::none       ? tr("f")
-         : cosine == plots::CosineFactor::incident ? tr("f cos θi")
-                                                   : tr("f cos θo");
+  return cosine == plots::CosineFactor::none       ? PlotsText::tr("f")
+         : cosine == plots::CosineFactor::incident ? PlotsText::tr("f cos θi")
+                                                   : PlotsText::tr("f cos θo");
 }
 
 QString valueTitle(const PlotSettings& settings) {
-  return tr("%1 of %2 [1/sr]").arg(channelName(settings.channel), cosineName(settings.cosine));
+  return PlotsText::tr("%1 of %2 [1/sr]").arg(channelName(settings.channel), cosineName(settings.cosine));
 }
 
 QString axisName(plots::SectionAxis axis) {
-  return axis == plots::SectionAxis::thetaH ? tr("θh") : axis == plots::SectionAxis::thetaD ? tr("θd") : tr("θo");
+  return axis == plots::SectionAxis::thetaH   ? PlotsText::tr("θh")
+         : axis == plots::SectionAxis::thetaD ? PlotsText::tr("θd")
+                                              : PlotsText::tr("θo");
 }
 
-QString degreesText(double radians) { return tr("%1°").arg(degrees(radians), 0, 'f', 1); }
-
 QString stateText(plots::PointState state) {
-  return state == plots::PointState::belowHorizon ? tr("below the horizon") : tr("not measured");
+  return state == plots::PointState::belowHorizon ? PlotsText::tr("below the horizon") : PlotsText::tr("not measured");
 }
 
 QString valueText(double value, plots::PointState state) {
   if (state != plots::PointState::known) return stateText(state);
-  return value == value ? tr("%1 1/sr").arg(formatNumber(value)) : tr("no value");
+  return value == value ? PlotsText::tr("%1 1/sr").arg(formatNumber(value)) : PlotsText::tr("no value");
 }
 
 std::string channelForCsv(plots::Channel channel) {

@@ -19,8 +19,6 @@ QString cosineName(plots::CosineFactor cosine);
 QString valueTitle(const PlotSettings& settings);
 /// "θh", "θd", "θo".
 QString axisName(plots::SectionAxis axis);
-/// "45.5°".
-QString degreesText(double radians);
 /// "0.2131 1/sr", or why there is no value.
 QString valueText(double value, plots::PointState state = plots::PointState::known);
 /// "not measured", "below the horizon".

@@ -6,8 +6,8 @@
 
 #include "core/plots/section.h"
 #include "core/plots/value_scale.h"
+#include "widgets/charts/plot_style.h"
 #include "widgets/plots/plot_series.h"
-#include "widgets/plots/plot_style.h"
 
 namespace gonio::widgets {
 

@@ -7,13 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/inputs/number_field.h"
 #include "widgets/plots/curve_series.h"
 #include "widgets/plots/plot_text.h"
 
 namespace gonio::widgets {
 
 namespace {
-constexpr double zoomPerNotch = 1.25, maxZoom = 200;
+constexpr double polarZoomPerNotch = 1.25, maxPolarZoom = 200;
 }
 
 PolarPlot::PolarPlot(QWidget* parent) : Plot(tr("Polar lobe"), parent) {
@@ -135,7 +136,8 @@ void PolarPlot::mouseDoubleClickEvent(QMouseEvent*) { resetView(); }
 
 void PolarPlot::wheelEvent(QWheelEvent* event) {
   const PolarGeometry whole = PolarGeometry::filling(size(), fontMetrics().height());
-  const double zoom = std::clamp(m_zoom * std::pow(zoomPerNotch, event->angleDelta().y() / 120.0), 1.0, maxZoom);
+  const double zoom =
+      std::clamp(m_zoom * std::pow(polarZoomPerNotch, event->angleDelta().y() / 120.0), 1.0, maxPolarZoom);
   // The point under the pointer stays where it is.
   const QPointF pointer = (event->position() - whole.centre) / whole.radius;
   m_pan = zoom == 1 ? QPointF() : pointer - (pointer - m_pan) * (zoom / m_zoom);

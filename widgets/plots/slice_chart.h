@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/plots/slice.h"
-#include "widgets/plots/custom_plot.h"
+#include "widgets/charts/custom_plot.h"
 
 /// The parts of a slice's chart that need no widget.
 namespace gonio::widgets {

@@ -8,8 +8,9 @@
 #include <cmath>
 #include <utility>
 
-#include "widgets/plots/custom_plot.h"
-#include "widgets/plots/custom_plot_style.h"
+#include "widgets/charts/custom_plot.h"
+#include "widgets/charts/custom_plot_style.h"
+#include "widgets/inputs/number_field.h"
 #include "widgets/plots/plot_text.h"
 #include "widgets/plots/slice_chart.h"
 

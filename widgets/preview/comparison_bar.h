@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <array>
 
-#include "widgets/preview/preview_comparison.h"
+#include "widgets/preview/gl/preview_comparison.h"
 
 class QButtonGroup;
 class QCheckBox;

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "widgets/preview/preview_comparison.h"
+#include "widgets/preview/gl/preview_comparison.h"
 
 namespace gonio::widgets {
 

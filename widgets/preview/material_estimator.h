@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/rendering/traced_material.h"
-#include "widgets/preview/preview_subject.h"
+#include "widgets/preview/gl/preview_subject.h"
 
 namespace gonio::widgets {
 

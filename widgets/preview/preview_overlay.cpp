@@ -11,7 +11,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr int margin = 10;
+constexpr int edgeMargin = 10;
 }
 
 QString samplesText(int samples) {
@@ -93,16 +93,17 @@ void PreviewOverlay::setRange(DifferenceKind kind, double range) { m_legend->set
 
 void PreviewOverlay::place() {
   const int width = m_viewport->width(), height = m_viewport->height();
-  m_hint->setGeometry(m_viewport->rect().adjusted(4 * margin, 4 * margin, -4 * margin, -4 * margin));
+  m_hint->setGeometry(m_viewport->rect().adjusted(4 * edgeMargin, 4 * edgeMargin, -4 * edgeMargin, -4 * edgeMargin));
   m_status->adjustSize();
-  m_status->move(margin, height - m_status->height() - margin);
+  m_status->move(edgeMargin, height - m_status->height() - edgeMargin);
   for (QLabel* name : m_names) name->adjustSize();
-  m_names[0]->move(margin, margin);
-  m_names[1]->move(m_mode == CompareMode::twoUp ? width / 2 + margin : width - m_names[1]->width() - margin, margin);
+  m_names[0]->move(edgeMargin, edgeMargin);
+  m_names[1]->move(m_mode == CompareMode::twoUp ? width / 2 + edgeMargin : width - m_names[1]->width() - edgeMargin,
+                   edgeMargin);
   const QSize wanted = m_legend->sizeHint();
-  m_legend->resize(std::min(wanted.width(), width - 2 * margin), wanted.height());
-  const int below = m_status->isVisible() ? m_status->height() + margin : 0;
-  m_legend->move(margin, height - m_legend->height() - margin - below);
+  m_legend->resize(std::min(wanted.width(), width - 2 * edgeMargin), wanted.height());
+  const int below = m_status->isVisible() ? m_status->height() + edgeMargin : 0;
+  m_legend->move(edgeMargin, height - m_legend->height() - edgeMargin - below);
 }
 
 bool PreviewOverlay::eventFilter(QObject* watched, QEvent* event) {

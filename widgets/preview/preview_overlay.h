@@ -6,7 +6,7 @@
 #include <array>
 
 #include "core/rendering/effect_plan.h"
-#include "widgets/preview/preview_comparison.h"
+#include "widgets/preview/gl/preview_comparison.h"
 
 namespace gonio::widgets {
 

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "widgets/preview/frame_budget.h"
+#include "widgets/preview/gl/preview_display.h"
 #include "widgets/preview/material_estimator.h"
-#include "widgets/preview/preview_display.h"
 #include "widgets/preview/scene_tracer.h"
 
 namespace gonio::widgets {

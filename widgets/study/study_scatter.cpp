@@ -10,8 +10,8 @@
 #include <cmath>
 #include <map>
 
-#include "widgets/plots/custom_plot.h"
-#include "widgets/plots/custom_plot_style.h"
+#include "widgets/charts/custom_plot.h"
+#include "widgets/charts/custom_plot_style.h"
 
 namespace gonio::widgets {
 

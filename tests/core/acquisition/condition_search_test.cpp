@@ -11,6 +11,7 @@
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 #include "tests/core/acquisition/selection_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -201,5 +202,5 @@ class ConditionSearchTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ConditionSearchTest)
+GONIO_TEST(ConditionSearchTest)
 #include "condition_search_test.moc"

@@ -10,6 +10,7 @@
 #include "core/math/parallel.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -142,5 +143,5 @@ class DictionaryPriorTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DictionaryPriorTest)
+GONIO_TEST(DictionaryPriorTest)
 #include "dictionary_prior_test.moc"

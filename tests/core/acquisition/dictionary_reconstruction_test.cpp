@@ -12,6 +12,7 @@
 #include "core/math/parallel.h"
 #include "tests/core/dictionary/code_test_support.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -253,5 +254,5 @@ class DictionaryReconstructionTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DictionaryReconstructionTest)
+GONIO_TEST(DictionaryReconstructionTest)
 #include "dictionary_reconstruction_test.moc"

@@ -11,6 +11,7 @@
 #include "core/coordinates/projected_deviation.h"
 #include "core/support/error.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -141,5 +142,5 @@ class FactorMeasurementTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FactorMeasurementTest)
+GONIO_TEST(FactorMeasurementTest)
 #include "factor_measurement_test.moc"

@@ -7,6 +7,7 @@
 
 #include "core/coordinates/grid_directions.h"
 #include "core/support/error.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -122,5 +123,5 @@ class MeasurableDirectionsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MeasurableDirectionsTest)
+GONIO_TEST(MeasurableDirectionsTest)
 #include "measurable_directions_test.moc"

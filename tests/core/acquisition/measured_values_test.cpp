@@ -8,6 +8,7 @@
 
 #include "core/support/error.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -117,5 +118,5 @@ class MeasuredValuesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MeasuredValuesTest)
+GONIO_TEST(MeasuredValuesTest)
 #include "measured_values_test.moc"

@@ -10,6 +10,7 @@
 
 #include "core/acquisition/reconstruction.h"
 #include "core/math/parallel.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -115,5 +116,5 @@ class NoisyRidgeTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(NoisyRidgeTest)
+GONIO_TEST(NoisyRidgeTest)
 #include "noisy_ridge_test.moc"

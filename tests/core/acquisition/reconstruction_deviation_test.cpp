@@ -7,6 +7,7 @@
 
 #include "tests/core/acquisition/reconstruction_oracles.h"
 #include "tests/support/smooth_materials.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -130,5 +131,5 @@ class ReconstructionDeviationTest : public QObject {
   MeasuredValues values_;
 };
 
-QTEST_APPLESS_MAIN(ReconstructionDeviationTest)
+GONIO_TEST(ReconstructionDeviationTest)
 #include "reconstruction_deviation_test.moc"

@@ -12,6 +12,7 @@
 #include "tests/core/acquisition/reconstruction_oracles.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/smooth_materials.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -270,5 +271,5 @@ class ReconstructionTest : public QObject {
   MeasuredValues values_;
 };
 
-QTEST_APPLESS_MAIN(ReconstructionTest)
+GONIO_TEST(ReconstructionTest)
 #include "reconstruction_test.moc"

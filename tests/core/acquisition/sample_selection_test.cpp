@@ -7,6 +7,7 @@
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 #include "tests/core/acquisition/selection_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -188,5 +189,5 @@ class SampleSelectionTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SampleSelectionTest)
+GONIO_TEST(SampleSelectionTest)
 #include "sample_selection_test.moc"

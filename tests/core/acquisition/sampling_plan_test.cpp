@@ -13,6 +13,7 @@
 #include "core/support/error.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -168,5 +169,5 @@ class SamplingPlanTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SamplingPlanTest)
+GONIO_TEST(SamplingPlanTest)
 #include "sampling_plan_test.moc"

@@ -7,6 +7,7 @@
 #include "core/acquisition/sample_selection.h"
 #include "core/support/error.h"
 #include "tests/core/acquisition/selection_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -210,5 +211,5 @@ class SelectionHardCasesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SelectionHardCasesTest)
+GONIO_TEST(SelectionHardCasesTest)
 #include "selection_hard_cases_test.moc"

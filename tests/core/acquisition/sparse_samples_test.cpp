@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/math/matching_pursuit.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
@@ -97,5 +98,5 @@ class SparseSamplesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SparseSamplesTest)
+GONIO_TEST(SparseSamplesTest)
 #include "sparse_samples_test.moc"

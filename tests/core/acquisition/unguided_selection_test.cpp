@@ -8,6 +8,8 @@
 #include <numeric>
 #include <set>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using namespace gonio::acquisition;
 
@@ -90,5 +92,5 @@ class UnguidedSelectionTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(UnguidedSelectionTest)
+GONIO_TEST(UnguidedSelectionTest)
 #include "unguided_selection_test.moc"

@@ -9,6 +9,7 @@
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -105,5 +106,5 @@ class BakeTableTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BakeTableTest)
+GONIO_TEST(BakeTableTest)
 #include "bake_table_test.moc"

@@ -5,6 +5,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class DataTransformTest : public QObject {
@@ -94,5 +96,5 @@ class DataTransformTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DataTransformTest)
+GONIO_TEST(DataTransformTest)
 #include "data_transform_test.moc"

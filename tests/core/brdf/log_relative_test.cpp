@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/math/parallel.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -107,5 +108,5 @@ class LogRelativeTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(LogRelativeTest)
+GONIO_TEST(LogRelativeTest)
 #include "log_relative_test.moc"

@@ -5,6 +5,8 @@
 #include <QTest>
 #include <atomic>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class PairwiseBrdfTest : public QObject {
@@ -32,5 +34,5 @@ class PairwiseBrdfTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PairwiseBrdfTest)
+GONIO_TEST(PairwiseBrdfTest)
 #include "pairwise_brdf_test.moc"

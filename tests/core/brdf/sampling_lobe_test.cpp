@@ -9,6 +9,7 @@
 #include "core/brdf/tabulated_brdf.h"
 #include "core/math/sampling.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -190,5 +191,5 @@ class SamplingLobeTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SamplingLobeTest)
+GONIO_TEST(SamplingLobeTest)
 #include "sampling_lobe_test.moc"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -80,5 +81,5 @@ class StatisticsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(StatisticsTest)
+GONIO_TEST(StatisticsTest)
 #include "statistics_test.moc"

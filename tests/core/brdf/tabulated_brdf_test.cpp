@@ -9,6 +9,7 @@
 
 #include "core/support/error.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -259,5 +260,5 @@ class TabulatedBrdfTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TabulatedBrdfTest)
+GONIO_TEST(TabulatedBrdfTest)
 #include "tabulated_brdf_test.moc"

@@ -8,6 +8,7 @@
 
 #include "tests/support/function_brdf.h"
 #include "tests/support/sampling_check.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::testing;
@@ -95,5 +96,5 @@ class WeightedSumTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(WeightedSumTest)
+GONIO_TEST(WeightedSumTest)
 #include "weighted_sum_test.moc"

@@ -5,6 +5,8 @@
 #include <QTest>
 #include <algorithm>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class GridDirectionsTest : public QObject {
@@ -27,5 +29,5 @@ class GridDirectionsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(GridDirectionsTest)
+GONIO_TEST(GridDirectionsTest)
 #include "grid_directions_test.moc"

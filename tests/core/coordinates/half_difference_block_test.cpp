@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -62,5 +63,5 @@ class HalfDifferenceBlockTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(HalfDifferenceBlockTest)
+GONIO_TEST(HalfDifferenceBlockTest)
 #include "half_difference_block_test.moc"

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class HalfDifferenceGridTest : public QObject {
@@ -51,5 +53,5 @@ class HalfDifferenceGridTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(HalfDifferenceGridTest)
+GONIO_TEST(HalfDifferenceGridTest)
 #include "half_difference_grid_test.moc"

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using testing::randomUpper;
@@ -86,5 +87,5 @@ class HalfDifferenceTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(HalfDifferenceTest)
+GONIO_TEST(HalfDifferenceTest)
 #include "half_difference_test.moc"

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using testing::randomUpper;
@@ -69,5 +70,5 @@ class HalfOutTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(HalfOutTest)
+GONIO_TEST(HalfOutTest)
 #include "half_out_test.moc"

@@ -8,6 +8,7 @@
 
 #include "core/math/quadrature.h"
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using testing::randomUpper;
@@ -150,5 +151,5 @@ class ProjectedDeviationTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ProjectedDeviationTest)
+GONIO_TEST(ProjectedDeviationTest)
 #include "projected_deviation_test.moc"

@@ -9,6 +9,7 @@
 #include "core/dictionary/encode.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -197,5 +198,5 @@ class CodeBrdfTest : public QObject {
   std::shared_ptr<const TabulatedBrdf> table_;
 };
 
-QTEST_GUILESS_MAIN(CodeBrdfTest)
+GONIO_TEST(CodeBrdfTest)
 #include "code_brdf_test.moc"

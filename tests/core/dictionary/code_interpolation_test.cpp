@@ -10,6 +10,7 @@
 #include "core/dictionary/encode.h"
 #include "core/math/parallel.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -173,5 +174,5 @@ class CodeInterpolationTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(CodeInterpolationTest)
+GONIO_TEST(CodeInterpolationTest)
 #include "code_interpolation_test.moc"

@@ -6,6 +6,7 @@
 #include "core/dictionary/encode.h"
 #include "core/math/parallel.h"
 #include "tests/core/dictionary/code_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -108,5 +109,5 @@ class EncodeHardCasesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(EncodeHardCasesTest)
+GONIO_TEST(EncodeHardCasesTest)
 #include "encode_hard_cases_test.moc"

@@ -7,6 +7,7 @@
 #include "core/dictionary/code_packing.h"
 #include "core/dictionary/decode.h"
 #include "tests/core/dictionary/code_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -218,5 +219,5 @@ class EncodeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(EncodeTest)
+GONIO_TEST(EncodeTest)
 #include "encode_test.moc"

@@ -7,6 +7,7 @@
 
 #include "core/math/parallel.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -145,5 +146,5 @@ class EnsembleLearnerTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(EnsembleLearnerTest)
+GONIO_TEST(EnsembleLearnerTest)
 #include "ensemble_learner_test.moc"

@@ -12,6 +12,7 @@
 
 #include "core/math/matching_pursuit.h"
 #include "core/math/parallel.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -188,5 +189,5 @@ class KSvdTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(KSvdTest)
+GONIO_TEST(KSvdTest)
 #include "k_svd_test.moc"

@@ -7,6 +7,7 @@
 
 #include "core/math/parallel.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -148,5 +149,5 @@ class PatchCodeTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PatchCodeTest)
+GONIO_TEST(PatchCodeTest)
 #include "patch_code_test.moc"

@@ -9,6 +9,7 @@
 #include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
 #include "tests/support/smooth_materials.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -250,5 +251,5 @@ class PrincipalComponentsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PrincipalComponentsTest)
+GONIO_TEST(PrincipalComponentsTest)
 #include "principal_components_test.moc"

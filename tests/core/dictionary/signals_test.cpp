@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -115,5 +116,5 @@ class SignalsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SignalsTest)
+GONIO_TEST(SignalsTest)
 #include "signals_test.moc"

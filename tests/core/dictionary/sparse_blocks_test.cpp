@@ -7,6 +7,7 @@
 #include "core/dictionary/largest_coefficients.h"
 #include "core/dictionary/procrustes.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -146,5 +147,5 @@ class SparseBlocksTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SparseBlocksTest)
+GONIO_TEST(SparseBlocksTest)
 #include "sparse_blocks_test.moc"

@@ -6,6 +6,7 @@
 
 #include "core/dictionary/full_sweep.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -128,5 +129,5 @@ class TrainingTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TrainingTest)
+GONIO_TEST(TrainingTest)
 #include "training_test.moc"

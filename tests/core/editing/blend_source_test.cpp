@@ -7,6 +7,7 @@
 
 #include "core/dictionary/code_interpolation.h"
 #include "core/models/registry.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::editing;
@@ -205,5 +206,5 @@ class BlendSourceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(BlendSourceTest)
+GONIO_TEST(BlendSourceTest)
 #include "blend_source_test.moc"

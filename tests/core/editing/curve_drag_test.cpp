@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/math/monotone_cubic.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::editing;
@@ -80,5 +81,5 @@ class CurveDragTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(CurveDragTest)
+GONIO_TEST(CurveDragTest)
 #include "curve_drag_test.moc"

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/math/parallel.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::editing;
@@ -262,5 +263,5 @@ class DifferentialEditTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DifferentialEditTest)
+GONIO_TEST(DifferentialEditTest)
 #include "differential_edit_test.moc"

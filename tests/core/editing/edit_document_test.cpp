@@ -8,6 +8,7 @@
 
 #include "core/models/parameters_json.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::editing;
@@ -198,5 +199,5 @@ class EditDocumentTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(EditDocumentTest)
+GONIO_TEST(EditDocumentTest)
 #include "edit_document_test.moc"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::editing;
@@ -98,5 +99,5 @@ class EditPlausibilityTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(EditPlausibilityTest)
+GONIO_TEST(EditPlausibilityTest)
 #include "edit_plausibility_test.moc"

@@ -9,6 +9,7 @@
 #include "core/editing/edit_document.h"
 #include "core/models/model.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::editing;
@@ -176,5 +177,5 @@ class FactorEditTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FactorEditTest)
+GONIO_TEST(FactorEditTest)
 #include "factor_edit_test.moc"

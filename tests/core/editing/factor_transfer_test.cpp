@@ -7,6 +7,7 @@
 
 #include "core/factorization/pdv_operations.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::editing;
@@ -140,5 +141,5 @@ class FactorTransferTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FactorTransferTest)
+GONIO_TEST(FactorTransferTest)
 #include "factor_transfer_test.moc"

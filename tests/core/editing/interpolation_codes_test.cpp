@@ -6,6 +6,7 @@
 #include "core/editing/interpolation/interpolation.h"
 #include "core/support/error.h"
 #include "tests/core/editing/interpolation_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::editing;
@@ -133,5 +134,5 @@ class InterpolationCodesTest : public QObject, private ThreeMaterials {
   }
 };
 
-QTEST_APPLESS_MAIN(InterpolationCodesTest)
+GONIO_TEST(InterpolationCodesTest)
 #include "interpolation_codes_test.moc"

@@ -6,6 +6,7 @@
 #include "core/factorization/pdv_blend.h"
 #include "core/support/error.h"
 #include "tests/core/editing/interpolation_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::editing;
@@ -60,5 +61,5 @@ class InterpolationFactorsTest : public QObject, private ThreeMaterials {
   }
 };
 
-QTEST_APPLESS_MAIN(InterpolationFactorsTest)
+GONIO_TEST(InterpolationFactorsTest)
 #include "interpolation_factors_test.moc"

@@ -11,6 +11,7 @@
 #include "core/models/parameter_blend.h"
 #include "core/support/error.h"
 #include "tests/core/editing/interpolation_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::editing;
@@ -258,5 +259,5 @@ class InterpolationTest : public QObject, private ThreeMaterials {
   }
 };
 
-QTEST_APPLESS_MAIN(InterpolationTest)
+GONIO_TEST(InterpolationTest)
 #include "interpolation_test.moc"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/core/factorization/factorization_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -130,5 +131,5 @@ class CanonicalPolyadicTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(CanonicalPolyadicTest)
+GONIO_TEST(CanonicalPolyadicTest)
 #include "canonical_polyadic_test.moc"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/core/factorization/factorization_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -68,5 +69,5 @@ class HigherOrderSvdTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(HigherOrderSvdTest)
+GONIO_TEST(HigherOrderSvdTest)
 #include "higher_order_svd_test.moc"

@@ -8,6 +8,7 @@
 
 #include "core/factorization/canonical_polyadic.h"
 #include "core/math/parallel.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -118,5 +119,5 @@ class MaskedRankOneTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MaskedRankOneTest)
+GONIO_TEST(MaskedRankOneTest)
 #include "masked_rank_one_test.moc"

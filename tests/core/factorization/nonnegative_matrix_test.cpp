@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/core/factorization/factorization_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -57,5 +58,5 @@ class NonnegativeMatrixTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(NonnegativeMatrixTest)
+GONIO_TEST(NonnegativeMatrixTest)
 #include "nonnegative_matrix_test.moc"

@@ -10,6 +10,7 @@
 #include "core/factorization/width_blend.h"
 #include "core/support/error.h"
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -183,5 +184,5 @@ class PdvBlendTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PdvBlendTest)
+GONIO_TEST(PdvBlendTest)
 #include "pdv_blend_test.moc"

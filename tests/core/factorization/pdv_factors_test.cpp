@@ -12,6 +12,7 @@
 #include "core/models/registry.h"
 #include "core/support/error.h"
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -251,5 +252,5 @@ class PdvFactorsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PdvFactorsTest)
+GONIO_TEST(PdvFactorsTest)
 #include "pdv_factors_test.moc"

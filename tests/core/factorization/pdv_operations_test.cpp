@@ -9,6 +9,7 @@
 
 #include "core/coordinates/projected_deviation.h"
 #include "core/support/error.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -150,5 +151,5 @@ class PdvOperationsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PdvOperationsTest)
+GONIO_TEST(PdvOperationsTest)
 #include "pdv_operations_test.moc"

@@ -7,6 +7,7 @@
 
 #include "core/factorization/pdv_samples.h"
 #include "core/models/registry.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -83,5 +84,5 @@ class PdvResidualsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PdvResidualsTest)
+GONIO_TEST(PdvResidualsTest)
 #include "pdv_residuals_test.moc"

@@ -13,6 +13,7 @@
 #include "core/math/quadrature.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/sampling_check.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -256,5 +257,5 @@ class PdvSamplerTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PdvSamplerTest)
+GONIO_TEST(PdvSamplerTest)
 #include "pdv_sampler_test.moc"

@@ -7,6 +7,7 @@
 
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/deviation_grid.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -131,5 +132,5 @@ class PdvSamplesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PdvSamplesTest)
+GONIO_TEST(PdvSamplesTest)
 #include "pdv_samples_test.moc"

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio::factorization;
 
 namespace {
@@ -86,5 +88,5 @@ class WidthBlendTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(WidthBlendTest)
+GONIO_TEST(WidthBlendTest)
 #include "width_blend_test.moc"

@@ -6,6 +6,8 @@
 #include <QTest>
 #include <random>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio::fitting;
 
 namespace {
@@ -131,5 +133,5 @@ class BoundedQuadraticTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BoundedQuadraticTest)
+GONIO_TEST(BoundedQuadraticTest)
 #include "bounded_quadratic_test.moc"

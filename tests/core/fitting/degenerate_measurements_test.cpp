@@ -7,6 +7,7 @@
 #include "core/fitting/fit_data.h"
 #include "core/fitting/fit_parameters.h"
 #include "core/fitting/group_fit.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::fitting;
@@ -156,5 +157,5 @@ class DegenerateMeasurementsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DegenerateMeasurementsTest)
+GONIO_TEST(DegenerateMeasurementsTest)
 #include "degenerate_measurements_test.moc"

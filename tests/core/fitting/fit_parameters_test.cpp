@@ -6,6 +6,7 @@
 
 #include "core/fitting/fit.h"
 #include "core/models/fresnel.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::fitting;
@@ -76,5 +77,5 @@ class FitParametersTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FitParametersTest)
+GONIO_TEST(FitParametersTest)
 #include "fit_parameters_test.moc"

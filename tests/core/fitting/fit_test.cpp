@@ -8,6 +8,7 @@
 #include "core/fitting/projected_problem.h"
 #include "core/math/parallel.h"
 #include "tests/support/leading_parameters.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::fitting;
@@ -239,5 +240,5 @@ class FitTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FitTest)
+GONIO_TEST(FitTest)
 #include "fit_test.moc"

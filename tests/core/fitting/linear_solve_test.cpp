@@ -5,6 +5,8 @@
 #include <QTest>
 #include <random>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using namespace gonio::fitting;
 
@@ -124,5 +126,5 @@ class LinearSolveTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(LinearSolveTest)
+GONIO_TEST(LinearSolveTest)
 #include "linear_solve_test.moc"

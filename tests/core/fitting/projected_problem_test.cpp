@@ -9,6 +9,7 @@
 #include "core/fitting/unit_scale.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::fitting;
@@ -143,5 +144,5 @@ class ProjectedProblemTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ProjectedProblemTest)
+GONIO_TEST(ProjectedProblemTest)
 #include "projected_problem_test.moc"

@@ -9,6 +9,7 @@
 
 #include "core/fitting/fit_data.h"
 #include "core/io/material.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::fitting;
@@ -77,5 +78,5 @@ class PublishedFitsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PublishedFitsTest)
+GONIO_TEST(PublishedFitsTest)
 #include "published_fits_test.moc"

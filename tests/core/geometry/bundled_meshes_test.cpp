@@ -7,6 +7,7 @@
 #include "core/geometry/mesh_intersector.h"
 #include "core/support/error.h"
 #include "tests/support/simple_meshes.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -74,5 +75,5 @@ class BundledMeshesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BundledMeshesTest)
+GONIO_TEST(BundledMeshesTest)
 #include "bundled_meshes_test.moc"

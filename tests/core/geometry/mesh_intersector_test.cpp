@@ -8,6 +8,7 @@
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 #include "tests/support/simple_meshes.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::testing;
@@ -230,5 +231,5 @@ class MeshIntersectorTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MeshIntersectorTest)
+GONIO_TEST(MeshIntersectorTest)
 #include "mesh_intersector_test.moc"

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/geometry/triangle_mesh.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -112,5 +113,5 @@ class PolygonTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PolygonTest)
+GONIO_TEST(PolygonTest)
 #include "polygon_test.moc"

@@ -8,6 +8,7 @@
 #include "core/geometry/corner_normals.h"
 #include "core/support/error.h"
 #include "tests/support/simple_meshes.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::testing;
@@ -282,5 +283,5 @@ class TriangleMeshTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TriangleMeshTest)
+GONIO_TEST(TriangleMeshTest)
 #include "triangle_mesh_test.moc"

@@ -8,6 +8,7 @@
 #include "core/brdf/log_relative.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/smooth_materials.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::io;
@@ -165,5 +166,5 @@ class BasisFileTest : public QObject {
   PrincipalComponents basis_;
 };
 
-QTEST_APPLESS_MAIN(BasisFileTest)
+GONIO_TEST(BasisFileTest)
 #include "basis_file_test.moc"

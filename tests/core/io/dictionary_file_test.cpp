@@ -10,6 +10,7 @@
 #include "core/io/training_checkpoint.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -151,5 +152,5 @@ class DictionaryFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DictionaryFileTest)
+GONIO_TEST(DictionaryFileTest)
 #include "dictionary_file_test.moc"

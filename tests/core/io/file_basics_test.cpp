@@ -17,6 +17,7 @@
 #include "core/io/sha256.h"
 #include "core/io/training_checkpoint.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::test;
@@ -129,5 +130,5 @@ class FileBasicsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FileBasicsTest)
+GONIO_TEST(FileBasicsTest)
 #include "file_basics_test.moc"

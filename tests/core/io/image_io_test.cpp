@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::test;
@@ -150,5 +151,5 @@ class ImageIoTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ImageIoTest)
+GONIO_TEST(ImageIoTest)
 #include "image_io_test.moc"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::io;
@@ -113,5 +114,5 @@ class MarginalWarpTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MarginalWarpTest)
+GONIO_TEST(MarginalWarpTest)
 #include "marginal_warp_test.moc"

@@ -11,6 +11,7 @@
 #include "core/io/sha256.h"
 #include "core/math/parallel.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::test;
@@ -196,5 +197,5 @@ class MerlFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MerlFileTest)
+GONIO_TEST(MerlFileTest)
 #include "merl_file_test.moc"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -102,5 +103,5 @@ class NpfFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(NpfFileTest)
+GONIO_TEST(NpfFileTest)
 #include "npf_file_test.moc"

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::io;
@@ -174,5 +175,5 @@ class ObjFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ObjFileTest)
+GONIO_TEST(ObjFileTest)
 #include "obj_file_test.moc"

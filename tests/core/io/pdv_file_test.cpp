@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -99,5 +100,5 @@ class PdvFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PdvFileTest)
+GONIO_TEST(PdvFileTest)
 #include "pdv_file_test.moc"

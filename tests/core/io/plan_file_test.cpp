@@ -7,6 +7,7 @@
 #include "core/coordinates/grid_directions.h"
 #include "core/io/csv_text.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::io;
@@ -175,5 +176,5 @@ class PlanFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PlanFileTest)
+GONIO_TEST(PlanFileTest)
 #include "plan_file_test.moc"

@@ -13,6 +13,7 @@
 #include "core/io/material.h"
 #include "core/io/tensor_file.h"
 #include "tests/core/io/synthetic_tensors.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::test;
@@ -261,5 +262,5 @@ class RglBrdfTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(RglBrdfTest)
+GONIO_TEST(RglBrdfTest)
 #include "rgl_brdf_test.moc"

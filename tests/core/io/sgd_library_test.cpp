@@ -9,6 +9,7 @@
 #include "core/io/bundled_library.h"
 #include "core/io/measured_library.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::test;
@@ -100,5 +101,5 @@ class SgdLibraryTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SgdLibraryTest)
+GONIO_TEST(SgdLibraryTest)
 #include "sgd_library_test.moc"

@@ -7,6 +7,7 @@
 
 #include "core/io/format_mismatch.h"
 #include "tests/core/io/synthetic_tensors.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::test;
@@ -88,5 +89,5 @@ class TensorFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TensorFileTest)
+GONIO_TEST(TensorFileTest)
 #include "tensor_file_test.moc"

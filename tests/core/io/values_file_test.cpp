@@ -6,6 +6,7 @@
 
 #include "core/math/spectrum.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::io;
@@ -100,5 +101,5 @@ class ValuesFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ValuesFileTest)
+GONIO_TEST(ValuesFileTest)
 #include "values_file_test.moc"

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-# cmake -DROOT=FOLDER -DROOMS=A,B,.. -P check_layers.cmake: fails where a layer includes from a layer above it, or a room
-# of core from a room behind it in ROOMS. Lists every offence.
+# cmake -DROOT=FOLDER -DCORE_ROOMS=A,B,.. -DWIDGET_ROOMS=.. -DAPP_ROOMS=.. -P check_layers.cmake: fails where a layer
+# includes from a layer above it, or a room from a room behind it in its layer's list. Lists every offence.
 cmake_minimum_required(VERSION 3.22)
 
 set(qt "[<\"](Q[A-Z][A-Za-z0-9]*|Qt[A-Z][A-Za-z0-9]*/.*)(\\.h)?[>\"]")
 set(opengl "[<\"](GL|GLES[0-9]*|EGL|KHR|OpenGL|GLFW|epoxy|glad)/")
 
-# layer_must_not_include(FOLDER WHAT REGEX)
-function(layer_must_not_include folder what regex)
+# must_not_include(FOLDER WHAT REGEX)
+function(must_not_include folder what regex)
   file(GLOB_RECURSE files ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp)
   foreach(file ${files})
     file(STRINGS ${file} lines REGEX "^[ \t]*#[ \t]*include[ \t]*${regex}")
@@ -17,19 +17,25 @@ function(layer_must_not_include folder what regex)
     endforeach()
   endforeach()
   list(LENGTH files count)
-  message(STATUS "${folder}: ${count} files looked at for ${what}")
+  message(STATUS "${folder}: ${count} files checked for ${what}")
 endfunction()
 
-layer_must_not_include(core Qt "${qt}")
-layer_must_not_include(core OpenGL "${opengl}")
-layer_must_not_include(core "the layers above it" "[<\"](widgets|app)/")
-layer_must_not_include(widgets "the layer above it" "[<\"]app/")
+# check_rooms(LAYER ROOMS): a room may hold rooms of its own (preview and preview/gl), each a line of the list.
+function(check_rooms layer rooms)
+  string(REPLACE "," ";" rooms "${rooms}")
+  while(rooms)
+    list(POP_FRONT rooms room)
+    if(rooms)
+      list(JOIN rooms "|" above)
+      must_not_include(${layer}/${room} "a room above it" "[<\"]${layer}/(${above})/[^/]*[>\"]")
+    endif()
+  endwhile()
+endfunction()
 
-string(REPLACE "," ";" rooms "${ROOMS}")
-while(rooms)
-  list(POP_FRONT rooms room)
-  if(rooms)
-    list(JOIN rooms "|" above)
-    layer_must_not_include(core/${room} "a room above it" "[<\"]core/(${above})/")
-  endif()
-endwhile()
+must_not_include(core Qt "${qt}")
+must_not_include(core OpenGL "${opengl}")
+must_not_include(core "the layers above it" "[<\"](widgets|app)/")
+must_not_include(widgets "the layer above it" "[<\"]app/")
+check_rooms(core "${CORE_ROOMS}")
+check_rooms(widgets "${WIDGET_ROOMS}")
+check_rooms(app/gonio "${APP_ROOMS}")

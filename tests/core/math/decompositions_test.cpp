@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using Eigen::MatrixXd;
 
@@ -63,5 +65,5 @@ class DecompositionsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DecompositionsTest)
+GONIO_TEST(DecompositionsTest)
 #include "decompositions_test.moc"

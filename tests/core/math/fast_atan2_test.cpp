@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class FastAtan2Test : public QObject {
@@ -41,5 +43,5 @@ class FastAtan2Test : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FastAtan2Test)
+GONIO_TEST(FastAtan2Test)
 #include "fast_atan2_test.moc"

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/math/parallel.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -116,5 +117,5 @@ class GramSvdTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(GramSvdTest)
+GONIO_TEST(GramSvdTest)
 #include "gram_svd_test.moc"

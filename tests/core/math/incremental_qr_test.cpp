@@ -6,6 +6,8 @@
 #include <QTest>
 #include <random>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using Eigen::MatrixXd, Eigen::VectorXd;
 
@@ -80,5 +82,5 @@ class IncrementalQrTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(IncrementalQrTest)
+GONIO_TEST(IncrementalQrTest)
 #include "incremental_qr_test.moc"

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/support/error.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using Eigen::MatrixXd, Eigen::VectorXd;
@@ -257,5 +258,5 @@ class MatchingPursuitTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MatchingPursuitTest)
+GONIO_TEST(MatchingPursuitTest)
 #include "matching_pursuit_test.moc"

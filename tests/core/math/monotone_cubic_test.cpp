@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class MonotoneCubicTest : public QObject {
@@ -79,5 +81,5 @@ class MonotoneCubicTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MonotoneCubicTest)
+GONIO_TEST(MonotoneCubicTest)
 #include "monotone_cubic_test.moc"

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class ParallelTest : public QObject {
@@ -76,5 +78,5 @@ class ParallelTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ParallelTest)
+GONIO_TEST(ParallelTest)
 #include "parallel_test.moc"

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class QuadratureTest : public QObject {
@@ -37,5 +39,5 @@ class QuadratureTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(QuadratureTest)
+GONIO_TEST(QuadratureTest)
 #include "quadrature_test.moc"

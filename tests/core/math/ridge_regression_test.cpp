@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 using Eigen::MatrixXd;
 
@@ -137,5 +139,5 @@ class RidgeRegressionTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(RidgeRegressionTest)
+GONIO_TEST(RidgeRegressionTest)
 #include "ridge_regression_test.moc"

@@ -7,6 +7,8 @@
 #include <set>
 #include <vector>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class SamplingTest : public QObject {
@@ -72,5 +74,5 @@ class SamplingTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SamplingTest)
+GONIO_TEST(SamplingTest)
 #include "sampling_test.moc"

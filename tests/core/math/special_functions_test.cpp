@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/math/types.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -53,5 +54,5 @@ class SpecialFunctionsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SpecialFunctionsTest)
+GONIO_TEST(SpecialFunctionsTest)
 #include "special_functions_test.moc"

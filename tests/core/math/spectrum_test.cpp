@@ -5,6 +5,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 namespace {
@@ -57,5 +59,5 @@ class SpectrumTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SpectrumTest)
+GONIO_TEST(SpectrumTest)
 #include "spectrum_test.moc"

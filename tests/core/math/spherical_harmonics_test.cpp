@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/math/quadrature.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -58,5 +59,5 @@ class SphericalHarmonicsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SphericalHarmonicsTest)
+GONIO_TEST(SphericalHarmonicsTest)
 #include "spherical_harmonics_test.moc"

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/math/parallel.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using Matrix = Eigen::MatrixXd;
@@ -146,5 +147,5 @@ class TensorTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TensorTest)
+GONIO_TEST(TensorTest)
 #include "tensor_test.moc"

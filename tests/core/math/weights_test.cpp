@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/support/error.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -45,5 +46,5 @@ class WeightsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(WeightsTest)
+GONIO_TEST(WeightsTest)
 #include "weights_test.moc"

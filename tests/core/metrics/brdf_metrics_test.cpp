@@ -9,6 +9,7 @@
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::metrics;
@@ -266,5 +267,5 @@ class BrdfMetricsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BrdfMetricsTest)
+GONIO_TEST(BrdfMetricsTest)
 #include "brdf_metrics_test.moc"

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/support/error.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::metrics;
@@ -117,5 +118,5 @@ class ImageMetricsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ImageMetricsTest)
+GONIO_TEST(ImageMetricsTest)
 #include "image_metrics_test.moc"

@@ -7,6 +7,7 @@
 
 #include "core/brdf/tabulated_brdf.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::metrics;
@@ -88,5 +89,5 @@ class PlausibilityTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PlausibilityTest)
+GONIO_TEST(PlausibilityTest)
 #include "plausibility_test.moc"

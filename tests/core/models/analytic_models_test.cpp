@@ -7,6 +7,7 @@
 #include "core/math/quadrature.h"
 #include "core/models/fresnel.h"
 #include "tests/core/models/model_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -241,5 +242,5 @@ class AnalyticModelsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(AnalyticModelsTest)
+GONIO_TEST(AnalyticModelsTest)
 #include "analytic_models_test.moc"

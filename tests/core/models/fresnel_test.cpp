@@ -7,6 +7,7 @@
 #include <complex>
 
 #include "core/math/types.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -134,5 +135,5 @@ class FresnelTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FresnelTest)
+GONIO_TEST(FresnelTest)
 #include "fresnel_test.moc"

@@ -7,6 +7,7 @@
 #include "core/models/exponential_power.h"
 #include "tests/core/models/model_test_support.h"
 #include "tests/core/models/white_furnace.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -113,7 +114,8 @@ class HolzschuchPacanowskiTest : public QObject {
   }
 
   void hardCase46SmallestPower() {
-    const auto brdf = holzschuchPacanowski().instantiate(with({{"power", 0.05}, {"roughness", 0.3}, {"nano-roughness", 0}}));
+    const auto brdf =
+        holzschuchPacanowski().instantiate(with({{"power", 0.05}, {"roughness", 0.3}, {"nano-roughness", 0}}));
     // D(0) = p / (pi beta^2 Gamma(20)), Gamma(20) = 19!.
     QVERIFY(agrees(brdf->evaluate(normal, normal).x, 0.05 / (pi * 0.09 * 121645100408832000.0) / 4, 1e-10));
     for (const double theta : {1e-9, 0.1, 1.5})
@@ -212,5 +214,5 @@ class HolzschuchPacanowskiTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(HolzschuchPacanowskiTest)
+GONIO_TEST(HolzschuchPacanowskiTest)
 #include "holzschuch_pacanowski_test.moc"

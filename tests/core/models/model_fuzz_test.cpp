@@ -6,6 +6,7 @@
 
 #include "core/math/parallel.h"
 #include "tests/core/models/model_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -108,5 +109,5 @@ class ModelFuzzTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ModelFuzzTest)
+GONIO_TEST(ModelFuzzTest)
 #include "model_fuzz_test.moc"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/core/models/model_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -177,5 +178,5 @@ class ModelGoldenValuesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ModelGoldenValuesTest)
+GONIO_TEST(ModelGoldenValuesTest)
 #include "model_golden_values_test.moc"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/core/models/model_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -176,5 +177,5 @@ class ModelLimitsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ModelLimitsTest)
+GONIO_TEST(ModelLimitsTest)
 #include "model_limits_test.moc"

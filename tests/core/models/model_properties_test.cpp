@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/core/models/model_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -224,5 +225,5 @@ class ModelPropertiesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ModelPropertiesTest)
+GONIO_TEST(ModelPropertiesTest)
 #include "model_properties_test.moc"

@@ -6,6 +6,7 @@
 #include "core/math/parallel.h"
 #include "tests/core/models/model_test_support.h"
 #include "tests/support/sampling_check.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -68,5 +69,5 @@ class ModelSamplingTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ModelSamplingTest)
+GONIO_TEST(ModelSamplingTest)
 #include "model_sampling_test.moc"

@@ -7,6 +7,7 @@
 
 #include "core/support/error.h"
 #include "tests/core/models/model_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -145,5 +146,5 @@ class ModelSpecsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ModelSpecsTest)
+GONIO_TEST(ModelSpecsTest)
 #include "model_specs_test.moc"

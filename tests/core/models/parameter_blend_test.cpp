@@ -7,6 +7,7 @@
 
 #include "core/models/registry.h"
 #include "core/support/error.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -76,5 +77,5 @@ class ParameterBlendTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ParameterBlendTest)
+GONIO_TEST(ParameterBlendTest)
 #include "parameter_blend_test.moc"

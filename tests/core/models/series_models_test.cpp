@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/core/models/model_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -137,5 +138,5 @@ class SeriesModelsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SeriesModelsTest)
+GONIO_TEST(SeriesModelsTest)
 #include "series_models_test.moc"

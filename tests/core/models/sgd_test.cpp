@@ -8,6 +8,7 @@
 
 #include "core/math/quadrature.h"
 #include "core/models/registry.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -109,5 +110,5 @@ class SgdTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SgdTest)
+GONIO_TEST(SgdTest)
 #include "sgd_test.moc"

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/core/models/model_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::models;
@@ -257,5 +258,5 @@ class WhiteFurnaceTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(WhiteFurnaceTest)
+GONIO_TEST(WhiteFurnaceTest)
 #include "white_furnace_test.moc"

@@ -8,6 +8,7 @@
 #include "core/plots/section.h"
 #include "core/plots/slice.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::plots;
@@ -183,5 +184,5 @@ class PlotCurvesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PlotCurvesTest)
+GONIO_TEST(PlotCurvesTest)
 #include "plot_curves_test.moc"

@@ -9,6 +9,7 @@
 #include "core/plots/csv_table.h"
 #include "core/plots/plotted_values.h"
 #include "core/plots/value_scale.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::plots;
@@ -97,5 +98,5 @@ class PlotNumbersTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PlotNumbersTest)
+GONIO_TEST(PlotNumbersTest)
 #include "plot_numbers_test.moc"

@@ -6,6 +6,7 @@
 
 #include "core/rendering/sphere_renderer.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -73,5 +74,5 @@ class BundledEnvironmentsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BundledEnvironmentsTest)
+GONIO_TEST(BundledEnvironmentsTest)
 #include "bundled_environments_test.moc"

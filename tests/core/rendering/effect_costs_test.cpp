@@ -6,6 +6,7 @@
 
 #include "core/rendering/scene_file.h"
 #include "tests/core/rendering/tracing.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::testing;
@@ -78,5 +79,5 @@ class EffectCostsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(EffectCostsTest)
+GONIO_TEST(EffectCostsTest)
 #include "effect_costs_test.moc"

@@ -11,6 +11,7 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/leading_parameters.h"
 #include "tests/support/random_scenes.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::testing;
@@ -312,5 +313,5 @@ class EffectPlanTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(EffectPlanTest)
+GONIO_TEST(EffectPlanTest)
 #include "effect_plan_test.moc"

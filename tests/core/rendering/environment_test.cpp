@@ -10,6 +10,7 @@
 
 #include "core/rendering/sphere_scene.h"
 #include "core/support/error.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -211,5 +212,5 @@ class EnvironmentTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(EnvironmentTest)
+GONIO_TEST(EnvironmentTest)
 #include "environment_test.moc"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/rendering/tone_map.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -48,5 +49,5 @@ class FalseColourTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FalseColourTest)
+GONIO_TEST(FalseColourTest)
 #include "false_colour_test.moc"

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class FilmTest : public QObject {
@@ -71,5 +73,5 @@ class FilmTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FilmTest)
+GONIO_TEST(FilmTest)
 #include "film_test.moc"

@@ -8,6 +8,7 @@
 #include "core/rendering/scene_file.h"
 #include "tests/core/rendering/tracing.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 /// Scenes at the edges: no light, no object, light where it cannot be, and brightness of all orders.
 using namespace gonio;
@@ -173,5 +174,5 @@ class PathTracerHardCasesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PathTracerHardCasesTest)
+GONIO_TEST(PathTracerHardCasesTest)
 #include "path_tracer_hard_cases_test.moc"

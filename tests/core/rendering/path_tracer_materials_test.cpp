@@ -16,6 +16,7 @@
 #include "tests/core/rendering/tracing.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/leading_parameters.h"
+#include "tests/support/test_program.h"
 
 /// Every kind of material in the path tracer: energy in the furnace, and each representation against its own table.
 using namespace gonio;
@@ -210,5 +211,5 @@ class PathTracerMaterialsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PathTracerMaterialsTest)
+GONIO_TEST(PathTracerMaterialsTest)
 #include "path_tracer_materials_test.moc"

@@ -8,6 +8,7 @@
 #include "core/rendering/sphere_renderer.h"
 #include "tests/core/rendering/tracing.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 /// The path tracer does what its plan says, and a plan leaves out nothing that shows.
 using namespace gonio;
@@ -155,5 +156,5 @@ class PathTracerPlanTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PathTracerPlanTest)
+GONIO_TEST(PathTracerPlanTest)
 #include "path_tracer_plan_test.moc"

@@ -11,6 +11,7 @@
 #include "core/rendering/sphere_renderer.h"
 #include "tests/core/rendering/tracing.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::testing;
@@ -240,5 +241,5 @@ class PathTracerTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PathTracerTest)
+GONIO_TEST(PathTracerTest)
 #include "path_tracer_test.moc"

@@ -11,6 +11,7 @@
 #include "core/rendering/traced_material.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/leading_parameters.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -143,5 +144,5 @@ class ReflectionBoundTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ReflectionBoundTest)
+GONIO_TEST(ReflectionBoundTest)
 #include "reflection_bound_test.moc"

@@ -8,6 +8,7 @@
 
 #include "core/brdf/tabulated_brdf.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -70,5 +71,5 @@ class RenderedComparisonTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(RenderedComparisonTest)
+GONIO_TEST(RenderedComparisonTest)
 #include "rendered_comparison_test.moc"

@@ -15,6 +15,7 @@
 #include "core/rendering/sphere_renderer.h"
 #include "core/support/error.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -298,5 +299,5 @@ class SceneFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SceneFileTest)
+GONIO_TEST(SceneFileTest)
 #include "scene_file_test.moc"

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/support/random_scenes.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::testing;
@@ -306,5 +307,5 @@ class SceneLightTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SceneLightTest)
+GONIO_TEST(SceneLightTest)
 #include "scene_light_test.moc"

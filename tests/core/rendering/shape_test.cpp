@@ -8,6 +8,7 @@
 
 #include "tests/support/random_scenes.h"
 #include "tests/support/simple_meshes.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::testing;
@@ -184,5 +185,5 @@ class ShapeTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ShapeTest)
+GONIO_TEST(ShapeTest)
 #include "shape_test.moc"

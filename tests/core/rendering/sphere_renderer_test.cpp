@@ -10,6 +10,7 @@
 #include "core/metrics/image_metrics.h"
 #include "core/models/registry.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -250,5 +251,5 @@ class SphereRendererTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SphereRendererTest)
+GONIO_TEST(SphereRendererTest)
 #include "sphere_renderer_test.moc"

@@ -5,6 +5,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 namespace {
@@ -69,5 +71,5 @@ class SphereSceneTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SphereSceneTest)
+GONIO_TEST(SphereSceneTest)
 #include "sphere_scene_test.moc"

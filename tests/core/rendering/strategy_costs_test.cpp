@@ -7,6 +7,7 @@
 
 #include "core/models/registry.h"
 #include "core/rendering/scene_file.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 
@@ -57,5 +58,5 @@ class StrategyCostsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(StrategyCostsTest)
+GONIO_TEST(StrategyCostsTest)
 #include "strategy_costs_test.moc"

@@ -5,6 +5,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio;
 
 class ToneMapTest : public QObject {
@@ -54,5 +56,5 @@ class ToneMapTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ToneMapTest)
+GONIO_TEST(ToneMapTest)
 #include "tone_map_test.moc"

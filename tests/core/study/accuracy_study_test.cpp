@@ -14,6 +14,7 @@
 #include "core/rendering/rendered_comparison.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::study;
@@ -196,5 +197,5 @@ class AccuracyStudyTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(AccuracyStudyTest)
+GONIO_TEST(AccuracyStudyTest)
 #include "accuracy_study_test.moc"

@@ -9,6 +9,7 @@
 #include "core/math/parallel.h"
 #include "core/rendering/rendered_comparison.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::fitting;
@@ -131,5 +132,5 @@ class FitRankingTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FitRankingTest)
+GONIO_TEST(FitRankingTest)
 #include "fit_ranking_test.moc"

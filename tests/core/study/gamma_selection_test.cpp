@@ -9,6 +9,7 @@
 
 #include "core/rendering/rendered_comparison.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::fitting;
@@ -73,5 +74,5 @@ class GammaSelectionTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(GammaSelectionTest)
+GONIO_TEST(GammaSelectionTest)
 #include "gamma_selection_test.moc"

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+#include "tests/support/test_program.h"
+
 using namespace gonio::study;
 
 namespace {
@@ -87,5 +89,5 @@ class ParetoTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ParetoTest)
+GONIO_TEST(ParetoTest)
 #include "pareto_test.moc"

@@ -9,6 +9,7 @@
 #include "core/dictionary/training.h"
 #include "core/rendering/rendered_comparison.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::dictionary;
@@ -83,10 +84,11 @@ class PictureEncodingTest : public QObject {
   void whatCannotBeReached() {
     const PictureEncoding found = studied().encoded(300, {.coefficients = 100, .transforms = {DataTransform::logPlus}});
     double best = 0;
-    for (const std::size_t count : {8, 16, 32, 64, 100}) best = std::max(best, studied().snrOf(DataTransform::logPlus, count));
+    for (const std::size_t count : {8, 16, 32, 64, 100})
+      best = std::max(best, studied().snrOf(DataTransform::logPlus, count));
     QCOMPARE(found.renderedSnr, best);
   }
 };
 
-QTEST_APPLESS_MAIN(PictureEncodingTest)
+GONIO_TEST(PictureEncodingTest)
 #include "picture_encoding_test.moc"

@@ -14,6 +14,7 @@
 #include "core/study/study_csv.h"
 #include "core/study/study_plot.h"
 #include "core/study/study_summary.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::study;
@@ -181,5 +182,5 @@ class StudyReportTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(StudyReportTest)
+GONIO_TEST(StudyReportTest)
 #include "study_report_test.moc"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/core/factorization/rivals/half_out_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -125,5 +126,5 @@ class BilgiliTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BilgiliTest)
+GONIO_TEST(BilgiliTest)
 #include "bilgili_test.moc"

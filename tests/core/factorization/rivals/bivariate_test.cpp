@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -88,5 +89,5 @@ class BivariateTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BivariateTest)
+GONIO_TEST(BivariateTest)
 #include "bivariate_test.moc"

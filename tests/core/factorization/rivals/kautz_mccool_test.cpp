@@ -8,6 +8,7 @@
 
 #include "tests/core/factorization/rivals/half_difference_test_support.h"
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -129,5 +130,5 @@ class KautzMcCoolTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(KautzMcCoolTest)
+GONIO_TEST(KautzMcCoolTest)
 #include "kautz_mccool_test.moc"

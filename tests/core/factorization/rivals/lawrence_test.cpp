@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/core/factorization/rivals/half_out_test_support.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -79,5 +80,5 @@ class LawrenceTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(LawrenceTest)
+GONIO_TEST(LawrenceTest)
 #include "lawrence_test.moc"

@@ -8,6 +8,7 @@
 
 #include "tests/core/factorization/rivals/half_difference_test_support.h"
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -97,5 +98,5 @@ class McCoolTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(McCoolTest)
+GONIO_TEST(McCoolTest)
 #include "mccool_test.moc"

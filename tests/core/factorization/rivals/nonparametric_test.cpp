@@ -8,6 +8,7 @@
 
 #include "tests/core/factorization/rivals/half_difference_test_support.h"
 #include "tests/support/random_directions.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -131,5 +132,5 @@ class NonparametricTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(NonparametricTest)
+GONIO_TEST(NonparametricTest)
 #include "nonparametric_test.moc"

@@ -11,6 +11,7 @@
 #include "core/factorization/rivals/half_out_samples.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::factorization;
@@ -117,5 +118,5 @@ class RivalsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(RivalsTest)
+GONIO_TEST(RivalsTest)
 #include "rivals_test.moc"

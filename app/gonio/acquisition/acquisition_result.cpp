@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition/acquisition_result.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "app/gonio/acquisition/acquisition_training.h"
+#include "app/gonio/library/thumbnail.h"
+#include "core/io/material.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/rendering/false_colour.h"
+#include "widgets/preview/gl/preview_comparison.h"
+
+namespace gonio::app {
+
+namespace {
+
+constexpr int comparedSide = 192, comparedSamples = 32;
+constexpr int mostCounts = 12;
+
+/// What a picture of comparisonScene() shows, on a transparent ground.
+QImage withoutSurroundings(const Image& picture) {
+  Image sphere = picture;
+  for (std::size_t i = 0; i < sphere.pixels.size(); ++i)
+    if (sphere.alpha[i] < 0.5f) sphere.pixels[i] = glm::vec3(0), sphere.alpha[i] = 0;
+  return displayedImage(sphere);
+}
+
+AcquisitionError errorOf(const TabulatedBrdf& table, const ComparisonPicture& picture,
+                         const AcquisitionReference& reference) {
+  return {reference.comparison->signalToNoiseRatio(picture),
+          metrics::brdfError(metrics::BrdfMetric::log, *reference.table, table)};
+}
+
+void addErrorMap(AcquisitionResult& result, const Image& picture, const Image& against) {
+  result.errorRange =
+      widgets::automaticRange(widgets::pictureDifferences(picture, against, widgets::DifferenceKind::absolute));
+  result.errorMap = QImage(picture.width, picture.height, QImage::Format_ARGB32_Premultiplied);
+  result.errorMap.fill(Qt::transparent);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const std::size_t i = std::size_t(y) * std::size_t(picture.width) + std::size_t(x);
+      if (std::max(picture.alpha[i], against.alpha[i]) < 0.5f) continue;
+      const double difference = luminance(Rgb(picture.pixels[i])) - luminance(Rgb(against.pixels[i]));
+      const DisplayColour colour = viridis(std::abs(difference) / result.errorRange);
+      result.errorMap.setPixel(x, y, qRgb(colour[0], colour[1], colour[2]));
+    }
+}
+
+}  // namespace
+
+SphereRenderOptions acquisitionPicture() {
+  return {.width = comparedSide, .height = comparedSide, .samples = comparedSamples, .lobe = {}};
+}
+
+AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& name,
+                                             std::shared_ptr<const TabulatedBrdf> table,
+                                             const SphereRenderOptions& picture, const TaskControl& control) {
+  auto reference = std::make_shared<AcquisitionReference>();
+  reference->id = id;
+  reference->name = name;
+  reference->table = std::move(table);
+  reference->comparison = std::make_unique<const RenderedComparison>(*reference->table, picture, control);
+  reference->picture = withoutSurroundings(reference->comparison->reference());
+  return reference;
+}
+
+AcquisitionReferencePtr readAcquisitionReference(const QString& id, const SphereRenderOptions& picture,
+                                                 const TaskControl& control) {
+  constexpr double readShare = 0.6;
+  const io::Material material = io::readMaterial(id.toStdString(), control.between(0, readShare / 2));
+  auto table = material.tabulated(control.between(readShare / 2, readShare));
+  return acquisitionReference(id, QString::fromStdString(material.name), std::move(table), picture,
+                              control.between(readShare, 1));
+}
+
+AcquisitionInput AcquisitionInput::prefix(std::size_t samples) const {
+  AcquisitionInput part = *this;
+  part.plan.samples.resize(std::min(samples, plan.samples.size()));
+  part.values.rgb.resize(std::min(samples, values.rgb.size()));
+  part.values.noise.resize(std::min(samples, values.noise.size()));
+  return part;
+}
+
+AcquisitionResultPtr acquire(const AcquisitionInput& input, const AcquisitionReferencePtr& reference,
+                             const TaskControl& control) {
+  constexpr double reconstructedShare = 0.5;
+  auto result = std::make_shared<AcquisitionResult>();
+  auto reconstruction = std::make_shared<const acquisition::Reconstruction>(acquisition::reconstruct(
+      *input.basis, input.plan, input.values, input.options, control.between(0, reconstructedShare)));
+  result->reconstruction = reconstruction;
+  const TaskControl rest = control.between(reconstructedShare, 1);
+  if (reference) {
+    const ComparisonPicture picture = reference->comparison->render(*reconstruction->table, rest);
+    result->picture = withoutSurroundings(picture.image);
+    result->error = errorOf(*reconstruction->table, picture, *reference);
+    addErrorMap(*result, picture.image, reference->comparison->reference());
+  } else {
+    result->picture = spherePicture(*reconstruction->table, comparedSide, comparedSamples, rest);
+  }
+  std::vector<double> deviations(reconstruction->deviation.begin(), reconstruction->deviation.end());
+  if (!deviations.empty()) result->deviationRange = widgets::automaticRange(std::move(deviations));
+  return result;
+}
+
+std::vector<int> curveCounts(int m) {
+  std::set<int> counts;
+  for (int k = 1; k <= mostCounts; ++k) counts.insert(std::max(1, int(std::lround(double(m) * k / mostCounts))));
+  return {counts.begin(), counts.end()};
+}
+
+void measureCurve(const AcquisitionInput& input, const AcquisitionReferencePtr& reference,
+                  const std::function<void(int samples, const AcquisitionError& error)>& measured,
+                  const TaskControl& control) {
+  const std::vector<int> counts = curveCounts(int(input.plan.samples.size()));
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double done = double(i) / double(counts.size()), next = double(i + 1) / double(counts.size());
+    const TaskControl part = control.between(done, next);
+    AcquisitionInput first = input.prefix(std::size_t(counts[i]));
+    first.options.uncertainty = false;
+    const auto reconstruction =
+        acquisition::reconstruct(*first.basis, first.plan, first.values, first.options, part.between(0, 0.5));
+    const ComparisonPicture picture = reference->comparison->render(*reconstruction.table, part.between(0.5, 1));
+    measured(counts[i], errorOf(*reconstruction.table, picture, *reference));
+  }
+}
+
+}  // namespace gonio::app

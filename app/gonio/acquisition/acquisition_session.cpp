@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition/acquisition_session.h"
+
+#include <QDir>
+#include <QPointer>
+#include <algorithm>
+
+#include "core/io/material.h"
+
+namespace gonio::app {
+
+namespace {
+const QString referenceKey = QStringLiteral("acquisition reference"), openKey = QStringLiteral("open acquisition");
+
+/// A file of this name that is not there yet: "name.binary", "name 2.binary". Another document may stand on the first.
+QString freePath(const QString& folder, QString name) {
+  name.replace('/', '-');
+  QString path = QDir(folder).filePath(name + QStringLiteral(".binary"));
+  for (int i = 2; QFile::exists(path); ++i)
+    path = QDir(folder).filePath(QStringLiteral("%1 %2.binary").arg(name).arg(i));
+  return path;
+}
+}  // namespace
+
+AcquisitionSession::AcquisitionSession(BackgroundTasks& tasks, QObject* parent) : QObject(parent), m_tasks(tasks) {
+  connect(&m_tasks, &BackgroundTasks::changed, this, &AcquisitionSession::progressed);
+}
+
+void AcquisitionSession::setStep(Step step) {
+  m_step = step;
+  Q_EMIT progressed();
+}
+
+double AcquisitionSession::share() const {
+  const auto task = m_tasks.topmost();
+  return task && isBusy() ? task->share : 0;
+}
+
+std::function<void(const QString&)> AcquisitionSession::failure(const QString& title) {
+  return [this, title](const QString& error) {
+    setStep(Step::idle);
+    Q_EMIT failed(title, error);
+  };
+}
+
+std::function<void()> AcquisitionSession::stopped() {
+  return [this] { cancel(); };
+}
+
+void AcquisitionSession::cancel() {
+  m_tasks.drop(stepKey);
+  // What was chosen before the stop is no plan.
+  const bool unfinished = m_step == Step::learning || m_step == Step::choosing;
+  setStep(Step::idle);
+  if (unfinished) forgetPlan();
+}
+
+// --- The material that is measured
+
+bool AcquisitionSession::isReadingReference() const { return m_tasks.isRunning(referenceKey); }
+
+void AcquisitionSession::readReference(std::function<AcquisitionReferencePtr(const TaskControl&)> read) {
+  m_reference.reset();
+  m_tasks.run<AcquisitionReferencePtr>(
+      {tr("Preparing %1").arg(m_referenceName), referenceKey}, std::move(read),
+      [this](const AcquisitionReferencePtr& reference) { install(reference); },
+      [this](const QString& error) {
+        const QString name = m_referenceName;
+        clearReference();
+        Q_EMIT failed(tr("Cannot measure %1").arg(name), error);
+      },
+      [this] { clearReference(); });
+  Q_EMIT referenceChanged();
+}
+
+void AcquisitionSession::setReference(const QString& id) {
+  m_referenceId = id;
+  m_referenceName = id.section('/', -1);
+  readReference(
+      [id, picture = m_picture](const TaskControl& control) { return readAcquisitionReference(id, picture, control); });
+}
+
+void AcquisitionSession::setReference(const QString& id, const QString& name, TableMaker makeTable) {
+  m_referenceId = id;
+  m_referenceName = name;
+  readReference([id, name, make = std::move(makeTable), picture = m_picture](const TaskControl& control) {
+    constexpr double madeShare = 0.4;
+    return acquisitionReference(id, name, make(control.between(0, madeShare)), picture, control.between(madeShare, 1));
+  });
+}
+
+void AcquisitionSession::clearReference() {
+  m_tasks.drop(referenceKey);
+  m_referenceId.clear();
+  m_referenceName.clear();
+  install(nullptr);
+}
+
+void AcquisitionSession::install(const AcquisitionReferencePtr& reference) {
+  m_reference = reference;
+  if (reference) m_referenceName = reference->name;
+  Q_EMIT referenceChanged();
+  if (m_step == Step::learning || m_step == Step::choosing) return;
+  if (m_simulated) return measureReference();
+  if (hasPlan() && !m_values.rgb.empty()) reconstruct();
+}
+
+// --- The values
+
+void AcquisitionSession::simulate(const acquisition::MeasurementNoise& noise) {
+  m_noise = noise;
+  m_simulated = true;
+  if (hasPlan()) measureReference();
+}
+
+void AcquisitionSession::measureReference() {
+  forgetResult();
+  m_values = {};
+  if (hasPlan() && m_reference) {
+    try {
+      m_values = acquisition::measure(*m_reference->table, m_plan, m_noise);
+    } catch (const Error& error) {
+      Q_EMIT failed(tr("Cannot measure %1").arg(m_referenceName), QString::fromUtf8(error.what()));
+    }
+    m_valuesName = tr("simulated from %1").arg(m_referenceName);
+    m_valuesOf = m_referenceName;
+  }
+  Q_EMIT valuesChanged();
+  if (!m_values.rgb.empty()) return reconstruct();
+  // What runs would tell of values that are gone.
+  m_tasks.drop(stepKey);
+  setStep(Step::idle);
+}
+
+void AcquisitionSession::setValues(const acquisition::MeasuredValues& values, const QString& name) {
+  if (values.rgb.size() != m_plan.samples.size())
+    throw Error("found " + std::to_string(values.rgb.size()) + " values, expected one for each of the plan's " +
+                std::to_string(m_plan.samples.size()) + " samples");
+  m_simulated = false;
+  m_values = values;
+  m_valuesName = name;
+  m_valuesOf = name.contains('.') ? name.section('.', 0, -2) : tr("Material");
+  forgetResult();
+  Q_EMIT valuesChanged();
+  reconstruct();
+}
+
+// --- The material
+
+void AcquisitionSession::setReconstruction(const acquisition::ReconstructionOptions& options) {
+  m_options = options;
+  if (hasPlan() && !m_values.rgb.empty()) reconstruct();
+}
+
+AcquisitionInput AcquisitionSession::input() const { return {m_basis, m_plan, m_values, m_options}; }
+
+void AcquisitionSession::reconstruct() {
+  m_curve.clear();
+  Q_EMIT curveChanged();
+  m_tasks.run<AcquisitionResultPtr>(
+      {tr("Reconstructing the material"), stepKey},
+      [input = input(), reference = m_reference](const TaskControl& control) {
+        return acquire(input, reference, control);
+      },
+      [this, input = input(), of = m_valuesOf](const AcquisitionResultPtr& result) {
+        m_result = result;
+        m_resultOf = of;
+        setStep(Step::idle);
+        Q_EMIT resultChanged();
+        if (m_reference) startCurve(input);
+      },
+      failure(tr("Cannot reconstruct the material")), stopped());
+  setStep(Step::reconstructing);
+}
+
+void AcquisitionSession::startCurve(const AcquisitionInput& input) {
+  const auto tell = [session = QPointer(this), tasks = &m_tasks, result = m_result](int samples,
+                                                                                    const AcquisitionError& error) {
+    QMetaObject::invokeMethod(
+        tasks,
+        [session, result, samples, error] {
+          if (!session || session->m_result != result) return;
+          session->m_curve.push_back({samples, error});
+          Q_EMIT session->curveChanged();
+        },
+        Qt::QueuedConnection);
+  };
+  m_tasks.run<bool>(
+      {tr("Measuring the error over the number of samples"), stepKey},
+      [input, reference = m_reference, tell](const TaskControl& control) {
+        measureCurve(input, reference, tell, control);
+        return true;
+      },
+      [this](bool) { setStep(Step::idle); }, failure(tr("Cannot measure the error over the number of samples")),
+      stopped());
+  setStep(Step::measuringCurve);
+}
+
+QString AcquisitionSession::resultName() const {
+  return tr("%1 from %n samples", nullptr, int(m_plan.samples.size())).arg(m_resultOf);
+}
+
+void AcquisitionSession::open(Document& document, const QString& folder) {
+  if (!m_result) return;
+  const QString name = resultName();
+  m_tasks.run<LoadedMaterialPtr>(
+      {tr("Opening %1").arg(name), openKey},
+      [table = m_result->reconstruction->table, folder, name](const TaskControl& control) {
+        if (!QDir().mkpath(folder)) throw Error(folder.toStdString() + ": the folder cannot be made");
+        const std::string path = freePath(folder, name).toStdString();
+        io::writeMerl(*table, path);
+        return loadMaterial(path, control);
+      },
+      [&document, name](const LoadedMaterialPtr& material) {
+        document.replaceMaterial(material, tr("Open %1").arg(name));
+      },
+      [this, name](const QString& error) { Q_EMIT failed(tr("Cannot open %1").arg(name), error); });
+}
+
+bool AcquisitionSession::isOpening() const { return m_tasks.isRunning(openKey); }
+
+}  // namespace gonio::app
+
+#include "moc_acquisition_session.cpp"

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition/acquisition_training.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QRegularExpression>
+
+#include "app/gonio/library/material_files.h"
+#include "core/io/bundled_library.h"
+#include "core/io/material.h"
+
+namespace gonio::app {
+
+namespace {
+
+struct AcquisitionTrainingText {
+  Q_DECLARE_TR_FUNCTIONS(AcquisitionTraining)
+};
+
+QStringList libraryIds(const QString& collection) {
+  QStringList ids;
+  for (const io::LibraryEntry& entry : io::bundledLibrary())
+    if (const QString id = QString::fromStdString(entry.id); id.startsWith(collection))
+      ids << QString::fromUtf8(io::libraryScheme.data(), qsizetype(io::libraryScheme.size())) + id;
+  return ids;
+}
+
+}  // namespace
+
+TrainingSet libraryTraining() { return {AcquisitionTrainingText::tr("all materials of the library"), libraryIds({})}; }
+TrainingSet measuredTraining() {
+  return {AcquisitionTrainingText::tr("measured materials of the library"), libraryIds(QStringLiteral("rgl/"))};
+}
+TrainingSet fittedTraining() {
+  return {AcquisitionTrainingText::tr("published fits of the library"), libraryIds(QStringLiteral("sgd/"))};
+}
+
+TrainingSet folderTraining(const QString& folder) {
+  const QDir dir(folder);
+  TrainingSet set{AcquisitionTrainingText::tr("files of %1").arg(dir.dirName()), {}};
+  for (const QFileInfo& file : dir.entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name))
+    set.ids << file.absoluteFilePath();
+  return set;
+}
+
+QString baseName(const QString& id) {
+  static const QRegularExpression ending(QStringLiteral("(_rgb|_spec)?(\\.[a-z]+)?$"),
+                                         QRegularExpression::CaseInsensitiveOption);
+  return id.section('/', -1).remove(ending).toLower();
+}
+
+QStringList without(const QStringList& ids, const QString& id) {
+  if (id.isEmpty()) return ids;
+  QStringList kept;
+  for (const QString& one : ids)
+    if (one != id && baseName(one) != baseName(id)) kept << one;
+  return kept;
+}
+
+std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids, const TaskControl& control) {
+  if (ids.size() < 2)
+    throw Error("The training set has " + std::to_string(ids.size()) + " materials, expected 2 or more.");
+  const auto load = [&](std::size_t material) {
+    const std::string id = ids[qsizetype(material)].toStdString();
+    return io::readMaterial(id, {control.stop, {}}).tabulated({control.stop, {}});
+  };
+  return std::make_shared<const dictionary::PrincipalComponents>(
+      dictionary::learnPrincipalComponents(std::size_t(ids.size()), load, {}, control));
+}
+
+}  // namespace gonio::app

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/comparison/comparison_controller.h"
+
+#include <algorithm>
+
+#include "app/gonio/document/loaded_material.h"
+#include "widgets/parameters/parameter_text.h"
+#include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace gonio::app {
+
+using widgets::ComparedSubject;
+using widgets::CompareMode;
+
+namespace {
+const QString referenceKey = QStringLiteral("reference");
+constexpr std::array allSides{ComparedSubject::measured, ComparedSubject::fit, ComparedSubject::edited,
+                              ComparedSubject::reference};
+}  // namespace
+
+ComparisonController::ComparisonController(Document& document, BackgroundTasks& tasks, widgets::PreviewWidget& preview,
+                                           widgets::ComparisonBar& bar, QObject* parent)
+    : QObject(parent), m_document(document), m_tasks(tasks), m_preview(preview), m_bar(bar) {
+  for (const auto signal : {&Document::materialChanged, &Document::stateChanged, &Document::editChanged})
+    connect(&document, signal, this, &ComparisonController::refresh);
+  connect(&bar, &widgets::ComparisonBar::comparisonEdited, this, &ComparisonController::setComparison);
+  connect(&bar, &widgets::ComparisonBar::sidesEdited, this, &ComparisonController::setSides);
+  connect(&bar, &widgets::ComparisonBar::referenceWanted, this, &ComparisonController::referenceWanted);
+  connect(&bar, &widgets::ComparisonBar::referenceDropped, this, &ComparisonController::openReference);
+  connect(&bar, &widgets::ComparisonBar::flickerHeld, &preview, &widgets::PreviewWidget::setFlickering);
+  connect(&preview, &widgets::PreviewWidget::splitMoved, this, [this](double share) {
+    m_comparison.split = share;
+    m_bar.setComparison(m_comparison);
+  });
+  connect(&preview, &widgets::PreviewWidget::frameRendered, this, [this] {
+    if (m_preview.differenceRange() > 0) m_bar.setFoundRange(m_preview.differenceRange());
+  });
+  refresh();
+}
+
+void ComparisonController::openReference(const QString& path) {
+  m_tasks.run<LoadedMaterialPtr>(
+      {tr("Opening %1 as the reference").arg(path.section('/', -1)), referenceKey},
+      [path](const TaskControl& control) { return loadMaterial(path.toStdString(), control); },
+      [this](const LoadedMaterialPtr& material) {
+        m_reference = material;
+        const ComparedSubject first = m_sides[0] == ComparedSubject::reference ? ComparedSubject::edited : m_sides[0];
+        setSides(first, ComparedSubject::reference);
+        if (m_comparison.mode == CompareMode::off) toggle();
+      },
+      [this, path](const QString& error) { Q_EMIT failed(tr("Cannot open %1").arg(path.section('/', -1)), error); });
+}
+
+void ComparisonController::toggle() {
+  widgets::PreviewComparison comparison = m_comparison;
+  comparison.mode = m_comparison.mode == CompareMode::off ? m_lastMode : CompareMode::off;
+  setComparison(comparison);
+}
+
+void ComparisonController::setComparison(const widgets::PreviewComparison& comparison) {
+  if (m_comparison.mode == CompareMode::off && comparison.mode != CompareMode::off && !m_sidesChosen)
+    chooseUsualSides();
+  m_comparison = comparison;
+  if (comparison.mode != CompareMode::off) m_lastMode = comparison.mode;
+  m_bar.setComparison(comparison);
+  refresh();
+  m_preview.setComparison(comparison);
+  Q_EMIT comparisonChanged();
+}
+
+bool ComparisonController::isEdited() const {
+  const auto edits = m_document.edits();
+  return !std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); });
+}
+
+void ComparisonController::chooseUsualSides() {
+  m_sides = {isEdited() || standIn() || code() ? ComparedSubject::edited : ComparedSubject::fit,
+             ComparedSubject::measured};
+}
+
+void ComparisonController::setSides(ComparedSubject first, ComparedSubject second) {
+  m_sidesChosen = true;
+  m_sides = {first, second};
+  refresh();
+}
+
+std::optional<StandIn> ComparisonController::standIn() const {
+  for (std::size_t kind = 0; kind < m_standIns.size(); ++kind)
+    if (m_standIns[kind].subject) return StandIn(kind);
+  return std::nullopt;
+}
+
+QString ComparisonController::standInName() const {
+  const auto kind = standIn();
+  return kind ? m_standIns[std::size_t(*kind)].name : QString();
+}
+
+void ComparisonController::setStandIn(StandIn kind, std::optional<widgets::PreviewSubject> subject,
+                                      const QString& name) {
+  Replacement& replacement = m_standIns[std::size_t(kind)];
+  if (!subject && !replacement.subject) return;
+  const bool stoodIn = standIn().has_value();
+  replacement = {std::move(subject), name};
+  if (standIn().has_value() != stoodIn && !m_sidesChosen) chooseUsualSides();
+  refresh();
+}
+
+void ComparisonController::setCode(std::shared_ptr<const MaterialCode> code) {
+  if (code == m_code) return;
+  m_code = std::move(code);
+  if (!m_sidesChosen) chooseUsualSides();
+  refresh();
+}
+
+const MaterialCode* ComparisonController::code() const {
+  return m_code && m_code->material == m_document.material() ? m_code.get() : nullptr;
+}
+
+widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) const {
+  if (const auto kind = standIn(); side == ComparedSubject::edited && kind)
+    return *m_standIns[std::size_t(*kind)].subject;
+  const LoadedMaterialPtr& material = side == ComparedSubject::reference ? m_reference : m_document.material();
+  if (!material) return {.table = nullptr, .lobe = {}};
+  widgets::PreviewSubject subject{.table = material->table, .lobe = material->lobe};
+  if (side == ComparedSubject::edited) {
+    if (code()) {
+      subject.table = code()->table;
+      subject.lobe = code()->lobe;
+      subject.code = code()->stored;
+    }
+    subject.edit = m_document.edit();
+    subject.factors = m_document.factors();
+  }
+  if (side == ComparedSubject::fit) {
+    const auto& edit = m_document.edit();
+    if (!edit) return {.table = nullptr, .lobe = {}};
+    subject.model = edit->model;
+    subject.parameters = edit->fitted;
+  }
+  return subject;
+}
+
+QString ComparisonController::name(ComparedSubject side) const {
+  const LoadedMaterialPtr& material = m_document.material();
+  if (const auto kind = standIn(); side == ComparedSubject::edited && kind)
+    return *kind == StandIn::blend ? tr("Blend") : standInName();
+  if (side == ComparedSubject::reference)
+    return m_reference ? QString::fromStdString(m_reference->material.name) : QString();
+  if (!material) return {};
+  if (side == ComparedSubject::measured) return sourceKind(*material);
+  if (side == ComparedSubject::edited && code()) return isEdited() ? tr("Encoded, edited") : tr("Encoded");
+  if (!m_document.edit()) return side == ComparedSubject::edited ? tr("Edited") : QString();
+  return side == ComparedSubject::edited ? tr("Edited")
+                                         : tr("Fit: %1").arg(widgets::fromView(m_document.edit()->model->spec().name));
+}
+
+void ComparisonController::refresh() {
+  const bool comparing = m_comparison.mode != CompareMode::off;
+  const ComparedSubject first = comparing ? m_sides[0] : ComparedSubject::edited;
+  const bool asMeasured = !comparing && m_document.material() && !isEdited() && !standIn() && !code();
+  m_preview.setSubject(subject(first), asMeasured ? sourceKind(*m_document.material()) : name(first));
+  m_preview.setOther(subject(m_sides[1]), name(m_sides[1]));
+  std::array<QString, 4> names;
+  for (const ComparedSubject side : allSides) names[std::size_t(side)] = name(side);
+  m_bar.setSubjects(names);
+  m_bar.setSides(m_sides[0], m_sides[1]);
+  Q_EMIT subjectsChanged();
+}
+
+}  // namespace gonio::app
+
+#include "moc_comparison_controller.cpp"

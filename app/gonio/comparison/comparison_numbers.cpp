@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/comparison/comparison_numbers.h"
+
+#include <QCoreApplication>
+#include <cmath>
+#include <limits>
+
+#include "core/metrics/brdf_metrics.h"
+#include "widgets/parameters/parameter_text.h"
+
+namespace gonio::app {
+
+namespace {
+
+constexpr int comparisonSide = 256, comparisonSamples = 64;
+
+struct ComparisonNumbersText {
+  Q_DECLARE_TR_FUNCTIONS(ComparisonNumbers)
+};
+
+std::shared_ptr<const TabulatedBrdf> tabulated(const widgets::PreviewSubject& subject, const TaskControl& control) {
+  if (subject.isMeasured()) return subject.table;
+  if (subject.blend) return subject.blend->interpolation->table(subject.blend->weights, control);
+  if (!subject.model) return editing::bakeEdits(subject.table, subject.edits(), control);
+  return bakeTable(*widgets::subjectBrdf(subject), subject.table ? subject.table->grid() : HalfDifferenceGrid{},
+                   {control.stop, {}});
+}
+
+QString quoted(const QString& text) { return '"' + QString(text).replace('"', QStringLiteral("\"\"")) + '"'; }
+
+}  // namespace
+
+ComparisonReferencePtr comparisonReference(const widgets::PreviewSubject& subject, const TaskControl& control) {
+  auto reference = std::make_shared<ComparisonReference>();
+  reference->subject = subject;
+  reference->table = tabulated(subject, {control.stop, {}});
+  SphereRenderOptions options;
+  options.width = options.height = comparisonSide;
+  options.samples = comparisonSamples;
+  reference->picture = std::make_unique<const RenderedComparison>(*widgets::subjectBrdf(subject), options,
+                                                                  TaskControl{control.stop, {}});
+  return reference;
+}
+
+ComparisonNumbers compareSubjects(const widgets::PreviewSubject& test, const ComparisonReference& reference,
+                                  const TaskControl& control) {
+  const auto brdf = widgets::subjectBrdf(test);
+  const ComparisonPicture picture = reference.picture->render(*brdf, {control.stop, {}});
+  control.throwIfStopped();
+  ComparisonNumbers numbers;
+  numbers.renderedSnr = reference.picture->signalToNoiseRatio(picture);
+  numbers.renderedPsnr = reference.picture->peakSignalToNoiseRatio(picture);
+  numbers.errors = metrics::brdfErrors(*reference.table, *brdf);
+  control.throwIfStopped();
+  numbers.brdfSnr = metrics::brdfSignalToNoiseRatio(*reference.table, *brdf);
+  return numbers;
+}
+
+std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const QString scene = ComparisonNumbersText::tr("Of the rendered pictures, in the scene %1").arg(comparisonSceneName);
+  std::vector<ComparisonLine> lines{
+      {ComparisonNumbersText::tr("Rendered SNR"), ComparisonNumbersText::tr("dB"), scene,
+       numbers ? numbers->renderedSnr : none},
+      {ComparisonNumbersText::tr("Rendered PSNR"), ComparisonNumbersText::tr("dB"), scene,
+       numbers ? numbers->renderedPsnr : none},
+      {ComparisonNumbersText::tr("BRDF SNR"), ComparisonNumbersText::tr("dB"),
+       ComparisonNumbersText::tr("Of the reflectances times both cosines, over the reference's cells"),
+       numbers ? numbers->brdfSnr : none}};
+  const auto records = metrics::metricRecords();
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const metrics::MetricRecord& record = records[i];
+    lines.push_back({widgets::fromView(record.name), widgets::fromView(record.unit),
+                     ComparisonNumbersText::tr("%1\n%2").arg(widgets::fromView(record.formula),
+                                                             widgets::fromView(record.reference)),
+                     numbers ? numbers->errors[i] : none});
+  }
+  return lines;
+}
+
+QString comparisonValue(double value) {
+  if (std::isnan(value)) return ComparisonNumbersText::tr("undefined");
+  if (std::isinf(value)) return QStringLiteral("∞");
+  return QString::number(value, 'g', 4);
+}
+
+QString comparisonCsv(const ComparisonNumbers& numbers, const QString& test, const QString& reference) {
+  QString text =
+      ComparisonNumbersText::tr("# %1 against %2, scene %3").arg(test, reference, comparisonSceneName) + '\n';
+  text += QStringLiteral("quantity,value,unit\n");
+  for (const ComparisonLine& line : comparisonLines(&numbers))
+    text +=
+        QStringLiteral("%1,%2,%3\n").arg(quoted(line.name), QString::number(line.value, 'g', 17), quoted(line.unit));
+  return text;
+}
+
+}  // namespace gonio::app

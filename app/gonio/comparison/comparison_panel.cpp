@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/comparison/comparison_panel.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+
+#include "app/gonio/comparison/comparison_controller.h"
+
+namespace gonio::app {
+
+namespace {
+const QString comparisonKey = QStringLiteral("comparison");
+/// After the last change: while the hand moves nothing is measured.
+constexpr int comparisonDelayMilliseconds = 250;
+constexpr int columnCount = 4, valueColumn = 1;
+
+struct Measured {
+  ComparisonReferencePtr reference;
+  ComparisonNumbers numbers;
+};
+}  // namespace
+
+ComparisonPanel::ComparisonPanel(ComparisonController& comparison, BackgroundTasks& tasks, QWidget* parent)
+    : QWidget(parent),
+      m_comparison(comparison),
+      m_tasks(tasks),
+      m_title(new QLabel(this)),
+      m_table(new QTableWidget(0, columnCount, this)),
+      m_copy(new QPushButton(tr("Copy as &CSV"), this)) {
+  m_title->setWordWrap(true);
+  m_title->setTextFormat(Qt::PlainText);
+  m_table->setHorizontalHeaderLabels({tr("Quantity"), tr("Value"), tr("Unit"), tr("Meaning")});
+  m_table->verticalHeader()->hide();
+  m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_table->horizontalHeader()->setStretchLastSection(true);
+  m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() * 3 / 2);
+  m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_table->setShowGrid(false);
+  m_table->setTabKeyNavigation(false);
+  m_table->setAccessibleName(tr("Numbers of the comparison"));
+  m_copy->setToolTip(tr("Copies every number with its unit, as comma-separated text"));
+  auto* top = new QHBoxLayout;
+  top->addWidget(m_title, 1);
+  top->addWidget(m_copy, 0, Qt::AlignTop);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addLayout(top);
+  layout->addWidget(m_table, 1);
+  m_delay.setSingleShot(true);
+  m_delay.setInterval(comparisonDelayMilliseconds);
+  connect(&m_delay, &QTimer::timeout, this, &ComparisonPanel::measure);
+  connect(m_copy, &QPushButton::clicked, this, &ComparisonPanel::copy);
+  connect(&comparison, &ComparisonController::subjectsChanged, this, &ComparisonPanel::subjectsChanged);
+  subjectsChanged();
+}
+
+bool ComparisonPanel::hasBoth() const {
+  const auto sides = m_comparison.sides();
+  return !m_comparison.subject(sides[0]).isEmpty() && !m_comparison.subject(sides[1]).isEmpty();
+}
+
+bool ComparisonPanel::isSettled() const { return m_current || !isVisible() || !hasBoth(); }
+
+void ComparisonPanel::subjectsChanged() {
+  const auto sides = m_comparison.sides();
+  m_current = false;
+  m_tasks.drop(comparisonKey);
+  if (!hasBoth()) m_numbers.reset();
+  m_title->setText(hasBoth() ? tr("%1 against %2, scene %3")
+                                   .arg(m_comparison.name(sides[0]), m_comparison.name(sides[1]), comparisonSceneName)
+                             : tr("Open and fit a material to compare it."));
+  fillTable(m_numbers ? &*m_numbers : nullptr);
+  if (isVisible()) m_delay.start();
+}
+
+void ComparisonPanel::showEvent(QShowEvent*) {
+  if (!m_current) m_delay.start();
+}
+
+void ComparisonPanel::measure() {
+  if (!hasBoth() || m_current) return;
+  const auto sides = m_comparison.sides();
+  const widgets::PreviewSubject test = m_comparison.subject(sides[0]), against = m_comparison.subject(sides[1]);
+  const bool known = m_reference && sameSubject(m_reference->subject, against);
+  m_tasks.run<Measured>(
+      {tr("Comparing"), comparisonKey, false, true},
+      [test, against, reference = known ? m_reference : nullptr](const TaskControl& control) {
+        Measured measured;
+        measured.reference = reference ? reference : comparisonReference(against, control);
+        measured.numbers = compareSubjects(test, *measured.reference, control);
+        return measured;
+      },
+      [this](const Measured& measured) {
+        m_reference = measured.reference;
+        m_numbers = measured.numbers;
+        m_current = true;
+        fillTable(&*m_numbers);
+      },
+      [this](const QString& error) {
+        m_current = true;
+        m_title->setText(error);
+      });
+}
+
+void ComparisonPanel::fillTable(const ComparisonNumbers* numbers) {
+  const auto lines = comparisonLines(numbers);
+  m_table->setRowCount(hasBoth() ? int(lines.size()) : 0);
+  for (int row = 0; row < m_table->rowCount(); ++row) {
+    const ComparisonLine& line = lines[std::size_t(row)];
+    const QString value = numbers ? comparisonValue(line.value) : tr("not measured");
+    const QString cells[] = {line.name, value, line.unit, line.explanation.section('\n', 0, 0)};
+    for (int column = 0; column < columnCount; ++column) {
+      auto* item = new QTableWidgetItem(cells[column]);
+      item->setToolTip(line.explanation);
+      if (column == valueColumn) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      // Grey: these are not the numbers of what is shown now.
+      if (column == valueColumn && !m_current) item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+      m_table->setItem(row, column, item);
+    }
+  }
+  m_copy->setEnabled(numbers && m_current);
+}
+
+void ComparisonPanel::copy() {
+  const auto sides = m_comparison.sides();
+  if (m_numbers)
+    QApplication::clipboard()->setText(
+        comparisonCsv(*m_numbers, m_comparison.name(sides[0]), m_comparison.name(sides[1])));
+}
+
+}  // namespace gonio::app
+
+#include "moc_comparison_panel.cpp"

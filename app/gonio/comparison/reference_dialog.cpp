@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/comparison/reference_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QListView>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gonio/library/material_files.h"
+#include "widgets/library/library_model.h"
+#include "widgets/library/library_view.h"
+
+namespace gonio::app {
+
+ReferenceDialog::ReferenceDialog(widgets::LibraryModel& library, QWidget* parent) : QDialog(parent) {
+  setWindowTitle(tr("Compare with Another Material"));
+  const int em = fontMetrics().height();
+  resize(em * 34, em * 30);
+  auto* view = new widgets::LibraryView(&library, this);
+  view->setEmptyText(tr("There are no materials in this folder."));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  buttons->button(QDialogButtonBox::Ok)->setText(tr("&Compare"));
+  QPushButton* file = buttons->addButton(tr("From a &File..."), QDialogButtonBox::ActionRole);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(view, 1);
+  layout->addWidget(buttons);
+  const auto choose = [this](const QString& id) {
+    accept();
+    Q_EMIT chosen(id);
+  };
+  connect(view, &widgets::LibraryView::openRequested, this, choose);
+  connect(view, &widgets::LibraryView::referenceRequested, this, choose);
+  connect(buttons, &QDialogButtonBox::accepted, this, [=] {
+    const QModelIndex index = view->list()->currentIndex();
+    if (index.isValid()) choose(index.data(widgets::LibraryModel::IdRole).toString());
+  });
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(file, &QPushButton::clicked, this, &ReferenceDialog::chooseFile);
+}
+
+void ReferenceDialog::chooseFile() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Compare with a File"), {},
+                                   tr("Measured materials (%1);;All files (*)").arg(materialFilePatterns().join(' ')));
+  if (path.isEmpty()) return;
+  accept();
+  Q_EMIT chosen(path);
+}
+
+}  // namespace gonio::app
+
+#include "moc_reference_dialog.cpp"

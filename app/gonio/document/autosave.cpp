@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document/autosave.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QUuid>
+
+namespace gonio::app {
+
+namespace {
+
+// Each copy has a record in the data folder: a text file with the copy's path and the document's path, and a lock.
+const QString recordSuffix = QStringLiteral(".record");
+
+QString readLine(QFile& file) { return QString::fromUtf8(file.readLine()).chopped(1); }
+
+RecoverableWork readRecord(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  RecoverableWork work;
+  work.autosavePath = readLine(file);
+  work.originalPath = readLine(file);
+  return work;
+}
+
+}  // namespace
+
+Autosave::Autosave(QString dataFolder, Snapshot snapshot, QObject* parent)
+    : QObject(parent), m_dataFolder(std::move(dataFolder)), m_snapshot(std::move(snapshot)) {
+  m_timer.setInterval(intervalSeconds * 1000);
+  connect(&m_timer, &QTimer::timeout, this, &Autosave::update);
+  m_timer.start();
+}
+
+Autosave::~Autosave() = default;
+
+QString Autosave::defaultDataFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/recovery");
+}
+
+void Autosave::setDocumentPath(const QString& path) {
+  discard();
+  m_documentPath = path;
+}
+
+void Autosave::update() {
+  const auto document = m_snapshot();
+  if (!document) return discard();
+  if (m_record.isEmpty()) {
+    const QString id = QUuid::createUuid().toString(QUuid::WithoutBraces);
+    QDir().mkpath(m_dataFolder);
+    m_record = m_dataFolder + '/' + id + recordSuffix;
+    m_copy = m_documentPath.isEmpty() ? m_dataFolder + '/' + id + ".gonio" : m_documentPath + ".autosave";
+    m_lock = std::make_unique<QLockFile>(m_record + ".lock");
+    m_lock->setStaleLockTime(0);
+    m_lock->tryLock();
+    QFile record(m_record);
+    if (record.open(QIODevice::WriteOnly)) record.write((m_copy + '\n' + m_documentPath + '\n').toUtf8());
+  }
+  try {
+    editing::writeDocument(*document, m_copy.toStdString());
+  } catch (const Error&) {
+    // The folder may be read-only or gone; saving will say so when the user asks for it.
+  }
+}
+
+void Autosave::discard() {
+  if (m_record.isEmpty()) return;
+  QFile::remove(m_copy);
+  QFile::remove(m_record);
+  m_lock.reset();
+  m_record.clear();
+  m_copy.clear();
+}
+
+QList<RecoverableWork> Autosave::recoverable(const QString& dataFolder) {
+  QList<RecoverableWork> found;
+  const QDir folder(dataFolder);
+  for (const QFileInfo& record : folder.entryInfoList({"*" + recordSuffix}, QDir::Files, QDir::Time)) {
+    QLockFile lock(record.absoluteFilePath() + ".lock");
+    lock.setStaleLockTime(0);
+    if (!lock.tryLock(0)) continue;  // its program still runs
+    const RecoverableWork work = readRecord(record.absoluteFilePath());
+    if (QFileInfo::exists(work.autosavePath))
+      found.append(work);
+    else
+      QFile::remove(record.absoluteFilePath());
+  }
+  return found;
+}
+
+void Autosave::forget(const QString& dataFolder, const QString& autosavePath) {
+  const QDir folder(dataFolder);
+  for (const QFileInfo& record : folder.entryInfoList({"*" + recordSuffix}, QDir::Files))
+    if (readRecord(record.absoluteFilePath()).autosavePath == autosavePath) QFile::remove(record.absoluteFilePath());
+  QFile::remove(autosavePath);
+}
+
+}  // namespace gonio::app
+
+#include "moc_autosave.cpp"

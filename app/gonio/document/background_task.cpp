@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document/background_task.h"
+
+#include <algorithm>
+
+#include "core/math/parallel.h"
+
+namespace gonio::app {
+
+namespace {
+constexpr int progressMilliseconds = 80;
+constexpr int foregroundThreads = 2, liveThreads = 2;
+}  // namespace
+
+struct BackgroundTasks::Task {
+  TaskRequest request;
+  std::stop_source stop;
+  std::atomic<double> share{0};
+  Callbacks callbacks;
+};
+
+BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
+  m_pool.setMaxThreadCount(foregroundThreads);
+  m_quietPool.setMaxThreadCount(1);
+  m_livePool.setMaxThreadCount(liveThreads);
+  m_progressTimer.setInterval(progressMilliseconds);
+  connect(&m_progressTimer, &QTimer::timeout, this, &BackgroundTasks::changed);
+}
+
+BackgroundTasks::~BackgroundTasks() {
+  for (const auto& task : m_tasks) task->stop.request_stop();
+  m_quietPool.clear();
+  m_livePool.clear();
+  m_pool.waitForDone();
+  m_livePool.waitForDone();
+  m_quietPool.waitForDone();
+}
+
+void BackgroundTasks::start(const TaskRequest& request, std::function<void(const TaskControl&)> work,
+                            Callbacks callbacks) {
+  drop(request.key);
+  auto task = std::make_shared<Task>();
+  task->request = request;
+  task->callbacks = std::move(callbacks);
+  m_tasks.push_back(task);
+  m_progressTimer.start();
+
+  const auto body = [this, task, work = std::move(work)] {
+    Outcome outcome = Outcome::done;
+    QString error;
+    try {
+      const TaskControl control{task->stop.get_token(), [task](double share) { task->share = share; }};
+      control.throwIfStopped();
+      work(control);
+    } catch (const Cancelled&) {
+      outcome = Outcome::cancelled;
+    } catch (const std::bad_alloc&) {
+      outcome = Outcome::failed;
+      error = tr("There is not enough memory for this.");
+    } catch (const std::exception& exception) {
+      outcome = Outcome::failed;
+      error = QString::fromUtf8(exception.what());
+    }
+    QMetaObject::invokeMethod(
+        this, [this, task, outcome, error] { finish(task, outcome, error); }, Qt::QueuedConnection);
+  };
+  if (request.quiet)
+    m_quietPool.start([body] { runQuietly(body); });
+  else if (request.live)
+    m_livePool.start(body);
+  else
+    m_pool.start(body);
+  Q_EMIT changed();
+}
+
+void BackgroundTasks::finish(const std::shared_ptr<Task>& task, Outcome outcome, const QString& error) {
+  const auto found = std::find(m_tasks.begin(), m_tasks.end(), task);
+  if (found == m_tasks.end()) return;  // replaced or dropped: nobody waits for it any more
+  m_tasks.erase(found);
+  if (m_tasks.empty()) m_progressTimer.stop();
+  const Callbacks& callbacks = task->callbacks;
+  if (outcome == Outcome::done)
+    callbacks.done();
+  else if (outcome == Outcome::failed && callbacks.failed)
+    callbacks.failed(error);
+  else if (outcome == Outcome::cancelled && callbacks.cancelled)
+    callbacks.cancelled();
+  Q_EMIT changed();
+}
+
+std::shared_ptr<BackgroundTasks::Task> BackgroundTasks::newestShown() const {
+  const auto found = std::find_if(m_tasks.rbegin(), m_tasks.rend(),
+                                  [](const auto& t) { return !t->request.quiet && !t->request.live; });
+  return found != m_tasks.rend() ? *found : nullptr;
+}
+
+std::optional<BackgroundTasks::Info> BackgroundTasks::topmost() const {
+  if (const auto task = newestShown()) return Info{task->request.title, task->share, false};
+  const auto quiet = std::find_if(m_tasks.begin(), m_tasks.end(), [](const auto& t) { return t->request.quiet; });
+  if (quiet == m_tasks.end()) return std::nullopt;
+  return Info{(*quiet)->request.title, (*quiet)->share, true};
+}
+
+bool BackgroundTasks::isRunning(const QString& key) const {
+  return std::any_of(m_tasks.begin(), m_tasks.end(), [&](const auto& t) { return t->request.key == key; });
+}
+
+void BackgroundTasks::cancel(const QString& key) {
+  for (const auto& task : m_tasks)
+    if (task->request.key == key) task->stop.request_stop();
+}
+
+void BackgroundTasks::drop(const QString& key) {
+  cancel(key);
+  std::erase_if(m_tasks, [&](const auto& task) { return task->request.key == key; });
+}
+
+void BackgroundTasks::cancelTopmost() {
+  if (const auto task = newestShown()) task->stop.request_stop();
+}
+
+}  // namespace gonio::app
+
+#include "moc_background_task.cpp"

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+#include <map>
+
+#include "app/gonio/document/background_task.h"
+#include "app/gonio/document/document.h"
+#include "core/rendering/effect_plan.h"
+
+namespace gonio::app {
+
+/// What the user does with a document that takes time or touches files: opening, fitting, saving, exporting. All of it
+/// runs in the background but saving, which is a small file.
+class DocumentController : public QObject {
+  Q_OBJECT
+
+ public:
+  DocumentController(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
+
+  /// A measured file, a bundled material ("library:...") or a .gonio document. Replaces what is open when it is read;
+  /// a newer call wins. A material without an edit is then fitted with the default model.
+  void open(const QString& path);
+  /// An autosaved document; `originalPath` is where it belongs (empty: it was never saved).
+  void openRecovered(const QString& autosavePath, const QString& originalPath);
+  QString opening() const { return m_opening; }
+
+  /// Uses the fit that is known of this material, or makes it. One undo step.
+  void chooseModel(const models::Model& model);
+  /// A fit of the open material that is known from now on: choosing its model costs nothing.
+  void rememberFit(const fitting::FitResult& fit) { m_fits[fit.model] = fit; }
+  /// Fits the current model again, with the conventions that are chosen in the edit.
+  void fit();
+  void applyProposal();
+  void discardProposal() { m_proposal.reset(); }
+  bool isFitting() const;
+
+  /// Writes the .gonio file. Returns false after failed().
+  bool save(const QString& path, const nlohmann::json& view);
+  void exportMerl(const QString& path);
+  /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see lookedAtMaterials().
+  void exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
+                 const TracedMaterials& others = {});
+
+  /// Pastes edits, carried over to the open material, in one undo step. The factors that one of curves needs are found
+  /// first, and the fit that a model's needs where the model is another one.
+  void paste(const std::vector<editing::Edit>& edits);
+
+ Q_SIGNALS:
+  /// `path` is empty for recovered work that was never saved.
+  void opened(const QString& path);
+  /// The work of an autosaved copy is in the document now.
+  void recovered(const QString& autosavePath);
+  /// The view that a .gonio file holds.
+  void viewRestored(const nlohmann::json& view);
+  void saved(const QString& path);
+  void exported(const QString& path);
+  void failed(const QString& title, const QString& text);
+  void warned(const QString& text);
+  /// A cancelled fit has a best so far.
+  void proposalOffered(const QString& text);
+
+ private:
+  struct Opened {
+    LoadedMaterialPtr material;
+    std::optional<editing::EditDocument> stored;
+    std::string storedHash;
+  };
+  void start(const QString& path, const QString& documentPath, bool recovered);
+  void install(const Opened& opened, const QString& path, const QString& documentPath, bool recovered);
+  /// @param choices the conventions to keep, as fitting::fit() takes them.
+  void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
+              const models::ParameterValues& choices = {});
+  void forgetFits();
+  void automaticFit();
+  struct Pasted {
+    std::optional<editing::FactorEdit> factors;     ///< carried over
+    std::optional<editing::DifferentialEdit> edit;  ///< as it was copied
+    std::optional<fitting::FitResult> fit;          ///< of its model, where another one is in use
+  };
+  void install(const Pasted& pasted);
+
+  Document& m_document;
+  BackgroundTasks& m_tasks;
+  QString m_opening;
+  std::map<const models::Model*, fitting::FitResult> m_fits;  ///< of the open material
+  std::optional<fitting::FitResult> m_proposal;
+};
+
+/// The model that a newly opened material is fitted with.
+const models::Model& defaultModel();
+
+}  // namespace gonio::app

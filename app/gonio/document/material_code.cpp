@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document/material_code.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <chrono>
+#include <cmath>
+
+#include "app/gonio/document/transform_text.h"
+#include "core/dictionary/code_brdf.h"
+#include "core/dictionary/decode.h"
+#include "core/io/code_file.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/study/evaluation_time.h"
+
+namespace gonio::app {
+
+namespace {
+
+struct MaterialCodeText {
+  Q_DECLARE_TR_FUNCTIONS(MaterialCode)
+};
+QString number(double value) { return QString::number(value, 'g', 3); }
+
+/// Prepared once, in the background; matrices in single precision, some MB.
+struct Coder {
+  std::shared_ptr<const io::NamedEnsemble> dictionary = io::bundledDictionary();
+  dictionary::Encoder encoder{dictionary->ensemble};
+};
+
+const Coder& coder() {
+  static const Coder coder;
+  return coder;
+}
+
+QString transformText(DataTransform transform) {
+  return transform == DataTransform::cosineLog ? MaterialCodeText::tr("cosine-weighted log")
+                                               : MaterialCodeText::tr("log-plus");
+}
+
+/// "0.0021; cosine-weighted log has 0.0034"
+QString reason(const dictionary::Encoded& encoded) {
+  QStringList chosen, others;
+  for (const dictionary::EncodedCandidate& candidate : encoded.candidates)
+    if (candidate.code.transform == encoded.code.transform)
+      chosen << number(candidate.gammaError);
+    else
+      others << MaterialCodeText::tr("%1 has %2")
+                    .arg(transformText(candidate.code.transform), number(candidate.gammaError));
+  return (chosen + others).join(QStringLiteral("; "));
+}
+
+QString dictionaryText(const MaterialCode& code) {
+  const char* names[] = {QT_TRANSLATE_NOOP("MaterialCode", "red"), QT_TRANSLATE_NOOP("MaterialCode", "green"),
+                         QT_TRANSLATE_NOOP("MaterialCode", "blue")};
+  const auto& channels = code.encoded.code.channels;
+  QStringList texts;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const int sparsity = code.dictionary->ensemble.dictionaries[std::size_t(channels[c].dictionary)].sparsity;
+    texts << MaterialCodeText::tr("%1 no. %2 (learned with %3)")
+                 .arg(MaterialCodeText::tr(names[c]))
+                 .arg(channels[c].dictionary + 1)
+                 .arg(sparsity);
+  }
+  return texts.join(QStringLiteral("\n"));
+}
+
+}  // namespace
+
+MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coefficients, const TaskControl& control) {
+  using Clock = std::chrono::steady_clock;
+  MaterialCode code;
+  code.material = material;
+  code.dictionary = coder().dictionary;
+  code.coefficients = coefficients;
+  dictionary::EncodeOptions options;
+  options.coefficients = coefficients;
+  code.encoded = coder().encoder.encode(*material->table, options, control);
+  control.throwIfStopped();
+  const std::vector<std::byte> file = io::encodeCode(code.encoded.code, code.dictionary->id);
+  code.bytes = file.size();
+  const std::shared_ptr<const dictionary::Ensemble> ensemble(code.dictionary, &code.dictionary->ensemble);
+  code.stored = std::make_shared<const widgets::EnsembleCode>(
+      widgets::EnsembleCode{ensemble, io::readCode(io::MemorySource(file)).code});
+  const auto start = Clock::now();
+  code.table = dictionary::decode(*ensemble, code.stored->code);
+  code.decodeSeconds = std::chrono::duration<double>(Clock::now() - start).count();
+  control.throwIfStopped();
+  code.lobe = estimateSamplingLobe(*code.table);
+  code.logError = metrics::brdfError(metrics::BrdfMetric::log, *material->table, *code.table);
+  code.snr = metrics::brdfSignalToNoiseRatio(*material->table, *code.table);
+  code.nanoseconds = study::measureEvaluation(*dictionary::makeCodeBrdf(*ensemble, code.stored->code)).median;
+  return code;
+}
+
+std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
+  const double tableBytes = double(code.material->table->bytes());
+  const QString snr = std::isfinite(code.snr) ? MaterialCodeText::tr("BRDF SNR %1 dB").arg(code.snr, 0, 'f', 1)
+                                              : MaterialCodeText::tr("none: equal values");
+  return {
+      {MaterialCodeText::tr("Error"), MaterialCodeText::tr("%1 log, %2").arg(number(code.logError), snr),
+       MaterialCodeText::tr("Of the decoded code against the measurement: mean of the difference of ln(1 + ρ cos θi), "
+                            "squared, over the\n"
+                            "solid angles, root; and the signal to noise ratio of ρ cos θi cos θo over the cells.\n"
+                            "That of pictures is another one: Analyse > Measure Representations.")},
+      {MaterialCodeText::tr("Size"),
+       MaterialCodeText::tr("%1 kB; the table has %2 MB")
+           .arg(double(code.bytes) * 1e-3, 0, 'f', 1)
+           .arg(tableBytes * 1e-6, 0, 'f', 1),
+       MaterialCodeText::tr(
+           "Of the code's file, with values in half precision. The dictionary comes with Gonio and is not counted.")},
+      {MaterialCodeText::tr("Time"),
+       MaterialCodeText::tr("%1 ns an evaluation, %2 ms to decode, %3 s to encode")
+           .arg(code.nanoseconds, 0, 'f', 0)
+           .arg(1000 * code.decodeSeconds, 0, 'f', 0)
+           .arg(code.encoded.seconds, 0, 'f', 1),
+       MaterialCodeText::tr(
+           "Measured here and now: one evaluation straight from the code on one core; all cells; the encoding")},
+      {MaterialCodeText::tr("Transform"),
+       MaterialCodeText::tr("%1: y = %2")
+           .arg(transformText(code.encoded.code.transform), transformFormula(code.encoded.code.transform)),
+       MaterialCodeText::tr("What the code is of. Both were tried; the one with the least gamma error is kept.")},
+      {MaterialCodeText::tr("Gamma error"), reason(code.encoded),
+       MaterialCodeText::tr(
+           "Mean of (√ρ − √ρ')² over the projected directions to 85°: nearer to what the eye sees than the plain "
+           "error,\n"
+           "which the highlight alone would decide. The transform with the smaller one was chosen.")},
+      {MaterialCodeText::tr("Dictionaries"), dictionaryText(code),
+       MaterialCodeText::tr(
+           "Of %1, for each channel the one whose largest coefficients hold most of the signal.\n"
+           "\"Learned with\": how many coefficients a material was allowed while the dictionary was trained.")
+           .arg(code.dictionary->ensemble.dictionaries.size())}};
+}
+
+}  // namespace gonio::app

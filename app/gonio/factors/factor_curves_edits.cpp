@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+// What the user's hand does to the factor curves: each an undo step of the document.
+#include "app/gonio/factors/factor_curves_panel.h"
+#include "core/factorization/pdv_operations.h"
+
+namespace gonio::app {
+
+namespace {
+
+using editing::FactorEdit;
+using factorization::PdvFactors;
+
+FactorEdit::Curves shared(PdvFactors factors) { return std::make_shared<const PdvFactors>(std::move(factors)); }
+
+}  // namespace
+
+void FactorCurvesPanel::change(const PdvFactors& edited, const QString& text) {
+  FactorEdit edit = current();
+  const PdvFactors& original = *edit.original;
+  // Curves that came back are those of the measurement, with its bound of y.
+  const bool same = edited.channels == original.channels && edited.deviationNodes == original.deviationNodes;
+  edit.edited = same ? edit.original : shared(edited);
+  apply(edit, text);
+}
+
+void FactorCurvesPanel::apply(const FactorEdit& edit, const QString& text) {
+  const bool untouched = edit.isIdentity() && edit.keepDetail && edit.enabled && edit.strength == 1;
+  m_document.setFactors(untouched ? std::nullopt : std::optional(edit), text);
+}
+
+void FactorCurvesPanel::curvesEdited(FactorAxis axis, const widgets::ChannelCurves& curves) {
+  const FactorEdit edit = current();
+  if (!edit.edited) return;
+  PdvFactors changed = *edit.edited;
+  for (std::size_t c = 0; c < 3; ++c) curveOf(changed.channels[c][0], axis) = curves[c];
+  change(factorization::withRoomForEdits(changed), tr("Change F%1").arg(int(axis) + 1));
+}
+
+void FactorCurvesPanel::operate(FactorAxis axis, FactorOperation operation) {
+  const FactorEdit edit = current();
+  if (!edit.edited) return;
+  change(operated(*edit.edited, *edit.original, axis, operation, channel()), operationText(operation, axis));
+}
+
+void FactorCurvesPanel::widen(double factor) {
+  const FactorEdit edit = current();
+  if (edit.edited) change(factorization::widenF2(*edit.edited, factor), tr("Widen F2 by %1").arg(factor));
+}
+
+void FactorCurvesPanel::chooseTerms(int terms) {
+  if (!m_measured) return;
+  m_original = shared(m_measured->factorization.factors.truncated(terms));
+  if (!m_document.factors()) return refresh();
+  FactorEdit edit = *m_document.factors();
+  PdvFactors edited = edit.edited->truncated(terms);
+  // Terms that the edit did not have yet come as they were found.
+  if (MeasuredFactors::Kind{edited.form, edited.transform} == m_requested &&
+      edited.deviationNodes == m_original->deviationNodes)
+    for (std::size_t c = 0; c < 3; ++c)
+      for (auto i = edited.channels[c].size(); i < m_original->channels[c].size(); ++i)
+        edited.channels[c].push_back(m_original->channels[c][i]);
+  edit.original = m_original;
+  edit.edited = shared(factorization::withRoomForEdits(edited));
+  m_document.setFactors(edit, terms == 1 ? tr("Use 1 term") : tr("Use %1 terms").arg(terms));
+}
+
+void FactorCurvesPanel::chooseForm() {
+  forget();
+  m_document.setFactors({}, tr("Drop the edit of the factor curves"));
+  request();
+}
+
+void FactorCurvesPanel::resetAll() { m_document.setFactors({}, tr("Reset the factor curves")); }
+
+void FactorCurvesPanel::takeOver(FactorAxis axis, const QString& id) {
+  const FactorEdit edit = current();
+  if (!edit.edited) return;
+  m_tasks.run<PdvFactors>(
+      {tr("Taking F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)), swapKey},
+      [id, edited = edit.edited](const TaskControl& control) {
+        const auto table = io::readMaterial(id.toStdString(), {control.stop, {}}).tabulated({control.stop, {}});
+        factorization::PdvOptions options{.form = edited->form, .transform = edited->transform, .terms = 1};
+        options.deviationNodes = edited->deviationNodes;
+        return factorizePdv(*table, options, control).factors;
+      },
+      [this, axis, id](const PdvFactors& other) {
+        const FactorEdit now = current();
+        if (!now.edited) return;
+        change(axis == FactorAxis::theta ? takeF1(*now.edited, other) : takeF2(*now.edited, other),
+               tr("Take F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)));
+      },
+      [this](const QString& error) { Q_EMIT failed(tr("Cannot take the curve over"), error); });
+}
+
+}  // namespace gonio::app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/factors/measured_factors.h"
+
+#include "core/io/pdv_file.h"
+#include "core/study/evaluation_time.h"
+
+namespace gonio::app {
+
+MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const MeasuredFactors::Kind& kind,
+                               const TaskControl& control) {
+  MeasuredFactors measured;
+  measured.material = material;
+  measured.factorization = factorization::factorizePdv(
+      *material->table, {.form = kind.form, .transform = kind.transform, .terms = mostEditedTerms}, control);
+  measured.along = factorization::residualsAlong(*material->table, measured.factorization.factors,
+                                                 factorization::PdvOptions().weights, control);
+  for (int terms = 1; terms <= measured.factorization.factors.terms(); ++terms) {
+    control.throwIfStopped();
+    const auto factors = measured.factorization.factors.truncated(terms);
+    measured.bytes.push_back(io::pdvFileBytes(factors));
+    measured.nanoseconds.push_back(study::measureEvaluation(*factorization::makePdvBrdf(factors)).median);
+  }
+  return measured;
+}
+
+}  // namespace gonio::app

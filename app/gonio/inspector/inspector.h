@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QScrollArea>
+
+#include "app/gonio/document/document_controller.h"
+
+class QSettings;
+
+namespace gonio::widgets {
+class CollapsibleSection;
+class EditStack;
+class FactList;
+class ModelPanel;
+class ParameterPanel;
+class PlausibilityBadges;
+}  // namespace gonio::widgets
+
+namespace gonio::app {
+
+class PlausibilityMonitor;
+class RepresentationPanel;
+class TableErrorMonitor;
+
+/// The right side of the window: Source, Representation, Model, Plausibility, Edits, Parameters of a document, in
+/// sections that fold.
+class Inspector : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  Inspector(Document& document, DocumentController& controller, BackgroundTasks& tasks, QWidget* parent = nullptr);
+
+  widgets::ParameterPanel* parameters() const { return m_parameters; }
+  widgets::PlausibilityBadges* plausibility() const { return m_plausibility; }
+  widgets::EditStack* edits() const { return m_edits; }
+  RepresentationPanel* representation() const { return m_representation; }
+  /// Unfolds its section.
+  void unfoldRepresentation();
+  /// Whether what is measured in the background tells of the present state.
+  bool isSettled() const;
+  void saveState(QSettings& settings) const;
+  void restoreState(const QSettings& settings);
+
+  QSize sizeHint() const override;
+
+ private:
+  void connectDocument();
+  void connectParameters();
+  void showSource();
+  void showModel();
+  void showValues();
+  void connectEdits();
+  void showEdits();
+
+  Document& m_document;
+  DocumentController& m_controller;
+  BackgroundTasks& m_tasks;
+  widgets::FactList* m_source;
+  TableErrorMonitor* m_tableError;
+  RepresentationPanel* m_representation;
+  widgets::ModelPanel* m_model;
+  widgets::PlausibilityBadges* m_plausibility;
+  PlausibilityMonitor* m_monitor;
+  widgets::ParameterPanel* m_parameters;
+  widgets::EditStack* m_edits;
+  QList<widgets::CollapsibleSection*> m_sections;
+  const models::Model* m_shownModel = nullptr;
+};
+
+}  // namespace gonio::app

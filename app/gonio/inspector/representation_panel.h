@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <optional>
+
+#include "app/gonio/document/background_task.h"
+#include "app/gonio/document/document.h"
+#include "app/gonio/document/material_code.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace gonio::widgets {
+class FactList;
+}
+
+namespace gonio::app {
+
+/// The content of the inspector's Representation section: the document's material as a sparse code of so many
+/// coefficients, with its measured error, bytes and time. Encodes in the background while it is seen, or while the
+/// preview shows the code. A way to look: it changes nothing of the document.
+class RepresentationPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  using CodePtr = std::shared_ptr<const MaterialCode>;
+
+  RepresentationPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
+
+  /// Coefficients a channel that are chosen; setCoefficients() takes the nearest step.
+  std::size_t coefficients() const;
+  void setCoefficients(std::size_t coefficients);
+  /// The code of the document's material; null while it is not known.
+  const CodePtr& code() const { return m_code; }
+  /// What the preview is asked to show in the measurement's place; null: the measurement.
+  CodePtr shown() const;
+  QCheckBox& showEncoded() const { return *m_show; }
+  /// Whether what is asked for is known, or nothing is.
+  bool isSettled() const;
+
+ Q_SIGNALS:
+  void shownChanged();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  bool isWanted() const;
+  void request();
+  void adopt(const MaterialCode& code);
+  void stop(const QString& why);
+  void forget();
+  void refresh();
+
+  Document& m_document;
+  BackgroundTasks& m_tasks;
+  QSlider* m_slider;
+  QLabel *m_count, *m_state;
+  QPushButton* m_encode;
+  QCheckBox* m_show;
+  widgets::FactList* m_facts;
+  QTimer m_delay;
+  CodePtr m_code;
+  std::optional<std::size_t> m_requested;  ///< coefficients of the encoding that runs
+  QString m_refusal;                       ///< why there is no code; empty where there is none yet
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/inspector/source_facts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+#include "app/gonio/comparison/comparison_numbers.h"
+#include "core/io/sgd_library.h"
+#include "widgets/inputs/number_field.h"
+
+namespace gonio::app {
+
+namespace {
+
+struct SourceFactsText {
+  Q_DECLARE_TR_FUNCTIONS(SourceFacts)
+};
+QString number(double value) { return QString::number(value, 'g', 3); }
+QString percent(double share) { return QStringLiteral("%1 %").arg(QString::number(100 * share, 'f', 1)); }
+
+QString gridText(const std::vector<int>& grid) {
+  QStringList sizes;
+  for (const int size : grid) sizes << QString::number(size);
+  return sizes.join(QStringLiteral(" × "));
+}
+
+QString rangeText(const std::array<ChannelRange, 3>& channels) {
+  QStringList lines;
+  const QString names[] = {SourceFactsText::tr("R"), SourceFactsText::tr("G"), SourceFactsText::tr("B")};
+  for (std::size_t c = 0; c < 3; ++c)
+    lines << SourceFactsText::tr("%1  %2 to %3").arg(names[c], number(channels[c].min), number(channels[c].max));
+  return lines.join('\n');
+}
+
+QString snrText(double snr) { return std::isfinite(snr) ? QString::number(snr, 'f', 1) : comparisonValue(snr); }
+
+widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr, bool measuring) {
+  const HalfDifferenceGrid& grid = loaded.table->grid();
+  widgets::Fact fact{
+      SourceFactsText::tr("Table"),
+      SourceFactsText::tr("%1, %2 MB")
+          .arg(gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount}))
+          .arg(double(loaded.table->bytes()) * 1e-6, 0, 'f', 1),
+      SourceFactsText::tr("What is shown and edited. Half-difference grid: theta_h, theta_d, phi_d; bytes in memory.")};
+  if (!loaded.isSampled()) {
+    fact.toolTip += '\n' + SourceFactsText::tr("The material is this table: nothing was sampled.");
+    return fact;
+  }
+  const QString source =
+      loaded.material.source.format == io::sgdFormat ? SourceFactsText::tr("the fit") : SourceFactsText::tr("the file");
+  fact.value += '\n' + (snr         ? SourceFactsText::tr("%1 dB against %2").arg(snrText(*snr), source)
+                        : measuring ? SourceFactsText::tr("measuring its error")
+                                    : SourceFactsText::tr("its error was not measured"));
+  fact.toolTip += '\n' + SourceFactsText::tr(
+                             "The material was sampled from %1, which has another form. The rendered signal to noise "
+                             "ratio of the table\nagainst it, in the scene %2, tells what that costs before any edit: "
+                             "at 30 dB a thirtieth of the picture differs.")
+                             .arg(source, QString::fromLatin1(comparisonSceneName));
+  return fact;
+}
+
+}  // namespace
+
+std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::optional<double> tableSnr, bool measuring) {
+  const io::MaterialSource& source = loaded.material.source;
+  const QString path = QString::fromStdString(source.path.string()), hash = QString::fromStdString(source.sha256);
+  std::vector<widgets::Fact> facts;
+  const QString description = QString::fromStdString(source.description);
+  facts.push_back({SourceFactsText::tr("Material"),
+                   description.isEmpty() ? QString::fromStdString(loaded.material.name) : description});
+  if (!path.isEmpty() && !path.startsWith(QStringLiteral("library:")))
+    facts.push_back({SourceFactsText::tr("File"), path.section('/', -1), path});
+  facts.push_back({SourceFactsText::tr("Format"), QString::fromStdString(source.format)});
+  if (!source.grid.empty()) facts.push_back({SourceFactsText::tr("Data"), gridText(source.grid)});
+  facts.push_back(tableFact(loaded, tableSnr, measuring));
+  facts.push_back({SourceFactsText::tr("Range, 1/sr"), rangeText(loaded.statistics.channels)});
+  facts.push_back({SourceFactsText::tr("Invalid"), percent(loaded.statistics.invalidShare),
+                   SourceFactsText::tr("Cells below the horizon or not measured")});
+  QStringList angles, albedo;
+  for (std::size_t i = 0; i < loaded.albedo.size(); ++i) {
+    angles << SourceFactsText::tr("%1°").arg(LoadedMaterial::albedoDegrees[i]);
+    albedo << number(luminance(loaded.albedo[i]));
+  }
+  facts.push_back({SourceFactsText::tr("Albedo"),
+                   SourceFactsText::tr("%1 at %2").arg(albedo.join(", "), angles.join(", ")),
+                   SourceFactsText::tr("Share of the light that is reflected (luminance), by angle of incidence")});
+  for (const std::string& note : source.notes)
+    facts.push_back({SourceFactsText::tr("Note"), QString::fromStdString(note)});
+  facts.push_back({SourceFactsText::tr("SHA-256"), hash.left(16) + QStringLiteral("…"), hash});
+  return facts;
+}
+
+QString fitSummary(const fitting::FitResult& fit) {
+  QString text;
+  const auto metrics = metrics::allBrdfMetrics();
+  for (std::size_t i = 0; i < std::min<std::size_t>(fit.errors.size(), 2); ++i) {
+    const std::string_view name = metrics::metricName(metrics[i]);
+    text += SourceFactsText::tr("%1 error %2")
+                .arg(QString::fromUtf8(name.data(), qsizetype(name.size())), number(fit.errors[i])) +
+            ", ";
+  }
+  return text +
+         SourceFactsText::tr("%1 s, %2 cells").arg(number(fit.seconds), QLocale().toString(qulonglong(fit.usedCells)));
+}
+
+}  // namespace gonio::app

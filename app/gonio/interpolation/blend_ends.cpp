@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/interpolation/blend_ends.h"
+
+#include <algorithm>
+
+#include "app/gonio/library/thumbnail.h"
+#include "widgets/interpolation/blend_place.h"
+
+namespace gonio::app {
+
+namespace {
+
+constexpr int endSide = 160, endSamples = 24;
+constexpr double loadShare = 0.6, editShare = 0.9;
+
+bool isDocument(const QString& path) { return path.endsWith(QStringLiteral(".gonio"), Qt::CaseInsensitive); }
+QString shortName(const QString& path) { return path.section('/', -1); }
+
+}  // namespace
+
+BlendEnd takeBlendEnd(const LoadedMaterial& material, const QString& name, editing::EditDocument source,
+                      const TaskControl& control) {
+  BlendEnd end;
+  end.name = name;
+  const std::string& description = material.material.source.description;
+  end.description = QString::fromStdString(description.empty() ? material.material.name : description);
+  end.material = editing::blendedEnd(material.material, material.table,
+                                     editing::bakeEdits(material.table, source.edits, control.between(0, editShare)));
+  end.picture = spherePicture(*end.material.table, endSide, endSamples, control.between(editShare, 1));
+  source.view = {};
+  end.source = std::move(source);
+  return end;
+}
+
+BlendEnd readBlendEnd(const QString& id, const TaskControl& control) {
+  editing::EditDocument source;
+  LoadedMaterialPtr material;
+  const std::string path = id.toStdString();
+  if (isDocument(id)) {
+    source = editing::resolved(editing::readDocument(path), path);
+    material = loadSource(source, control.between(0, loadShare));
+  } else {
+    material = loadMaterial(path, control.between(0, loadShare));
+    source.sourcePath = material->material.source.path.string();
+  }
+  source.sourceSha256 = material->material.source.sha256;
+  const QString name =
+      isDocument(id) ? shortName(id).section('.', 0, -2) : QString::fromStdString(material->material.name);
+  return takeBlendEnd(*material, name, source, control.between(loadShare, 1));
+}
+
+BlendEnds::BlendEnds(Document& document, BackgroundTasks& tasks, QObject* parent)
+    : QObject(parent), m_document(document), m_tasks(tasks) {
+  for (int i = 0; i < widgets::fewestBlended; ++i) m_places.push_back({{}, {}, m_nextKey++});
+}
+
+QString BlendEnds::taskKey(int key) const { return QStringLiteral("blend-end-%1").arg(key); }
+
+const BlendEnd* BlendEnds::at(int place) const {
+  const auto& end = m_places[std::size_t(place)].end;
+  return end ? &*end : nullptr;
+}
+
+bool BlendEnds::isReading(int place) const { return m_tasks.isRunning(taskKey(m_places[std::size_t(place)].key)); }
+
+bool BlendEnds::isReading() const {
+  for (int i = 0; i < count(); ++i)
+    if (isReading(i)) return true;
+  return false;
+}
+
+bool BlendEnds::isComplete() const {
+  return std::all_of(m_places.begin(), m_places.end(), [](const Place& place) { return place.end.has_value(); });
+}
+
+std::vector<editing::InterpolationEnd> BlendEnds::ends() const {
+  std::vector<editing::InterpolationEnd> ends;
+  for (const Place& place : m_places) ends.push_back(place.end->material);
+  return ends;
+}
+
+int BlendEnds::placeOf(int key) const {
+  for (int i = 0; i < count(); ++i)
+    if (m_places[std::size_t(i)].key == key) return i;
+  return -1;
+}
+
+void BlendEnds::fill(int place, const QString& title, const QString& name,
+                     std::function<BlendEnd(const TaskControl&)> make) {
+  const int key = m_places[std::size_t(place)].key;
+  m_places[std::size_t(place)].failure.clear();
+  m_tasks.run<BlendEnd>(
+      {title, taskKey(key)}, std::move(make),
+      [this, key](const BlendEnd& end) {
+        m_places[std::size_t(placeOf(key))].end = end;
+        Q_EMIT changed();
+      },
+      [this, key, name](const QString& error) {
+        m_places[std::size_t(placeOf(key))].failure = error;
+        Q_EMIT stateChanged();
+        Q_EMIT failed(tr("Cannot take %1").arg(name), error);
+      },
+      [this] { Q_EMIT stateChanged(); });
+  Q_EMIT stateChanged();
+}
+
+void BlendEnds::read(int place, const QString& id) {
+  fill(place, tr("Opening %1 for interpolation").arg(shortName(id)), shortName(id),
+       [id](const TaskControl& control) { return readBlendEnd(id, control); });
+}
+
+void BlendEnds::takeCurrent(int place) {
+  const LoadedMaterialPtr material = m_document.material();
+  if (!material) return;
+  const QString name = m_document.name();
+  fill(place, tr("Taking %1 for interpolation").arg(name), name,
+       [material, name, source = m_document.toEditDocument()](const TaskControl& control) {
+         return takeBlendEnd(*material, name, source, control);
+       });
+}
+
+void BlendEnds::clear(int place) {
+  Place& one = m_places[std::size_t(place)];
+  m_tasks.drop(taskKey(one.key));
+  one.end.reset();
+  one.failure.clear();
+  Q_EMIT changed();
+}
+
+void BlendEnds::addPlace() {
+  if (count() == widgets::mostBlended) return;
+  m_places.push_back({{}, {}, m_nextKey++});
+  Q_EMIT changed();
+}
+
+void BlendEnds::removePlace(int place) {
+  if (count() == widgets::fewestBlended) return;
+  m_tasks.drop(taskKey(m_places[std::size_t(place)].key));
+  m_places.erase(m_places.begin() + place);
+  Q_EMIT changed();
+}
+
+void BlendEnds::swap(int first, int second) {
+  std::swap(m_places[std::size_t(first)], m_places[std::size_t(second)]);
+  Q_EMIT changed();
+}
+
+}  // namespace gonio::app
+
+#include "moc_blend_ends.cpp"

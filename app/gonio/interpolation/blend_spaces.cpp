@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/interpolation/blend_spaces.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "app/gonio/library/thumbnail.h"
+#include "widgets/interpolation/blend_place.h"
+
+namespace gonio::app {
+
+namespace {
+
+const QString blendKey = QStringLiteral("blend-spaces");
+constexpr int spaceSide = 112, spaceSamples = 16;
+
+bool sameEnd(const editing::InterpolationEnd& a, const editing::InterpolationEnd& b) {
+  return a.table == b.table && a.factors == b.factors && a.code == b.code;
+}
+
+/// Where each of `ends` stands in `known`; empty where these are other ones.
+std::vector<std::size_t> orderIn(const std::vector<editing::InterpolationEnd>& known,
+                                 const std::vector<editing::InterpolationEnd>& ends) {
+  if (known.size() != ends.size()) return {};
+  std::vector<std::size_t> order;
+  for (const editing::InterpolationEnd& end : ends)
+    for (std::size_t i = 0; i < known.size(); ++i)
+      if (sameEnd(known[i], end) && std::find(order.begin(), order.end(), i) == order.end()) {
+        order.push_back(i);
+        break;
+      }
+  return order.size() == ends.size() ? order : std::vector<std::size_t>();
+}
+
+std::vector<double> inOrder(const std::vector<std::size_t>& order, const std::vector<double>& weights) {
+  std::vector<double> result(weights.size());
+  for (std::size_t place = 0; place < weights.size(); ++place) result[order[place]] = weights[place];
+  return result;
+}
+
+std::vector<QImage> drawStrip(const widgets::PreparedBlend& blend, const std::vector<std::size_t>& order,
+                              const TaskControl& control) {
+  std::vector<QImage> pictures;
+  const int materials = int(blend.ends.size());
+  for (int i = 0; i < BlendSpaces::pictureCount; ++i) {
+    const double t = i / (BlendSpaces::pictureCount - 1.0);
+    const auto weights = inOrder(order, widgets::weightsAt(materials, widgets::wayPlace(materials, t)));
+    pictures.push_back(spherePicture(*blend.interpolation->brdf(weights), spaceSide, spaceSamples, {control.stop, {}}));
+    control.report((i + 1.0) / BlendSpaces::pictureCount);
+  }
+  return pictures;
+}
+
+}  // namespace
+
+BlendSpaces::BlendSpaces(BackgroundTasks& tasks, QObject* parent)
+    : QObject(parent),
+      m_tasks(tasks),
+      m_spaces{Space::linear, Space::parameters, Space::differential, Space::factors, Space::dictionary} {}
+
+void BlendSpaces::setEnds(std::vector<editing::InterpolationEnd> ends) {
+  pause();
+  m_complete = !ends.empty();
+  if (const auto order = orderIn(m_ends, ends); m_complete && order.empty()) {
+    m_ends = std::move(ends);
+    m_entries = {};
+    m_order.resize(m_ends.size());
+    std::iota(m_order.begin(), m_order.end(), 0);
+  } else if (m_complete && order != m_order) {
+    m_order = order;
+    turnPictures();
+  }
+  for (const Space space : m_spaces) Q_EMIT changed(space);
+}
+
+std::vector<double> BlendSpaces::ordered(const std::vector<double>& weights) const { return inOrder(m_order, weights); }
+
+void BlendSpaces::turnPictures() {
+  for (Entry& entry : m_entries) {
+    // Of two materials it is the same way backward, of more another one.
+    if (m_ends.size() == 2) {
+      std::reverse(entry.pictures.begin(), entry.pictures.end());
+    } else if (entry.state == State::ready) {
+      entry.pictures.clear();
+      entry.state = State::waiting;
+    }
+  }
+}
+
+void BlendSpaces::want(Space first) {
+  m_first = first;
+  if (!m_complete) return;
+  const bool again = entry(first).state == State::failed || entry(first).state == State::cancelled;
+  for (const Space space : m_spaces)
+    if (entry(space).state == State::cancelled || (again && space == first)) entry(space).state = State::waiting;
+  const bool idle = !m_wanted || !m_tasks.isRunning(blendKey);
+  m_wanted = true;
+  if (idle) next();
+}
+
+void BlendSpaces::pause() {
+  m_wanted = false;
+  m_tasks.drop(blendKey);
+  for (const Space space : m_spaces)
+    if (entry(space).state == State::running) entry(space).state = State::waiting;
+}
+
+bool BlendSpaces::isSettled() const {
+  return !m_wanted || std::all_of(m_spaces.begin(), m_spaces.end(), [this](Space space) {
+    return state(space) != State::waiting && state(space) != State::running;
+  });
+}
+
+void BlendSpaces::next() {
+  if (!m_wanted || !m_complete) return;
+  std::vector<Space> order = m_spaces;
+  std::stable_partition(order.begin(), order.end(), [this](Space space) { return space == m_first; });
+  for (const Space space : order) {
+    if (state(space) != State::waiting) continue;
+    entry(space).state = State::running;
+    Q_EMIT changed(space);
+    return entry(space).prepared ? draw(space) : prepare(space);
+  }
+}
+
+void BlendSpaces::prepare(Space space) {
+  m_tasks.run<widgets::PreparedBlendPtr>(
+      {tr("Preparing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
+      [space, ends = m_ends](const TaskControl& control) {
+        return widgets::prepareBlend(space, ends, editing::blendOptions(), control);
+      },
+      [this, space](const widgets::PreparedBlendPtr& prepared) {
+        entry(space).prepared = prepared;
+        Q_EMIT changed(space);
+        // Another space that is wanted under the hand goes before these pictures.
+        entry(space).state = State::waiting;
+        if (space != m_first && state(m_first) == State::waiting) return next();
+        entry(space).state = State::running;
+        draw(space);
+      },
+      [this, space](const QString& error) { fail(space, error); }, [this] { cancelAll(); });
+}
+
+void BlendSpaces::draw(Space space) {
+  m_tasks.run<std::vector<QImage>>(
+      {tr("Drawing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
+      [prepared = entry(space).prepared, order = m_order](const TaskControl& control) {
+        return drawStrip(*prepared, order, control);
+      },
+      [this, space](const std::vector<QImage>& pictures) {
+        entry(space).pictures = pictures;
+        entry(space).state = State::ready;
+        Q_EMIT changed(space);
+        next();
+      },
+      [this, space](const QString& error) { fail(space, error); }, [this] { cancelAll(); });
+}
+
+void BlendSpaces::fail(Space space, const QString& error) {
+  entry(space).failure = error;
+  entry(space).state = State::failed;
+  Q_EMIT changed(space);
+  next();
+}
+
+void BlendSpaces::cancelAll() {
+  m_wanted = false;
+  for (const Space space : m_spaces) {
+    State& state = entry(space).state;
+    if (state == State::waiting || state == State::running) state = State::cancelled;
+    Q_EMIT changed(space);
+  }
+}
+
+}  // namespace gonio::app
+
+#include "moc_blend_spaces.cpp"

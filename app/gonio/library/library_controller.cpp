@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/library/library_controller.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+#include <chrono>
+
+#include "app/gonio/library/material_files.h"
+#include "core/io/material.h"
+
+namespace gonio::app {
+
+namespace {
+
+const QString thumbnailKey = QStringLiteral("thumbnail");
+
+/// A picture, or why there is none.
+struct Made {
+  QString id;
+  widgets::LibraryLook look;
+  QString failure;
+};
+
+/// The first of the pictures: as many as take a tenth of a second. One at a time would wait for a frame of the preview
+/// each.
+std::vector<Made> madeInABatch(const LibraryController::LookMaker& make, const QStringList& ids,
+                               const TaskControl& control) {
+  constexpr std::chrono::milliseconds batchTime(100);
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<Made> batch;
+  for (const QString& id : ids) {
+    Made& made = batch.emplace_back(Made{id, {}, {}});
+    try {
+      made.look = make(id, control);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const std::exception& error) {
+      made.failure = QString::fromStdString(error.what());
+    }
+    if (std::chrono::steady_clock::now() - start > batchTime) break;
+  }
+  return batch;
+}
+
+}  // namespace
+
+LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QObject* parent)
+    : QObject(parent), m_tasks(tasks), m_makeLook(std::move(makeLook)) {}
+
+void LibraryController::showBundled() {
+  std::vector<widgets::LibraryItem> items;
+  for (const io::LibraryEntry& entry : io::bundledLibrary())
+    items.push_back({QString::fromStdString("library:" + entry.id), QString::fromStdString(entry.name),
+                     QString::fromStdString(entry.description)});
+  show(std::move(items), tr("Bundled library"), {});
+}
+
+void LibraryController::showFolder(const QString& folder) {
+  std::vector<widgets::LibraryItem> items;
+  const QDir dir(folder);
+  for (const QFileInfo& file : dir.entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name)) {
+    const QString kind = file.suffix() == "bsdf"   ? tr("RGL file")
+                         : file.suffix() == "pdv"  ? tr("PDV factors")
+                         : file.suffix() == "code" ? tr("sparse code")
+                                                   : tr("MERL file");
+    items.push_back({file.absoluteFilePath(), file.completeBaseName(), tr("%1, %2").arg(kind, file.fileName())});
+  }
+  show(std::move(items), dir.dirName(), folder);
+}
+
+void LibraryController::show(std::vector<widgets::LibraryItem> items, const QString& title, const QString& folder) {
+  m_tasks.drop(thumbnailKey);
+  m_title = title;
+  m_folder = folder;
+  m_visible.clear();
+  m_model.setItems(std::move(items));
+  Q_EMIT titleChanged(m_title);
+  makeNext();
+}
+
+void LibraryController::setVisible(const QStringList& ids) { m_visible = ids; }
+
+bool LibraryController::isVisibleComplete() const {
+  const QStringList pending = m_model.pending();
+  return std::none_of(m_visible.begin(), m_visible.end(), [&](const QString& id) { return pending.contains(id); });
+}
+
+QStringList LibraryController::nextOnes() const {
+  const QStringList pending = m_model.pending();
+  QStringList ids = pending;
+  std::stable_partition(ids.begin(), ids.end(), [&](const QString& id) { return m_visible.contains(id); });
+  return ids;
+}
+
+void LibraryController::makeNext() {
+  const QStringList ids = nextOnes();
+  if (ids.isEmpty()) return;
+  const double done = 1 - double(ids.size()) / m_model.rowCount();
+  const QString title = tr("Pictures of the library: %n left", nullptr, int(ids.size()));
+  m_tasks.run<std::vector<Made>>(
+      {title, thumbnailKey, true},
+      [make = m_makeLook, ids, done](const TaskControl& control) {
+        control.report(done);
+        return madeInABatch(make, ids, {control.stop, {}});
+      },
+      [this](const std::vector<Made>& batch) {
+        for (const Made& made : batch) {
+          if (made.failure.isEmpty())
+            m_model.setLook(made.id, made.look);
+          else
+            m_model.setFailure(made.id, made.failure);
+        }
+        makeNext();
+      });
+}
+
+}  // namespace gonio::app
+
+#include "moc_library_controller.cpp"

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <functional>
+
+#include "app/gonio/document/background_task.h"
+#include "widgets/library/library_model.h"
+
+namespace gonio::app {
+
+/// Fills the library with the bundled materials or with a folder, and has the pictures made in the background, those in
+/// sight first.
+class LibraryController : public QObject {
+  Q_OBJECT
+
+ public:
+  using LookMaker = std::function<widgets::LibraryLook(const QString& id, const TaskControl&)>;
+
+  LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QObject* parent = nullptr);
+
+  widgets::LibraryModel& model() { return m_model; }
+  void showBundled();
+  /// Every .binary and .bsdf file of a folder, not of its subfolders.
+  void showFolder(const QString& folder);
+  QString title() const { return m_title; }
+  QString folder() const { return m_folder; }  ///< empty for the bundled library
+  /// Whether every picture in sight is there.
+  bool isVisibleComplete() const;
+
+ public Q_SLOTS:
+  void setVisible(const QStringList& ids);
+
+ Q_SIGNALS:
+  void titleChanged(const QString& title);
+
+ private:
+  void show(std::vector<widgets::LibraryItem> items, const QString& title, const QString& folder);
+  void makeNext();
+  /// What is not there yet, those in sight first.
+  QStringList nextOnes() const;
+
+  BackgroundTasks& m_tasks;
+  LookMaker m_makeLook;
+  widgets::LibraryModel m_model;
+  QStringList m_visible;
+  QString m_title, m_folder;
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/plots/plot_controls.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSettings>
+#include <QTabBar>
+#include <QToolButton>
+#include <algorithm>
+
+#include "widgets/inputs/number_field.h"
+#include "widgets/inputs/parameter_slider.h"
+#include "widgets/plots/plot_text.h"
+
+namespace gonio::app {
+
+using plots::SectionAxis;
+using widgets::NumberField;
+
+namespace {
+
+const QString stateKey = QStringLiteral("plots/%1");
+
+QComboBox* comboBox(const QStringList& entries, const QString& name, const QString& toolTip) {
+  auto* box = new QComboBox;
+  box->addItems(entries);
+  box->setAccessibleName(name);
+  box->setToolTip(toolTip);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  return box;
+}
+
+}  // namespace
+
+plots::Section PlotChoices::section() const {
+  return {.axis = axis,
+          .thetaI = settings.thetaI,
+          .planeAzimuth = planeAzimuth,
+          .thetaH = thetaH,
+          .thetaD = settings.thetaI,
+          .phiD = phiD,
+          .cosine = settings.cosine};
+}
+
+PlotControls::PlotControls(QWidget* parent) : QToolBar(tr("Plots"), parent) {
+  setMovable(false);
+  setToolButtonStyle(Qt::ToolButtonTextOnly);
+  addKinds();
+  addSections();
+  addSeparator();
+  addIncidence();
+  addSeparator();
+  addValues();
+  addSeparator();
+  addExport();
+  show(m_choices);
+}
+
+template <class Change>
+void PlotControls::change(Change change) {
+  PlotChoices choices = m_choices;
+  change(choices);
+  setChoices(choices);
+}
+
+void PlotControls::setChoices(const PlotChoices& choices) {
+  const bool same = choices == m_choices;
+  m_choices = choices;
+  show(m_choices);
+  if (!same) Q_EMIT changed();
+}
+
+void PlotControls::setThetaI(double thetaI) {
+  change([thetaI](PlotChoices& choices) { choices.settings.thetaI = std::clamp(thetaI, 0.0, widgets::maxThetaI); });
+}
+
+void PlotControls::addKinds() {
+  m_kinds = new QTabBar;
+  m_kinds->setDrawBase(false);
+  m_kinds->setExpanding(false);
+  m_kinds->setUsesScrollButtons(false);
+  m_kinds->setAccessibleName(tr("Kind of plot"));
+  const std::pair<QString, QString> kinds[] = {
+      {tr("Polar"), tr("The lobe in the plane of incidence")},
+      {tr("Cartesian"), tr("Values over θh, θd or θo")},
+      {tr("Slice"), tr("Values over θh and θd in false colour")},
+      {tr("Albedo"), tr("Share of the light that is reflected, against the angle")},
+      {tr("3-D lobe"), tr("Values over all directions of the viewer as a surface that can be turned")}};
+  for (const auto& [name, toolTip] : kinds) m_kinds->setTabToolTip(m_kinds->addTab(name), toolTip);
+  connect(m_kinds, &QTabBar::currentChanged, this,
+          [this](int index) { change([index](PlotChoices& choices) { choices.kind = PlotKind(index); }); });
+  addWidget(m_kinds);
+}
+
+QAction* PlotControls::addLabelled(const QString& text, QWidget* widget) {
+  auto* both = new QWidget;
+  both->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+  auto* layout = new QHBoxLayout(both);
+  layout->setContentsMargins(6, 0, 0, 0);
+  auto* label = new QLabel(text);
+  label->setBuddy(widget);
+  label->setToolTip(widget->toolTip());
+  layout->addWidget(label);
+  layout->addWidget(widget);
+  return addWidget(both);
+}
+
+QAction* PlotControls::addNumber(const QString& label, const QString& toolTip, double min, double max,
+                                 double PlotChoices::*member, NumberField*& field) {
+  field = new NumberField;
+  field->setRange(min, max);
+  field->setUnit(QStringLiteral("°"), degrees(1));
+  field->setStep(radians(1));
+  field->setToolTip(toolTip);
+  field->setAccessibleName(toolTip);
+  field->setFixedWidth(fontMetrics().height() * 5);
+  connect(field, &NumberField::valueEdited, this,
+          [this, member](double value) { change([&](PlotChoices& choices) { choices.*member = value; }); });
+  return addLabelled(label, field);
+}
+
+void PlotControls::addSections() {
+  m_axis = comboBox({tr("over θh"), tr("over θd"), tr("over θo")}, tr("Axis"),
+                    tr("θh: half vector from the normal; θd: half the angle between light and viewer; θo: viewer"));
+  connect(m_axis, &QComboBox::activated, this,
+          [this](int index) { change([index](PlotChoices& choices) { choices.axis = SectionAxis(index); }); });
+  m_axisAction = addLabelled({}, m_axis);
+  m_spacing = comboBox({tr("θh even"), tr("θh as MERL")}, tr("Spacing of θh"),
+                       tr("Even in degrees, or by the square root as MERL stores it: wide at the highlight"));
+  connect(m_spacing, &QComboBox::activated, this, [this](int index) {
+    change([index](PlotChoices& choices) { choices.spacing = plots::ThetaHSpacing(index); });
+  });
+  m_spacingAction = addLabelled({}, m_spacing);
+  m_phiDAction =
+      addNumber(tr("φd"), tr("Azimuth of the light about the half vector"), 0, pi, &PlotChoices::phiD, m_phiD);
+  m_thetaHAction = addNumber(tr("θh"), tr("Angle of the half vector from the normal"), 0, radians(89),
+                             &PlotChoices::thetaH, m_thetaH);
+  m_planeAzimuthAction = addNumber(tr("φ"), tr("Azimuth of the viewer's plane from the plane of incidence"), 0, pi,
+                                   &PlotChoices::planeAzimuth, m_planeAzimuth);
+}
+
+void PlotControls::addIncidence() {
+  const QString toolTip = tr(
+      "Angle of incidence: between the direction to the light and the normal. Drag it in the plot, or Ctrl + drag on "
+      "the sphere of the preview: there it is the angle under which the point is seen.");
+  m_thetaISlider = new widgets::ParameterSlider;
+  m_thetaISlider->setRange(0, widgets::maxThetaI, models::ParameterScale::angle);
+  m_thetaISlider->setFixedWidth(fontMetrics().height() * 8);
+  m_thetaISlider->setToolTip(toolTip);
+  m_thetaISlider->setAccessibleName(tr("Angle of incidence"));
+  connect(m_thetaISlider, &widgets::ParameterSlider::numberEdited, this, &PlotControls::setThetaI);
+  connect(m_thetaISlider, &widgets::ParameterSlider::resetRequested, this,
+          [this] { setThetaI(widgets::PlotSettings().thetaI); });
+  addLabelled(tr("θi"), m_thetaISlider);
+  m_thetaI = new NumberField;
+  m_thetaI->setRange(0, widgets::maxThetaI);
+  m_thetaI->setUnit(QStringLiteral("°"), degrees(1));
+  m_thetaI->setStep(radians(1));
+  m_thetaI->setFixedWidth(fontMetrics().height() * 5);
+  m_thetaI->setToolTip(toolTip);
+  m_thetaI->setAccessibleName(tr("Angle of incidence"));
+  connect(m_thetaI, &NumberField::valueEdited, this, &PlotControls::setThetaI);
+  addWidget(m_thetaI);
+  auto* pick = new QCheckBox(tr("Pick on sphere"));
+  pick->setToolTip(tr("Pick the angle on the sphere of the preview (there also Ctrl + drag)"));
+  connect(pick, &QCheckBox::toggled, this, &PlotControls::pickingToggled);
+  addLabelled({}, pick);
+}
+
+void PlotControls::addValues() {
+  using plots::Channel, plots::CosineFactor;
+  QStringList channels, cosines;
+  for (const auto channel : {Channel::luminance, Channel::red, Channel::green, Channel::blue})
+    channels << widgets::channelName(channel);
+  for (const auto cosine : {CosineFactor::none, CosineFactor::incident, CosineFactor::outgoing})
+    cosines << widgets::cosineName(cosine);
+  m_channel = comboBox(channels, tr("Channel"), tr("Channel or luminance"));
+  connect(m_channel, &QComboBox::activated, this,
+          [this](int index) { change([index](PlotChoices& choices) { choices.settings.channel = Channel(index); }); });
+  addLabelled({}, m_channel);
+  m_cosine = comboBox(cosines, tr("Cosine"),
+                      tr("The BRDF f alone, or times a cosine: of the light (what is reflected) or of the viewer"));
+  connect(m_cosine, &QComboBox::activated, this, [this](int index) {
+    change([index](PlotChoices& choices) { choices.settings.cosine = CosineFactor(index); });
+  });
+  m_cosineAction = addLabelled({}, m_cosine);
+  m_logarithmic = new QCheckBox(tr("Logarithmic"));
+  m_logarithmic->setToolTip(tr("Logarithmic axis of values"));
+  connect(m_logarithmic, &QCheckBox::toggled, this,
+          [this](bool on) { change([on](PlotChoices& choices) { choices.settings.logarithmic = on; }); });
+  addLabelled({}, m_logarithmic);
+}
+
+void PlotControls::addExport() {
+  m_export = new QToolButton;
+  m_export->setText(tr("Export"));
+  m_export->setToolTip(tr("Write this plot as a file"));
+  m_export->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(m_export);
+  const std::pair<QString, const char*> formats[] = {
+      {tr("Picture as &SVG..."), "svg"}, {tr("Picture as &PNG..."), "png"}, {tr("Numbers as &CSV..."), "csv"}};
+  for (const auto& [text, suffix] : formats)
+    menu->addAction(text, this, [this, suffix = suffix] { Q_EMIT exportRequested(QLatin1String(suffix)); });
+  m_export->setMenu(menu);
+  addWidget(m_export);
+  m_export->setAutoRaise(false);  // the tool bar makes it look like a label
+}
+
+void PlotControls::setExportEnabled(bool enabled) { m_export->setEnabled(enabled); }
+
+void PlotControls::show(const PlotChoices& choices) {
+  m_kinds->setCurrentIndex(int(choices.kind));
+  m_axis->setCurrentIndex(int(choices.axis));
+  m_spacing->setCurrentIndex(int(choices.spacing));
+  m_channel->setCurrentIndex(int(choices.settings.channel));
+  m_cosine->setCurrentIndex(int(choices.settings.cosine));
+  m_logarithmic->setChecked(choices.settings.logarithmic);
+  m_thetaISlider->setNumber(choices.settings.thetaI);
+  m_thetaI->setValue(choices.settings.thetaI);
+  m_phiD->setValue(choices.phiD);
+  m_thetaH->setValue(choices.thetaH);
+  m_planeAzimuth->setValue(choices.planeAzimuth);
+  const bool cartesian = choices.kind == PlotKind::cartesian;
+  m_axisAction->setVisible(cartesian);
+  m_spacingAction->setVisible(choices.kind == PlotKind::slice);
+  m_phiDAction->setVisible(choices.kind == PlotKind::slice || (cartesian && choices.axis != SectionAxis::thetaO));
+  m_thetaHAction->setVisible(cartesian && choices.axis == SectionAxis::thetaD);
+  m_planeAzimuthAction->setVisible(cartesian && choices.axis == SectionAxis::thetaO);
+  m_cosineAction->setVisible(choices.kind != PlotKind::albedo);
+}
+
+void PlotControls::saveState(QSettings& settings) const {
+  settings.setValue(stateKey.arg("kind"), int(m_choices.kind));
+  settings.setValue(stateKey.arg("channel"), int(m_choices.settings.channel));
+  settings.setValue(stateKey.arg("cosine"), int(m_choices.settings.cosine));
+  settings.setValue(stateKey.arg("logarithmic"), m_choices.settings.logarithmic);
+  settings.setValue(stateKey.arg("axis"), int(m_choices.axis));
+  settings.setValue(stateKey.arg("spacing"), int(m_choices.spacing));
+}
+
+void PlotControls::restoreState(const QSettings& settings) {
+  const auto number = [&settings](const char* key, int standard, int last) {
+    return std::clamp(settings.value(stateKey.arg(key), standard).toInt(), 0, last);
+  };
+  PlotChoices choices = m_choices;
+  choices.kind = PlotKind(number("kind", int(choices.kind), int(PlotKind::lobe)));
+  choices.settings.channel = plots::Channel(number("channel", 0, 3));
+  choices.settings.cosine = plots::CosineFactor(number("cosine", 0, 2));
+  choices.settings.logarithmic = settings.value(stateKey.arg("logarithmic"), false).toBool();
+  choices.axis = SectionAxis(number("axis", int(choices.axis), int(SectionAxis::thetaO)));
+  choices.spacing = plots::ThetaHSpacing(number("spacing", int(choices.spacing), 1));
+  setChoices(choices);
+}
+
+}  // namespace gonio::app
+
+#include "moc_plot_controls.cpp"

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/scene/scene_neighbours.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+
+#include "app/gonio/library/material_files.h"
+#include "widgets/interpolation/material_well.h"
+
+namespace gonio::app {
+
+namespace {
+QString taskKey(int place) { return QStringLiteral("scene-material-%1").arg(place); }
+/// The edited material is A.
+QChar letterOf(int place) { return QChar(u'B' + place); }
+}  // namespace
+
+SceneNeighbours::SceneNeighbours(Document& document, BackgroundTasks& tasks, QWidget* parent)
+    : QWidget(parent), m_document(document), m_tasks(tasks) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (int place = 0; place < count; ++place) {
+    auto* well = new widgets::MaterialWell(letterOf(place));
+    layout->addWidget(well, 1);
+    m_places.push_back({well, {}, {}});
+    connect(well, &widgets::MaterialWell::materialDropped, this, [this, place](const QString& id) { read(place, id); });
+    connect(well, &widgets::MaterialWell::currentWanted, this, [this, place] { takeCurrent(place); });
+    connect(well, &widgets::MaterialWell::fileWanted, this, [this, place] { askForFile(place); });
+    connect(well, &widgets::MaterialWell::clearWanted, this, [this, place] { clear(place); });
+    show(place);
+  }
+  connect(&document, &Document::materialChanged, this, [this] {
+    for (int place = 0; place < count; ++place) show(place);
+  });
+}
+
+void SceneNeighbours::showScene(const Scene& scene) {
+  const int shown = std::min(count, lookedAtCount(scene) - 1);
+  for (int place = 0; place < count; ++place) m_places[std::size_t(place)].well->setVisible(place < shown);
+  setVisible(shown > 0);
+}
+
+TracedMaterials SceneNeighbours::materials() const {
+  TracedMaterials materials;
+  for (const Place& place : m_places) materials.push_back(place.neighbour ? place.neighbour->traced : nullptr);
+  return materials;
+}
+
+SceneNeighbours::Neighbour SceneNeighbours::traced(BlendEnd end) {
+  auto material = std::make_shared<const TracedMaterial>(end.material.table);
+  return {std::move(end), std::move(material)};
+}
+
+void SceneNeighbours::fill(int place, const QString& name, std::function<BlendEnd(const TaskControl&)> make) {
+  m_places[std::size_t(place)].failure.clear();
+  m_tasks.run<Neighbour>(
+      {tr("Opening %1 for the scene").arg(name), taskKey(place)},
+      [make = std::move(make)](const TaskControl& control) { return traced(make(control)); },
+      [this, place](const Neighbour& neighbour) {
+        m_places[std::size_t(place)].neighbour = neighbour;
+        show(place);
+        Q_EMIT changed();
+      },
+      [this, place, name](const QString& error) {
+        m_places[std::size_t(place)].failure = error;
+        show(place);
+        Q_EMIT failed(tr("Cannot take %1").arg(name), error);
+      },
+      [this, place] { show(place); });
+  show(place);
+}
+
+void SceneNeighbours::read(int place, const QString& id) {
+  fill(place, id.section('/', -1), [id](const TaskControl& control) { return readBlendEnd(id, control); });
+}
+
+void SceneNeighbours::takeCurrent(int place) {
+  const LoadedMaterialPtr material = m_document.material();
+  if (!material) return;
+  const QString name = m_document.name();
+  fill(place, name, [material, name, source = m_document.toEditDocument()](const TaskControl& control) {
+    return takeBlendEnd(*material, name, source, control);
+  });
+}
+
+void SceneNeighbours::clear(int place) {
+  Place& one = m_places[std::size_t(place)];
+  m_tasks.drop(taskKey(place));
+  one.neighbour.reset();
+  one.failure.clear();
+  show(place);
+  Q_EMIT changed();
+}
+
+void SceneNeighbours::askForFile(int place) {
+  auto* dialog =
+      new QFileDialog(this, tr("Material %1").arg(letterOf(place)), {},
+                      tr("Materials and documents (%1 *.gonio);;All files (*)").arg(materialFilePatterns().join(' ')));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) { read(place, path); });
+  dialog->open();
+}
+
+void SceneNeighbours::show(int place) {
+  const Place& one = m_places[std::size_t(place)];
+  widgets::WellContent content;
+  if (one.neighbour)
+    content = {one.neighbour->end.name, one.neighbour->end.description, one.neighbour->end.picture, {}};
+  if (m_tasks.isRunning(taskKey(place))) content.note = tr("Opening...");
+  if (!one.failure.isEmpty()) {
+    content.note = tr("Could not be opened");
+    content.toolTip = one.failure;
+    content.failed = true;
+  }
+  one.well->setContent(content);
+  one.well->setCurrentAvailable(m_document.material() != nullptr);
+}
+
+}  // namespace gonio::app
+
+#include "moc_scene_neighbours.cpp"

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "app/gonio/interpolation/blend_ends.h"
+#include "core/rendering/traced_material.h"
+
+namespace gonio::widgets {
+class MaterialWell;
+}
+
+namespace gonio::app {
+
+/// The wells of the Scene dock: the materials that stand beside the edited one in scenes of several. They are no part
+/// of the document.
+class SceneNeighbours : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Places beside that of the edited material.
+  static constexpr int count = 3;
+
+  SceneNeighbours(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
+
+  /// Shows the wells of the places that a scene has.
+  void showScene(const Scene& scene);
+  /// One a place; null where the edited material stands.
+  TracedMaterials materials() const;
+  /// A file, a .gonio document, or a library's material by its id.
+  void read(int place, const QString& id);
+  widgets::MaterialWell& well(int place) const { return *m_places[std::size_t(place)].well; }
+
+ Q_SIGNALS:
+  void changed();
+  void failed(const QString& title, const QString& text);
+
+ private:
+  struct Neighbour {
+    BlendEnd end;
+    std::shared_ptr<const TracedMaterial> traced;
+  };
+  struct Place {
+    widgets::MaterialWell* well;
+    std::optional<Neighbour> neighbour;
+    QString failure;
+  };
+  static Neighbour traced(BlendEnd end);
+  void fill(int place, const QString& name, std::function<BlendEnd(const TaskControl&)> make);
+  void takeCurrent(int place);
+  void clear(int place);
+  void askForFile(int place);
+  void show(int place);
+
+  Document& m_document;
+  BackgroundTasks& m_tasks;
+  std::vector<Place> m_places;
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/scene/scene_panel.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "core/metrics/image_metrics.h"
+#include "core/rendering/scene_file.h"
+#include "widgets/panels/effect_list.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace gonio::app {
+
+namespace {
+
+constexpr int costSide = 128, costSamples = 16;
+constexpr int referenceSamples = 1024;
+const auto costsKey = QStringLiteral("effect costs"), referenceKey = QStringLiteral("scene reference");
+
+/// What the objects of the preview's scene are made of.
+TracedMaterials materialsOf(const widgets::PreviewWidget& preview) {
+  return bindMaterials(preview.scene(), lookedAtMaterials(preview.scene(), preview.material(), preview.others()));
+}
+
+}  // namespace
+
+ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, BackgroundTasks& tasks, QWidget* parent)
+    : QWidget(parent),
+      m_preview(preview),
+      m_tasks(tasks),
+      m_scenes(new QComboBox),
+      m_description(new QLabel),
+      m_result(new QLabel),
+      m_measure(new QPushButton(tr("&Measure costs"))),
+      m_compare(new QPushButton(tr("&Compare with the reference"))),
+      m_neighbours(new SceneNeighbours(document, tasks)),
+      m_effects(new widgets::EffectList) {
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(buildTop());
+  layout->addWidget(m_neighbours);
+  layout->addWidget(m_effects);
+  layout->addWidget(buildBottom());
+  layout->addStretch(1);
+  connect(m_neighbours, &SceneNeighbours::changed, this, [this] {
+    m_costs.reset();
+    m_preview.setOthers(m_neighbours->materials());
+    refresh();
+  });
+  connect(m_neighbours, &SceneNeighbours::failed, this, &ScenePanel::failed);
+  connect(m_effects, &widgets::EffectList::overridesChanged, &m_preview, &widgets::PreviewWidget::setOverrides);
+  connect(&m_preview, &widgets::PreviewWidget::planChanged, this, &ScenePanel::refresh);
+  connect(&m_preview, &widgets::PreviewWidget::sceneChanged, this, [this](const Scene& scene) {
+    m_result->clear();
+    showScene(scene);
+  });
+  refresh();
+}
+
+QString ScenePanel::result() const { return m_result->text(); }
+
+QWidget* ScenePanel::buildTop() {
+  auto* top = new QWidget;
+  auto* layout = new QHBoxLayout(top);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (const std::string& name : bundledSceneNames()) {
+    const QString id = QString::fromStdString(name);
+    QString title = id;
+    title.replace('-', ' ').replace(0, 1, id.at(0).toUpper());
+    m_scenes->addItem(title, id);
+  }
+  m_scenes->setAccessibleName(tr("Scene"));
+  m_scenes->setToolTip(tr("What the preview shows"));
+  auto* label = new QLabel(tr("&Scene"));
+  label->setBuddy(m_scenes);
+  auto* openFile = new QPushButton(tr("&Open..."));
+  openFile->setToolTip(tr("A scene file (.json) or a mesh (.obj)"));
+  m_description->setForegroundRole(QPalette::PlaceholderText);
+  m_description->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  for (QWidget* part : std::initializer_list<QWidget*>{label, m_scenes, openFile}) layout->addWidget(part);
+  layout->addWidget(m_description, 1);
+  connect(m_scenes, &QComboBox::activated, this, [this] { open(m_scenes->currentData().toString()); });
+  connect(openFile, &QPushButton::clicked, this, &ScenePanel::askForFile);
+  return top;
+}
+
+QWidget* ScenePanel::buildBottom() {
+  auto* bottom = new QWidget;
+  auto* layout = new QHBoxLayout(bottom);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_measure->setToolTip(tr("Renders the scene with and without each effect, %1 x %1 pixels on the CPU").arg(costSide));
+  m_compare->setToolTip(
+      tr("The signal-to-noise ratio of the preview's picture against the reference renderer's with %1 samples a pixel")
+          .arg(referenceSamples));
+  m_result->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  layout->addWidget(m_measure);
+  layout->addWidget(m_compare);
+  layout->addWidget(m_result, 1);
+  connect(m_measure, &QPushButton::clicked, this, &ScenePanel::measureCosts);
+  connect(m_compare, &QPushButton::clicked, this, &ScenePanel::compareWithReference);
+  return bottom;
+}
+
+void ScenePanel::askForFile() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Open Scene"), {}, tr("Scenes and meshes (*.json *.obj);;All files (*)"));
+  if (!path.isEmpty()) open(path);
+}
+
+void ScenePanel::open(const QString& nameOrPath, std::function<void()> shown) {
+  m_tasks.run<Scene>(
+      {tr("Reading the scene %1").arg(nameOrPath.section('/', -1)), QStringLiteral("scene")},
+      [nameOrPath](const TaskControl&) { return openScene(nameOrPath.toStdString(), 1 + SceneNeighbours::count); },
+      [this, shown](const Scene& scene) {
+        show(scene);
+        if (shown) shown();
+      },
+      [this](const QString& error) {
+        refresh();
+        Q_EMIT failed(tr("Cannot read the scene"), error);
+      });
+}
+
+void ScenePanel::show(const Scene& scene) {
+  m_costs.reset();
+  m_preview.showScene(scene);
+  refresh();
+}
+
+void ScenePanel::showScene(const Scene& scene) {
+  const QString source = QString::fromStdString(scene.source);
+  if (!source.isEmpty() && m_scenes->findData(source) < 0) m_scenes->addItem(source.section('/', -1), source);
+  m_scenes->setCurrentIndex(m_scenes->findData(source));
+  m_description->setText(QString::fromStdString(scene.description));
+  m_description->setToolTip(m_description->text());
+  m_neighbours->showScene(scene);
+}
+
+void ScenePanel::refresh() {
+  showScene(m_preview.scene());
+  m_effects->setOverrides(m_preview.overrides());
+  m_effects->setPlan(m_preview.plan());
+  m_effects->setCosts(m_costs);
+  const bool known = m_preview.material() != nullptr;
+  m_measure->setEnabled(known);
+  m_compare->setEnabled(known);
+}
+
+void ScenePanel::measureCosts() {
+  const Scene scene = m_preview.scene();
+  const EffectOverrides overrides = m_preview.overrides();
+  m_tasks.run<EffectCosts>(
+      {tr("Measuring the effects of %1").arg(QString::fromStdString(scene.name)), costsKey},
+      [scene, overrides, materials = materialsOf(m_preview)](const TaskControl& control) {
+        return measureEffectCosts(scene, materials, overrides,
+                                  {.width = costSide, .height = costSide, .samples = costSamples}, control);
+      },
+      [this](const EffectCosts& costs) {
+        m_costs = costs;
+        m_effects->setCosts(m_costs);
+        m_result->setText(tr("The whole picture: %1 ms, %2 x %2 pixels, %3 samples, on the CPU")
+                              .arg(1000 * costs.seconds, 0, 'f', 0)
+                              .arg(costSide)
+                              .arg(costSamples));
+      },
+      [this](const QString& error) { Q_EMIT failed(tr("Cannot measure the effects"), error); });
+}
+
+void ScenePanel::compareWithReference() {
+  const Image picture = m_preview.linearPicture();
+  const Scene scene = m_preview.scene();
+  const EffectOverrides overrides = m_preview.overrides();
+  m_result->setText(tr("Rendering the reference..."));
+  m_tasks.run<double>(
+      {tr("Rendering the reference of %1").arg(QString::fromStdString(scene.name)), referenceKey},
+      [scene, overrides, picture, materials = materialsOf(m_preview)](const TaskControl& control) {
+        Film film(picture.width, picture.height);
+        PathTracer(scene, materials, planEffects(scene, materials, overrides), 2)
+            .accumulate(film, referenceSamples, control);
+        return metrics::signalToNoiseRatio(film.image(), picture);
+      },
+      [this](double snr) {
+        m_result->setText(tr("The preview: %1 dB against the reference with %2 samples a pixel")
+                              .arg(snr, 0, 'f', 1)
+                              .arg(referenceSamples));
+      },
+      [this](const QString& error) {
+        m_result->clear();
+        Q_EMIT failed(tr("Cannot render the reference"), error);
+      },
+      [this] { m_result->setText(tr("Stopped")); });
+}
+
+}  // namespace gonio::app
+
+#include "moc_scene_panel.cpp"

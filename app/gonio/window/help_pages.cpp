@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/window/help_pages.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "app/gonio/window/command_search.h"
+#include "core/models/model.h"
+#include "widgets/parameters/parameter_text.h"
+
+namespace gonio::app {
+
+namespace {
+
+struct HelpPagesText {
+  Q_DECLARE_TR_FUNCTIONS(HelpPages)
+};
+QString escaped(std::string_view text) { return widgets::fromView(text).toHtmlEscaped(); }
+
+QString row(const QString& left, const QString& right) {
+  return QStringLiteral("<tr><td style='padding: 2px 24px 2px 0'>%1</td><td style='padding: 2px 0'>%2</td></tr>")
+      .arg(left, right);
+}
+
+/// What the mouse and single widgets do: nothing that an action could tell.
+QString gestures() {
+  return row(HelpPagesText::tr("Drag in the preview"), HelpPagesText::tr("orbit (directional light: move the light)")) +
+         row(HelpPagesText::tr("Wheel in the preview"), HelpPagesText::tr("zoom")) +
+         row(HelpPagesText::tr("Shift + right drag in the preview"), HelpPagesText::tr("turn the environment")) +
+         row(HelpPagesText::tr("F, R in the preview"), HelpPagesText::tr("frame the sphere, reset the view")) +
+         row(HelpPagesText::tr("Shift, Ctrl while dragging a slider"), HelpPagesText::tr("a tenth as far, snap")) +
+         row(HelpPagesText::tr("Double-click on a label or slider"), HelpPagesText::tr("reset the parameter")) +
+         row(HelpPagesText::tr("Arrow keys, Page Up, Page Down"), HelpPagesText::tr("step a slider or a number")) +
+         row(HelpPagesText::tr("Typing into a number"), HelpPagesText::tr("arithmetic works: 0.3*2")) +
+         row(HelpPagesText::tr("Drag a point of a factor curve, Escape"),
+             HelpPagesText::tr("pull the curve, take the drag back")) +
+         row(HelpPagesText::tr("Enter in the library"), HelpPagesText::tr("open the material")) +
+         row(HelpPagesText::tr("Ctrl + Enter, Shift + Enter in the library"),
+             HelpPagesText::tr("compare, interpolate with the material")) +
+         row(HelpPagesText::tr("Arrow keys, 1 to 4 in the pad of materials"),
+             HelpPagesText::tr("move the point, go to a corner"));
+}
+
+/// The model under the Factor curves dock (core/factorization/pdv_factors.h).
+QString factorFormulae() {
+  const auto formula = [](const QString& text) { return QStringLiteral("<p><tt>%1</tt></p>").arg(text); };
+  return QStringLiteral("<h3>%1</h3><p>%2</p>%3<p>%4</p>%5<p>%6</p>%7<p>%8</p>%9<p><i>%10</i></p>")
+      .arg(HelpPagesText::tr("Factor curves (projected deviation)"),
+           HelpPagesText::tr(
+               "In each colour channel the transformed reflectance is a sum of products of curves. θR is the angle of "
+               "the mirror direction R, Δp the way from R to the light on the unit disk, φ its azimuth; the form with "
+               "two curves leaves F3 out."),
+           formula(HelpPagesText::tr("y = ln(1 + ρ) = Σ F1(θR) F2(|Δp|) F3(|φ|)")),
+           HelpPagesText::tr("The edited curves next to the measurement, with its detail kept:"),
+           formula(HelpPagesText::tr("edited = max(0, measured + strength (ρ(edited curves) − ρ(original curves)))")),
+           HelpPagesText::tr("Without the detail:"),
+           formula(HelpPagesText::tr("edited = (1 − strength) measured + strength ρ(edited curves)")),
+           HelpPagesText::tr("The disk of directions ends, behind the mirror direction and at most, at"),
+           formula(HelpPagesText::tr("|Δp| = 1 − sin θR, |Δp| = 1 + sin θR")))
+      .arg(HelpPagesText::tr(
+          "Tongbuasirilai, Unger, Kronander and Kurt, Compact and intuitive data-driven BRDF models, 2019"));
+}
+
+}  // namespace
+
+QString shortcutsPage(const QWidget* window) {
+  QString table;
+  for (const NamedAction& named : allActions(window)) {
+    QStringList keys;
+    for (const QKeySequence& key : named.action->shortcuts())
+      keys << key.toString(QKeySequence::NativeText).toHtmlEscaped();
+    if (!keys.isEmpty())
+      table += row(named.path.toHtmlEscaped(), QStringLiteral("<b>%1</b>").arg(keys.join(HelpPagesText::tr(" or "))));
+  }
+  return QStringLiteral("<h2>%1</h2><table>%2</table><h3>%3</h3><table>%4</table>")
+      .arg(HelpPagesText::tr("Shortcuts"), table, HelpPagesText::tr("Mouse and keys"), gestures());
+}
+
+QString formulaePage() {
+  QString page = QStringLiteral("<h2>%1</h2><p>%2</p>")
+                     .arg(HelpPagesText::tr("Formulae"),
+                          HelpPagesText::tr(
+                              "Directions point away from the surface, the normal is z. Values are linear RGB in 1/sr, "
+                              "without the cosine. An edit adds the change of the model to the measurement: edited = "
+                              "max(0, measured + model(edited) − model(fitted))."));
+  page += factorFormulae();
+  for (const models::Model* model : models::allModels()) {
+    const models::ModelSpec& spec = model->spec();
+    page += QStringLiteral("<h3>%1</h3><p>%2</p><p><tt>%3</tt></p><p><i>%4</i></p><table>")
+                .arg(escaped(spec.name), escaped(spec.description), escaped(spec.formula), escaped(spec.reference));
+    for (const models::ParameterSpec& parameter : spec.parameters)
+      page += row(QStringLiteral("<b>%1</b> <i>%2</i>").arg(escaped(parameter.label), escaped(parameter.symbol)),
+                  QStringLiteral("%1<br><tt>%2</tt><br><i>%3</i>")
+                      .arg(escaped(parameter.description), escaped(parameter.formula), escaped(parameter.reference)));
+    page += QStringLiteral("</table>");
+  }
+  return page;
+}
+
+QString aboutPage() {
+  QString page = QStringLiteral("<h2>Gonio %1</h2><p>%2</p><h3>%3</h3><p>%4</p><p>%5</p><h3>%6</h3><table>")
+                     .arg(QStringLiteral(GONIO_VERSION), HelpPagesText::tr("An editor for measured materials (BRDFs)."),
+                          HelpPagesText::tr("Licences"),
+                          HelpPagesText::tr("The modelling library (core) and goniotool: Apache-2.0."),
+                          HelpPagesText::tr("This editor: GPL-3.0-or-later. It comes with no warranty."),
+                          HelpPagesText::tr("Third parties"));
+  const std::pair<const char*, const char*> parties[] = {
+      {"Qt 6", "LGPL-3.0-only"},   {"Eigen", "MPL-2.0"},      {"GLM", "MIT"},
+      {"OpenEXR", "BSD-3-Clause"}, {"oneTBB", "Apache-2.0"},  {"Ceres Solver", "BSD-3-Clause"},
+      {"nlohmann/json", "MIT"},    {"OpenSSL", "Apache-2.0"}, {"stb", "MIT or public domain"}};
+  for (const auto& [name, licence] : parties) page += row(QString::fromLatin1(name), QString::fromLatin1(licence));
+  page += QStringLiteral("</table><h3>%1</h3><p>%2</p>")
+              .arg(HelpPagesText::tr("Data"),
+                   HelpPagesText::tr(
+                       "The bundled library holds published figures: SGD fits of the MERL materials, Bagher, "
+                       "Soler and Holzschuch, Accurate fitting of measured reflectances using a Shifted Gamma "
+                       "micro-facet distribution, 2012. The environments are made by the project itself."));
+  return page;
+}
+
+void showPage(const QString& title, const QString& html, QWidget* parent) {
+  auto* dialog = new QDialog(parent);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(title);
+  auto* text = new QTextBrowser(dialog);
+  text->setHtml(html);
+  text->setFrameShape(QFrame::NoFrame);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  auto* layout = new QVBoxLayout(dialog);
+  layout->addWidget(text);
+  layout->addWidget(buttons);
+  const int em = dialog->fontMetrics().height();
+  dialog->resize(em * 42, em * 38);
+  dialog->show();
+}
+
+}  // namespace gonio::app

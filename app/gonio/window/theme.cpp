@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/window/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace gonio::app {
+
+namespace {
+
+struct Tones {
+  const char *window, *base, *alternate, *button, *text, *quiet, *light, *mid, *dark, *accent, *onAccent, *link;
+};
+constexpr Tones darkTones = {"#2b2b2b", "#212121", "#333333", "#3a3a3a", "#e4e4e4", "#a9a9a9",
+                             "#5a5a5a", "#4a4a4a", "#191919", "#5fa3dd", "#101010", "#7fb8ea"};
+constexpr Tones lightTones = {"#ededed", "#fafafa", "#e2e2e2", "#f4f4f4", "#1c1c1c", "#5c5c5c",
+                              "#ffffff", "#b4b4b4", "#9a9a9a", "#2a6cab", "#ffffff", "#1d5a96"};
+
+QPalette paletteOf(const Tones& tones) {
+  QPalette palette;
+  palette.setColor(QPalette::Window, tones.window);
+  palette.setColor(QPalette::WindowText, tones.text);
+  palette.setColor(QPalette::Base, tones.base);
+  palette.setColor(QPalette::AlternateBase, tones.alternate);
+  palette.setColor(QPalette::ToolTipBase, tones.alternate);
+  palette.setColor(QPalette::ToolTipText, tones.text);
+  palette.setColor(QPalette::Text, tones.text);
+  palette.setColor(QPalette::PlaceholderText, tones.quiet);
+  palette.setColor(QPalette::Button, tones.button);
+  palette.setColor(QPalette::ButtonText, tones.text);
+  palette.setColor(QPalette::BrightText, tones.onAccent);
+  palette.setColor(QPalette::Light, tones.light);
+  palette.setColor(QPalette::Midlight, tones.light);
+  palette.setColor(QPalette::Mid, tones.mid);
+  palette.setColor(QPalette::Dark, tones.dark);
+  palette.setColor(QPalette::Shadow, tones.dark);
+  palette.setColor(QPalette::Highlight, tones.accent);
+  palette.setColor(QPalette::HighlightedText, tones.onAccent);
+  palette.setColor(QPalette::Link, tones.link);
+  palette.setColor(QPalette::LinkVisited, tones.link);
+  QColor disabled(tones.text);
+  disabled.setAlphaF(0.45f);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    palette.setColor(QPalette::Disabled, role, disabled);
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, tones.mid);
+  return palette;
+}
+
+/// Qt 6.4 does not tell the colour scheme; the palette that the platform theme gave does.
+bool systemIsDark() {
+  static const bool dark = QApplication::palette().color(QPalette::Window).lightness() < 128;
+  return dark;
+}
+
+// Only what a palette cannot say. Lengths in ex and em follow the font.
+constexpr const char* styleSheet = R"(
+QToolButton#sectionHeader { padding: 0.5ex 0.5ex; border: none; border-radius: 3px; background: palette(alternate-base); }
+QToolButton#sectionHeader:focus { border: 2px solid palette(highlight); }
+QDockWidget::title { padding: 0.7ex 1ex; background: palette(window); text-align: left; }
+QMainWindow::separator { width: 5px; height: 5px; background: palette(window); }
+QLabel#groupTitle { margin-top: 0.8ex; }
+QFrame#messageBar { border-left: 3px solid palette(highlight); }
+QStatusBar::item { border: none; }
+QPushButton:focus, QComboBox:focus, QLineEdit:focus, QListView:focus { outline: none; }
+)";
+
+}  // namespace
+
+QString themeName(Theme theme) {
+  return theme == Theme::light  ? QStringLiteral("light")
+         : theme == Theme::dark ? QStringLiteral("dark")
+                                : QStringLiteral("system");
+}
+
+Theme themeByName(const QString& name) {
+  return name == "light" ? Theme::light : name == "dark" ? Theme::dark : Theme::system;
+}
+
+void applyTheme(QApplication& application, Theme theme) {
+  const bool systemDark = systemIsDark();  // before the palette is replaced
+  const bool dark = theme == Theme::dark || (theme == Theme::system && systemDark);
+  application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  application.setPalette(paletteOf(dark ? darkTones : lightTones));
+  // Fusion outlines the box in a tone that a dark window swallows.
+  QPalette checkBoxes = application.palette();
+  if (dark) checkBoxes.setColor(QPalette::Base, darkTones.light);
+  application.setPalette(checkBoxes, "QCheckBox");
+  application.setStyleSheet(QString::fromLatin1(styleSheet));
+}
+
+}  // namespace gonio::app

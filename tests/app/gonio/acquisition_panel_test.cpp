@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition/acquisition_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTableWidget>
+#include <QTest>
+
+#include "core/io/plan_file.h"
+#include "core/io/values_file.h"
+#include "tests/app/gonio/acquisition_test_support.h"
+#include "tests/support/test_program.h"
+#include "tests/widgets/pointer.h"
+#include "widgets/acquisition/error_curve.h"
+#include "widgets/acquisition/forbidden_regions_editor.h"
+#include "widgets/acquisition/half_difference_chart.h"
+#include "widgets/acquisition/hemisphere_chart.h"
+#include "widgets/acquisition/reconstruction_view.h"
+#include "widgets/inputs/number_field.h"
+
+using namespace gonio;
+using namespace gonio::app;
+using namespace gonio::app::test;
+
+namespace {
+
+struct Editor {
+  SmallLibrary library;
+  BackgroundTasks tasks;
+  Document document;
+  AcquisitionPanel panel{document, tasks};
+  QSignalSpy failed{&panel, &AcquisitionPanel::failed};
+
+  Editor() {
+    panel.resize(1400, 420);
+    panel.show();
+    panel.session().setPicture(smallPicture());
+    panel.controls().setTraining(library.training);
+    panel.controls().setSamples(8);
+  }
+  bool settle() {
+    return QTest::qWaitFor([&] { return tasks.isIdle() && panel.isSettled(); }, patienceMilliseconds);
+  }
+  void open(const QString& path) { document.setMaterial(loadMaterial(path.toStdString())); }
+  bool acquire() {
+    open(library.subject);
+    panel.startButton().click();
+    return settle() && panel.session().result();
+  }
+  QPushButton* button(const QString& text) const {
+    for (QPushButton* one : panel.findChildren<QPushButton*>())
+      if (one->text().remove('&') == text) return one;
+    return nullptr;
+  }
+  QString failure() { return failed.isEmpty() ? QString() : failed.takeLast()[1].toString(); }
+};
+
+}  // namespace
+
+class AcquisitionPanelTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void anEmptyPanelSaysWhatToDo() {
+    Editor editor;
+    QCOMPARE(editor.panel.status(), "Start chooses where to measure.");
+    for (const char* name : {"Copy", "Save Plan...", "Paste Values", "Open Values...", "Open as Material"})
+      QVERIFY2(!editor.button(name)->isEnabled(), name);
+    QVERIFY(editor.panel.startButton().isEnabled());
+  }
+
+  void startGoesAllTheWay() {
+    Editor editor;
+    AcquisitionPanel& panel = editor.panel;
+    QVERIFY(editor.acquire());
+    QVERIFY2(editor.failed.isEmpty(), qPrintable(editor.failure()));
+    QCOMPARE(panel.hemisphere().samples().size(), std::size_t(8));
+    QCOMPARE(panel.chart().samples().size(), std::size_t(8));
+    QCOMPARE(panel.table().model()->rowCount(), 8);
+    for (int column = 0; column < AcquisitionSampleModel::ColumnCount; ++column)
+      QVERIFY(!panel.table().model()->index(3, column).data().toString().isEmpty());
+    QCOMPARE(panel.pages().currentIndex(), int(AcquisitionPanel::reconstructionPage));
+    QCOMPARE(panel.view().squares().size(), 3);
+    QVERIFY(panel.numbers().contains("rendered SNR"));
+    QVERIFY(!panel.chart().slice().deviations.empty());
+    QCOMPARE(panel.curve().points().size(), curveCounts(8).size());
+    QCOMPARE(panel.status(), "Values: simulated from subject");
+    panel.controls().setSamples(9);
+    Q_EMIT panel.controls().planSettingsEdited();
+    QCOMPARE(panel.status(), "The settings have changed: start anew.");
+    QVERIFY(editor.button("Start"));
+  }
+
+  void theButtonCancels() {
+    Editor editor;
+    editor.open(editor.library.subject);
+    editor.panel.startButton().click();
+    QVERIFY(editor.button("Cancel"));
+    editor.panel.startButton().click();
+    QVERIFY(editor.settle());
+    QVERIFY(!editor.panel.session().hasPlan() && editor.button("Start"));
+    QCOMPARE(editor.panel.hemisphere().samples().size(), std::size_t(0));
+  }
+
+  /// A plan whose reconstruction was stopped stays, and the panel says so.
+  void aStoppedReconstructionIsTold() {
+    Editor editor;
+    AcquisitionPanel& panel = editor.panel;
+    const auto stop = connect(&panel.session(), &AcquisitionSession::progressed, &panel, [&panel] {
+      if (panel.session().step() == AcquisitionSession::Step::reconstructing) panel.session().cancel();
+    });
+    editor.open(editor.library.subject);
+    panel.startButton().click();
+    QVERIFY(editor.settle());
+    QVERIFY(panel.session().hasPlan() && !panel.session().result());
+    QCOMPARE(panel.status(), "Stopped before the material was reconstructed: start anew.");
+    QVERIFY(editor.button("Start") && editor.button("Save Plan...")->isEnabled());
+    disconnect(stop);
+    panel.startButton().click();
+    QVERIFY(editor.settle());
+    QVERIFY(panel.session().result());
+  }
+
+  /// A mark in either chart or in the table is one in all three; a click shows the slice of the sample.
+  void marksAreKeptTogether() {
+    Editor editor;
+    AcquisitionPanel& panel = editor.panel;
+    QVERIFY(editor.acquire());
+    tests::pointAt(panel.hemisphere(), panel.hemisphere().places(5)[0].toPoint());
+    const int marked = panel.hemisphere().current();
+    QVERIFY(marked >= 0);
+    QCOMPARE(panel.chart().current(), marked);
+    QCOMPARE(panel.table().currentIndex().row(), marked);
+    QTest::keyClick(&panel.chart(), Qt::Key_Home);
+    QCOMPARE(panel.hemisphere().current(), 0);
+    QCOMPARE(panel.table().currentIndex().row(), 0);
+    panel.table().setCurrentIndex(panel.table().model()->index(7, 2));
+    QCOMPARE(panel.hemisphere().current(), 7);
+    QCOMPARE(panel.chart().current(), 7);
+    QTest::keyClick(&panel.chart(), Qt::Key_Return);
+    QVERIFY(panel.chart().isInSlice(7));
+    const DirectionPair& pair = panel.chart().samples()[7];
+    QVERIFY(std::abs(panel.chart().slice().phiD - foldPhiD(toHalfDifference(pair.wi, pair.wo).phiD)) < 1e-6);
+  }
+
+  void thePlanIsAFile() {
+    Editor editor;
+    QVERIFY(editor.acquire());
+    const auto plan = io::parsePlan(editor.panel.planText().toStdString());
+    QCOMPARE(plan.samples.size(), std::size_t(8));
+    const QString path = editor.library.folder.filePath("plan.csv");
+    QSignalSpy exported(&editor.panel, &AcquisitionPanel::exported);
+    editor.panel.savePlan(path);
+    QCOMPARE(exported.count(), 1);
+    QCOMPARE(io::readPlan(path.toStdString()).samples[3].order, editor.panel.session().samplingPlan().samples[3].order);
+    editor.panel.savePlan("/nowhere/plan.csv");
+    QVERIFY(editor.failure().contains("/nowhere/plan.csv"));
+    // Read again, also by another editor: the same cells in the same order.
+    const auto cells = editor.panel.session().selection().cells;
+    editor.panel.controls().setSamples(5);
+    editor.panel.controls().methodBox().setCurrentIndex(4);
+    editor.panel.readPlan(path);
+    QVERIFY(editor.settle());
+    QCOMPARE(editor.panel.session().selection().cells, cells);
+    QCOMPARE(editor.panel.controls().planSettings().samples, 8);
+    QVERIFY(editor.panel.session().result() && editor.panel.session().curve().size() == curveCounts(8).size());
+    editor.panel.readPlan("/nowhere/plan.csv");
+    QVERIFY(editor.failure().contains("/nowhere/plan.csv"));
+    QVERIFY(editor.panel.session().hasPlan());
+  }
+
+  /// What is wrong with a value is told with its line; the values that were there stay.
+  void pastedValuesAreChecked() {
+    Editor editor;
+    AcquisitionPanel& panel = editor.panel;
+    QVERIFY(editor.acquire());
+    const auto& plan = panel.session().samplingPlan();
+    QString text = QString::fromStdString(io::valuesCsv(plan, panel.session().values()));
+    QStringList lines = text.split('\n', Qt::SkipEmptyParts);
+    const auto line =
+        qsizetype(std::ranges::find_if(lines, [](const QString& one) { return one.startsWith("3,"); }) - lines.begin());
+    const auto with = [&](const QString& row) {
+      QStringList changed = lines;
+      changed[line] = row;
+      return changed.join('\n');
+    };
+    const QString place = QStringLiteral("line %1").arg(line + 1);
+    const std::pair<QString, QString> bad[] = {{with("3,-0.1,0.1,0.1"), place},
+                                               {with("3,nan,0.1,0.1"), place},
+                                               {with("4,0.1,0.1,0.1"), "4"},
+                                               {with("99,0.1,0.1,0.1"), place},
+                                               {QStringLiteral(" \n"), "clipboard"}};
+    for (const auto& [pasted, told] : bad) {
+      panel.paste(pasted);
+      const QString failure = editor.failure();
+      QVERIFY2(failure.contains(told), qPrintable(failure));
+      QVERIFY(panel.session().isSimulated());
+    }
+    // With tabs, as spreadsheets copy them.
+    panel.paste(with("3,0.25,0.1,0.1").replace(',', '\t'));
+    QVERIFY2(editor.failed.isEmpty(), qPrintable(editor.failure()));
+    QVERIFY(!panel.session().isSimulated());
+    QCOMPARE(panel.session().values().rgb[2].r, 0.25);
+    QVERIFY(editor.settle());
+    QCOMPARE(panel.status(), "Values: pasted");
+    panel.readValues("/nowhere/values.csv");
+    QVERIFY(editor.failure().contains("/nowhere/values.csv"));
+  }
+
+  /// The rig's limits are seen at once, and no sample lies beyond them.
+  void limitsOfTheRigAreKept() {
+    Editor editor;
+    AcquisitionPanel& panel = editor.panel;
+    widgets::ForbiddenRegionsEditor& forbidden = panel.controls().forbidden();
+    const auto shaded = [&] { return std::ranges::count(panel.chart().slice().states, widgets::CellState::forbidden); };
+    QCOMPARE(shaded(), 0);
+    forbidden.addButton().click();
+    QVERIFY(shaded() > 0);
+    forbidden.table().item(0, 0)->setText("50");
+    forbidden.table().item(0, 1)->setText("nonsense");
+    QCOMPARE(forbidden.table().item(0, 1)->text(), "90");
+    QVERIFY(editor.acquire());
+    const acquisition::MeasurableDirections measurable = panel.controls().planSettings().measurable;
+    QCOMPARE(measurable.forbidden.size(), std::size_t(1));
+    QVERIFY(std::abs(measurable.forbidden[0].thetaI.lowest - radians(50)) < 1e-12);
+    for (const DirectionPair& pair : panel.hemisphere().samples()) QVERIFY(polarAngle(pair.wi) < radians(50) + 1e-9);
+    forbidden.removeButton().click();
+    QVERIFY(panel.controls().planSettings().measurable.forbidden.empty());
+  }
+
+  /// What is opened does not take the place of what is measured.
+  void theResultIsOpened() {
+    Editor editor;
+    AcquisitionPanel& panel = editor.panel;
+    QVERIFY(editor.acquire());
+    const auto result = panel.session().result();
+    panel.openButton().click();
+    QVERIFY(editor.settle());
+    QVERIFY(editor.document.name().startsWith("subject from 8 samples"));
+    QVERIFY(editor.document.history().canUndo());
+    QCOMPARE(panel.session().result(), result);
+    QCOMPARE(panel.session().referenceName(), "subject");
+    QCOMPARE(panel.controls().subject(), AcquisitionControls::Subject::chosen);
+    QCOMPARE(panel.controls().subjectBox().currentText(), "subject");
+    editor.document.history().undo();
+    QCOMPARE(editor.document.name(), "subject");
+  }
+
+  void anotherMaterialIsMeasuredAtTheSamePlaces() {
+    Editor editor;
+    AcquisitionPanel& panel = editor.panel;
+    QVERIFY(editor.acquire());
+    const auto cells = panel.session().selection().cells;
+    const double snr = panel.session().result()->error->renderedSnr;
+    panel.measure(editor.library.training.ids[1]);
+    QVERIFY(editor.settle());
+    QCOMPARE(panel.session().selection().cells, cells);
+    QVERIFY(panel.session().result()->error->renderedSnr != snr);
+    QVERIFY2(panel.status().contains("is in the training set"), qPrintable(panel.status()));
+    panel.controls().reconstructionBox().setCurrentIndex(2);
+    Q_EMIT panel.controls().reconstructionBox().activated(2);
+    QVERIFY(editor.settle());
+    QVERIFY(panel.session().result()->reconstruction->deviation.empty());
+    QVERIFY(panel.chart().slice().deviations.empty());
+  }
+};
+
+GONIO_TEST(AcquisitionPanelTest)
+#include "acquisition_panel_test.moc"

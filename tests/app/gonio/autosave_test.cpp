@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document/autosave.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::app;
+
+class AutosaveTest : public QObject {
+  Q_OBJECT
+ private:
+  static editing::EditDocument work() {
+    editing::EditDocument document;
+    document.sourcePath = "library:sgd/chrome";
+    document.sourceSha256 = std::string(64, '7');
+    return document;
+  }
+
+ private Q_SLOTS:
+  void copiesLieBesideTheDocumentAndGoWithTheSave() {
+    const QTemporaryDir folder;
+    Autosave autosave(folder.filePath("data"), [] { return std::optional(work()); });
+    const QString path = folder.filePath("mine.gonio");
+    autosave.setDocumentPath(path);
+    autosave.update();
+    QVERIFY(QFile::exists(path + ".autosave"));
+    autosave.setDocumentPath(path);
+    QVERIFY(!QFile::exists(path + ".autosave"));
+    QVERIFY(Autosave::recoverable(folder.filePath("data")).isEmpty());
+  }
+
+  void nothingUnsavedLeavesNoCopy() {
+    const QTemporaryDir folder;
+    bool unsaved = true;
+    Autosave autosave(folder.filePath("data"), [&] { return unsaved ? std::optional(work()) : std::nullopt; });
+    autosave.update();
+    const QString copy = autosave.currentCopy();
+    QVERIFY(QFile::exists(copy));
+    unsaved = false;
+    autosave.update();
+    QVERIFY(!QFile::exists(copy));
+  }
+
+  /// A program that dies leaves its copy; the next one finds it, but not while the first still runs.
+  void whatWasLeftBehindIsFound() {
+    const QTemporaryDir folder;
+    const QString data = folder.filePath("data");
+    auto autosave = std::make_unique<Autosave>(data, [] { return std::optional(work()); });
+    autosave->update();
+    QVERIFY(Autosave::recoverable(data).isEmpty());
+    autosave.reset();  // without discard(): as if the program had died
+    const auto found = Autosave::recoverable(data);
+    QCOMPARE(found.size(), 1);
+    QVERIFY(found[0].originalPath.isEmpty());
+    QCOMPARE(editing::readDocument(found[0].autosavePath.toStdString()).sourceSha256, work().sourceSha256);
+    Autosave::forget(data, found[0].autosavePath);
+    QVERIFY(!QFile::exists(found[0].autosavePath));
+    QVERIFY(Autosave::recoverable(data).isEmpty());
+  }
+};
+
+GONIO_TEST(AutosaveTest)
+#include "autosave_test.moc"

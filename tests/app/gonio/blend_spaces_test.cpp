@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/interpolation/blend_spaces.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "tests/app/gonio/interpolation_panel_test_support.h"
+#include "tests/support/test_program.h"
+#include "widgets/interpolation/blend_place.h"
+
+using namespace gonio;
+using namespace gonio::app;
+using namespace gonio::app::test;
+using Space = editing::InterpolationSpace;
+
+/// What stays of prepared spaces when the materials change.
+class BlendSpacesTest : public QObject {
+  Q_OBJECT
+ private:
+  const std::vector<editing::InterpolationEnd> m_ends{
+      {greyMaterial("a", 0.2)->table}, {greyMaterial("b", 0.4)->table}, {greyMaterial("c", 0.9)->table}};
+
+  std::vector<editing::InterpolationEnd> ends(std::initializer_list<std::size_t> which) const {
+    std::vector<editing::InterpolationEnd> result;
+    for (const std::size_t i : which) result.push_back(m_ends[i]);
+    return result;
+  }
+  /// Prepares and draws all that is missing.
+  void settle(BlendSpaces& spaces) const {
+    spaces.want(Space::linear);
+    QTRY_VERIFY_WITH_TIMEOUT(spaces.isSettled(), patienceMilliseconds);
+    for (const Space space : spaces.spaces()) QVERIFY(spaces.state(space) == BlendSpaces::State::ready);
+  }
+  std::vector<widgets::PreparedBlendPtr> prepared(const BlendSpaces& spaces) const {
+    std::vector<widgets::PreparedBlendPtr> all;
+    for (const Space space : spaces.spaces()) all.push_back(spaces.prepared(space));
+    return all;
+  }
+  static double valueAt(const BlendSpaces& spaces, Space space, const std::vector<double>& weights) {
+    return normalValue(*spaces.prepared(space)->interpolation->brdf(spaces.ordered(weights)));
+  }
+
+ private Q_SLOTS:
+  /// Exchanged materials are blended by what is there; the strip runs the other way.
+  void aSwapKeepsEverything() {
+    BackgroundTasks tasks;
+    BlendSpaces spaces(tasks);
+    spaces.setEnds(ends({0, 1}));
+    settle(spaces);
+    const auto before = prepared(spaces);
+    const std::vector<QImage> pictures = spaces.pictures(Space::linear);
+    spaces.setEnds(ends({1, 0}));
+    QVERIFY(prepared(spaces) == before && tasks.isIdle());
+    QVERIFY(std::equal(pictures.rbegin(), pictures.rend(), spaces.pictures(Space::linear).begin()));
+    QVERIFY(std::abs(valueAt(spaces, Space::linear, {0.25, 0.75}) - (0.25 * 0.4 + 0.75 * 0.2)) < 1e-6);
+    QVERIFY(std::abs(valueAt(spaces, Space::factors, {1, 0}) - 0.4) < 1e-6);
+    spaces.setEnds(ends({0, 1}));
+    QVERIFY(spaces.pictures(Space::linear) == pictures);
+    QVERIFY(std::abs(valueAt(spaces, Space::linear, {0.25, 0.75}) - (0.25 * 0.2 + 0.75 * 0.4)) < 1e-6);
+  }
+
+  /// Of three the strip's way is another one: drawn anew, from what was prepared, in the order of the places.
+  void threeTurnedAround() {
+    BackgroundTasks tasks;
+    BlendSpaces spaces(tasks);
+    spaces.setEnds(ends({0, 1, 2}));
+    settle(spaces);
+    const auto before = prepared(spaces);
+    const QImage first = spaces.pictures(Space::linear).front();
+    spaces.setEnds(ends({2, 0, 1}));
+    QVERIFY(prepared(spaces) == before);
+    QVERIFY(spaces.pictures(Space::linear).empty());
+    QVERIFY(std::abs(valueAt(spaces, Space::linear, {0.5, 0.3, 0.2}) - (0.5 * 0.9 + 0.3 * 0.2 + 0.2 * 0.4)) < 1e-6);
+    settle(spaces);
+    QVERIFY(prepared(spaces) == before);
+    QVERIFY(spaces.pictures(Space::linear).front() != first);
+    spaces.setEnds(ends({0, 1, 2}));
+    settle(spaces);
+    QVERIFY(spaces.pictures(Space::linear).front() == first);
+  }
+
+  /// A place that is added and taken away again costs nothing; while it is empty nothing is offered.
+  void noneInBetween() {
+    BackgroundTasks tasks;
+    BlendSpaces spaces(tasks);
+    spaces.setEnds(ends({0, 1}));
+    settle(spaces);
+    const auto before = prepared(spaces);
+    spaces.setEnds({});
+    QVERIFY(!spaces.hasEnds() && spaces.isSettled());
+    for (const Space space : spaces.spaces()) QVERIFY(!spaces.prepared(space) && spaces.pictures(space).empty());
+    spaces.want(Space::linear);
+    QVERIFY(tasks.isIdle());
+    spaces.setEnds(ends({0, 1}));
+    QVERIFY(prepared(spaces) == before && tasks.isIdle());
+    QCOMPARE(int(spaces.pictures(Space::dictionary).size()), BlendSpaces::pictureCount);
+  }
+
+  /// Another material, or the same one twice, is another blend.
+  void othersAreForgotten() {
+    BackgroundTasks tasks;
+    BlendSpaces spaces(tasks);
+    spaces.setEnds(ends({0, 1}));
+    settle(spaces);
+    for (const auto& others : {ends({0, 2}), ends({0, 0}), ends({0, 1, 2})}) {
+      spaces.setEnds(others);
+      for (const Space space : spaces.spaces()) QVERIFY(!spaces.prepared(space));
+    }
+  }
+};
+
+GONIO_TEST(BlendSpacesTest)
+#include "blend_spaces_test.moc"

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <cmath>
+
+#include "app/gonio/comparison/comparison_controller.h"
+#include "app/gonio/comparison/comparison_panel.h"
+#include "core/metrics/brdf_metrics.h"
+#include "tests/support/test_program.h"
+#include "tests/widgets/offscreen_context.h"
+#include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_overlay.h"
+#include "widgets/preview/preview_widget.h"
+
+using namespace gonio;
+using namespace gonio::app;
+using widgets::ComparedSubject;
+using widgets::CompareMode;
+
+namespace {
+
+constexpr int patienceMilliseconds = 120000;
+
+LoadedMaterialPtr lambertMaterial(const char* name, double albedo) {
+  auto loaded = std::make_shared<LoadedMaterial>();
+  loaded->material.name = name;
+  const HalfDifferenceGrid grid{24, 24, 24};
+  loaded->table = bakeTable(*models::findModel("lambert").instantiate({{Rgb(albedo)}}), grid);
+  loaded->material.brdf = loaded->table;
+  return loaded;
+}
+
+fitting::FitResult lambertFit(double albedo) {
+  fitting::FitResult fit;
+  fit.model = &models::findModel("lambert");
+  fit.parameters = {{Rgb(albedo)}};
+  return fit;
+}
+
+struct Editor {
+  Document document;
+  BackgroundTasks tasks;
+  widgets::PreviewWidget preview;
+  widgets::ComparisonBar bar;
+  ComparisonController comparison{document, tasks, preview, bar};
+};
+
+}  // namespace
+
+class ComparisonTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    const tests::OffscreenContext context;
+    if (!context.isValid()) QSKIP("needs an OpenGL 4.1 context");
+  }
+
+  /// A code stands where the measurement stood, with the edits on it; one of another material counts for nothing.
+  void theEditedMaterialStandsOnItsCode() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.document.adoptFit(lambertFit(0.5));
+    auto code = std::make_shared<MaterialCode>();
+    code->material = editor.document.material();
+    code->table = lambertMaterial("decoded", 0.45)->table;
+    editor.comparison.toggle();
+    QCOMPARE(editor.comparison.sides()[0], ComparedSubject::fit);
+    editor.comparison.setCode(code);  // while it is compared: what the user asked to see
+    QVERIFY(editor.comparison.code() == code.get());
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table == code->table);
+    QVERIFY(editor.comparison.subject(ComparedSubject::measured).table == editor.document.material()->table);
+    QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded"));
+    QCOMPARE(editor.comparison.sides()[0], ComparedSubject::edited);
+    QCOMPARE(editor.comparison.sides()[1], ComparedSubject::measured);
+    editor.document.setParameter(0, Rgb(0.2));
+    QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded, edited"));
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).edit->edited.values[0] == Rgb(0.2));
+    editor.comparison.setCode(nullptr);
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table == editor.document.material()->table);
+    editor.comparison.setCode(code);
+    editor.document.setMaterial(lambertMaterial("other", 0.3));
+    QVERIFY(!editor.comparison.code());
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table == editor.document.material()->table);
+  }
+
+  /// Without an edit the fit is judged, with one the edit; C goes back to the mode of the last time.
+  void usualSidesAndToggle() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    QCOMPARE(editor.comparison.name(ComparedSubject::fit), QString());
+    editor.document.adoptFit(lambertFit(0.5));
+    editor.comparison.toggle();
+    QCOMPARE(editor.comparison.comparison().mode, CompareMode::split);
+    QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::fit, ComparedSubject::measured}));
+    QVERIFY(editor.preview.isComparing());
+    editor.comparison.setComparison({.mode = CompareMode::twoUp});
+    editor.comparison.toggle();
+    QVERIFY(!editor.preview.isComparing());
+    editor.document.setParameter(0, Rgb(0.4));
+    editor.comparison.toggle();
+    QCOMPARE(editor.comparison.comparison().mode, CompareMode::twoUp);
+    QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::edited, ComparedSubject::measured}));
+  }
+
+  /// What stands in for the edited material while two are compared is what the user works on; sides of the user's own
+  /// choice stay.
+  void aStandInTakesItsSide() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.document.adoptFit(lambertFit(0.5));
+    editor.comparison.toggle();
+    QCOMPARE(editor.comparison.sides()[0], ComparedSubject::fit);
+    const widgets::PreviewSubject other{.table = lambertMaterial("other", 0.2)->table, .lobe = {}};
+    editor.comparison.setStandIn(StandIn::blend, other, "blend");
+    QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::edited, ComparedSubject::measured}));
+    QCOMPARE(editor.preview.overlay()->name(0)->text(), QString("Blend"));
+    // A representation that the user looks at goes before a blend.
+    editor.comparison.setStandIn(StandIn::representation, other, "GGX");
+    QCOMPARE(editor.comparison.standIn(), StandIn::representation);
+    QCOMPARE(editor.preview.overlay()->name(0)->text(), QString("GGX"));
+    editor.comparison.setStandIn(StandIn::representation, {}, {});
+    QCOMPARE(editor.comparison.standIn(), StandIn::blend);
+    editor.comparison.setStandIn(StandIn::blend, {}, {});
+    QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::fit, ComparedSubject::measured}));
+    editor.comparison.setSides(ComparedSubject::measured, ComparedSubject::fit);
+    editor.comparison.setStandIn(StandIn::blend, other, "blend");
+    QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::measured, ComparedSubject::fit}));
+  }
+
+  /// A material that nobody measured is not called so.
+  void theSourceIsCalledWhatItIs() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    QCOMPARE(editor.comparison.name(ComparedSubject::measured), "Measured");
+    for (const auto& [path, name] :
+         {std::pair("library:sgd/chrome", "Published fit"), {"library:rgl/paper_blue", "Measured"}}) {
+      auto loaded = std::make_shared<LoadedMaterial>(*lambertMaterial("", 0.5));
+      loaded->material.source = io::readMaterial(path).source;
+      editor.document.setMaterial(loaded);
+      QCOMPARE(editor.comparison.name(ComparedSubject::measured), QString(name));
+    }
+  }
+
+  void subjectsAreWhatTheyAreCalled() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.document.adoptFit(lambertFit(0.3));
+    editor.document.setParameter(0, Rgb(0.4));
+    const Direction up{0, 0, 1};
+    const auto at = [&](ComparedSubject side) {
+      return widgets::subjectBrdf(editor.comparison.subject(side))->evaluate(up, up).x * pi;
+    };
+    QVERIFY(std::abs(at(ComparedSubject::measured) - 0.5) < 1e-6);
+    QVERIFY(std::abs(at(ComparedSubject::fit) - 0.3) < 1e-6);
+    QVERIFY(std::abs(at(ComparedSubject::edited) - 0.6) < 1e-6);  // 0.5 + 0.4 - 0.3
+    QVERIFY(editor.comparison.subject(ComparedSubject::reference).isEmpty());
+    QCOMPARE(editor.comparison.name(ComparedSubject::fit), "Fit: Lambert");
+  }
+
+  /// A reference is read in the background, takes the second side and opens a split.
+  void anotherMaterialAsReference() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.comparison.openReference("library:sgd/green-plastic");
+    QTRY_VERIFY_WITH_TIMEOUT(editor.comparison.reference() != nullptr, patienceMilliseconds);
+    QCOMPARE(editor.comparison.sides()[1], ComparedSubject::reference);
+    QCOMPARE(editor.comparison.comparison().mode, CompareMode::split);
+    QCOMPARE(editor.comparison.name(ComparedSubject::reference), "green-plastic");
+    QSignalSpy failed(&editor.comparison, &ComparisonController::failed);
+    editor.comparison.openReference("/nowhere/nothing.binary");
+    QTRY_COMPARE(failed.count(), 1);
+    QCOMPARE(editor.comparison.name(ComparedSubject::reference), "green-plastic");
+  }
+
+  /// The numbers are those of core/metrics, of the newest edit, and say so only then.
+  void numbersFollowTheEdit() {
+    Editor editor;
+    ComparisonPanel panel(editor.comparison, editor.tasks);
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.document.adoptFit(lambertFit(0.5));
+    editor.comparison.setSides(ComparedSubject::edited, ComparedSubject::measured);
+    QVERIFY(panel.isSettled() && !panel.isCurrent());  // out of sight: nothing is measured
+    panel.show();
+    QTRY_VERIFY_WITH_TIMEOUT(panel.isCurrent(), patienceMilliseconds);
+    QVERIFY(std::isinf(panel.numbers()->renderedSnr));
+    editor.document.setParameter(0, Rgb(0.45));
+    editor.document.setParameter(0, Rgb(0.4));
+    QVERIFY(!panel.isCurrent());
+    QTRY_VERIFY_WITH_TIMEOUT(panel.isCurrent(), patienceMilliseconds);
+    // 0.4 against 0.5 everywhere: |r|^2 / |r - t|^2 = 25.
+    QVERIFY(std::abs(panel.numbers()->renderedSnr - 10 * std::log10(25)) < 1e-3);
+    QVERIFY(std::abs(panel.numbers()->brdfSnr - 10 * std::log10(25)) < 1e-3);
+    const auto edit = *editor.document.edit();
+    const auto& table = editor.document.material()->table;
+    const auto expected = metrics::brdfErrors(*table, *editing::applyEdits(table, std::span(&edit, 1)));
+    QVERIFY(panel.numbers()->errors == expected);
+  }
+
+  /// A model as the reference is sampled as a table; the errors of equal sides are 0.
+  void aFitAsTheReference() {
+    const auto material = lambertMaterial("grey", 0.5);
+    widgets::PreviewSubject fit{.table = material->table, .lobe = {}};
+    fit.model = &models::findModel("lambert");
+    fit.parameters = {{Rgb(0.5)}};
+    const auto reference = comparisonReference(fit);
+    const ComparisonNumbers numbers = compareSubjects({.table = material->table, .lobe = {}}, *reference);
+    for (const double error : numbers.errors) QVERIFY(std::abs(error) < 1e-6);
+    QVERIFY(numbers.brdfSnr > 100);
+  }
+
+  /// Text for a spreadsheet: what is compared, a title line, one line a number, decimal points.
+  void csv() {
+    ComparisonNumbers numbers;
+    numbers.errors.assign(metrics::allBrdfMetrics().size(), 0.25);
+    numbers.renderedSnr = 12.5;
+    const QStringList lines = comparisonCsv(numbers, "Edited", "Measured").split('\n', Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), 2 + 3 + qsizetype(metrics::allBrdfMetrics().size()));
+    QVERIFY(lines[0].startsWith("# Edited against Measured"));
+    QCOMPARE(lines[1], "quantity,value,unit");
+    QCOMPARE(lines[2], "\"Rendered SNR\",12.5,\"dB\"");
+  }
+};
+
+GONIO_TEST(ComparisonTest)
+#include "comparison_test.moc"

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document/document_controller.h"
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/factorization/pdv_operations.h"
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::app;
+
+namespace {
+constexpr int patienceMilliseconds = 120000;
+const QString material = QStringLiteral("library:sgd/green-plastic");
+
+struct Editor {
+  Document document;
+  BackgroundTasks tasks;
+  DocumentController controller{document, tasks};
+};
+}  // namespace
+
+class DocumentControllerTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// A MERL file cannot hold an anisotropic edit: the message bar says what was written.
+  void exportOfAnAnisotropicEditTellsThatItIsAMean() {
+    const QTemporaryDir folder;
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    const models::Model& ward = models::findModel("ward-anisotropic");
+    editor.controller.chooseModel(ward);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit()->model == &ward, patienceMilliseconds);
+    QSignalSpy warned(&editor.controller, &DocumentController::warned);
+    QSignalSpy done(&editor.controller, &DocumentController::exported);
+    editor.document.setParameter(int(*ward.spec().find("roughness-x")), Rgb(0.03));
+    editor.document.setParameter(int(*ward.spec().find("roughness-y")), Rgb(0.4));
+    editor.controller.exportMerl(folder.filePath("brushed.binary"));
+    QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
+    QCOMPARE(warned.count(), 1);
+    QVERIFY(warned.at(0).at(0).toString().contains("anisotropic"));
+  }
+
+  /// The main job end to end: open, automatic fit, edit, save, open again, export, open the export.
+  void openFitEditSaveOpenExport() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("mine.gonio"), exported = folder.filePath("mine.binary");
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    QVERIFY(!editor.document.isModified());
+    QCOMPARE(editor.document.history().count(), 0);
+
+    const int roughness = int(*editor.document.edit()->model->spec().find("roughness"));
+    editor.document.setParameter(roughness, Rgb(0.3));
+    QVERIFY(editor.controller.save(path, {{"exposure", 1.5}}));
+    QVERIFY(!editor.document.isModified());
+
+    Editor again;
+    QSignalSpy warned(&again.controller, &DocumentController::warned);
+    double exposure = 0;
+    connect(&again.controller, &DocumentController::viewRestored, this,
+            [&](const nlohmann::json& view) { exposure = view.at("exposure").get<double>(); });
+    again.controller.open(path);
+    QTRY_VERIFY_WITH_TIMEOUT(again.document.edit().has_value(), patienceMilliseconds);
+    QVERIFY(again.document.edit()->edited == editor.document.edit()->edited);
+    QVERIFY(again.document.edit()->fitted == editor.document.edit()->fitted);
+    QCOMPARE(exposure, 1.5);
+    QCOMPARE(warned.count(), 0);
+    QVERIFY(!again.document.isModified());
+    QCOMPARE(again.document.name(), QStringLiteral("mine"));
+
+    QSignalSpy done(&again.controller, &DocumentController::exported);
+    again.controller.exportMerl(exported);
+    QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
+    const LoadedMaterialPtr reopened = loadMaterial(exported.toStdString());
+    const auto baked = editing::bakeEdits(editor.document.material()->table, std::span(&*editor.document.edit(), 1));
+    QCOMPARE(reopened->table->validCount(), baked->validCount());
+    double worst = 0;
+    for (std::size_t i = 0; i < baked->values().size(); i += 97)
+      for (int c = 0; c < 3; ++c) {
+        const double a = baked->values()[i][c], b = reopened->table->values()[i][c];
+        worst = std::max(worst, std::abs(a - b) / std::max(a, 1e-6));
+      }
+    QVERIFY(worst < 1e-6);
+  }
+
+  /// With factor curves: every field comes back from the file, and the export holds what the curves make of it.
+  void factorsAreSavedOpenedAndBaked() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("pulled.gonio"), exported = folder.filePath("pulled.binary");
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.material(), patienceMilliseconds);
+    const auto factors = factorization::factorizePdv(*editor.document.material()->table, {.terms = 2}).factors;
+    editing::FactorEdit edit;
+    edit.original = std::make_shared<const factorization::PdvFactors>(factors);
+    edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
+    edit.keepDetail = false;
+    edit.strength = 0.75;
+    editor.document.setFactors(edit, "Wider");
+    QVERIFY(editor.document.isModified());
+    QVERIFY(editor.controller.save(path, nlohmann::json::object()));
+    QVERIFY(!editor.document.isModified());
+
+    Editor again;
+    again.controller.open(path);
+    QTRY_VERIFY_WITH_TIMEOUT(again.document.factors().has_value(), patienceMilliseconds);
+    const editing::FactorEdit& back = *again.document.factors();
+    QVERIFY(*back.original == *edit.original && *back.edited == *edit.edited);
+    QVERIFY(!back.keepDetail && back.enabled);
+    QCOMPARE(back.strength, 0.75);
+
+    QSignalSpy done(&again.controller, &DocumentController::exported);
+    again.controller.exportMerl(exported);
+    QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
+    const auto reopened = loadMaterial(exported.toStdString())->table;
+    const TabulatedBrdf& measured = *editor.document.material()->table;
+    const auto pdv = factorization::makePdvBrdf(*edit.edited);
+    double worst = 0, largestChange = 0;
+    for (std::size_t cell = 0; cell < measured.values().size(); cell += 4999) {
+      if (!measured.valid()[cell]) continue;
+      const DirectionPair pair = measured.grid().directions(cell);
+      const Rgb before(measured.values()[cell]), model = pdv->evaluate(pair.wi, pair.wo);
+      const Rgb expected = glm::max(Rgb(0), 0.25 * before + 0.75 * model), found(reopened->values()[cell]);
+      worst = std::max(worst, glm::length(found - expected) / std::max(1e-6, glm::length(expected)));
+      largestChange = std::max(largestChange, glm::length(found - before) / std::max(1e-6, glm::length(before)));
+    }
+    QVERIFY(worst < 1e-5);
+    QVERIFY(largestChange > 0.1);
+  }
+
+  /// Onto the material it was made on, an edit of curves is the same edit; onto another, that one's curves change.
+  void factorsArePasted() {
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.material(), patienceMilliseconds);
+    const auto factors = factorization::factorizePdv(*editor.document.material()->table, {.terms = 2}).factors;
+    editing::FactorEdit edit;
+    edit.original = std::make_shared<const factorization::PdvFactors>(factors);
+    edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
+    edit.strength = 0.5;
+    editor.controller.paste({edit});
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.factors().has_value(), patienceMilliseconds);
+    QVERIFY(*editor.document.factors() == edit);
+    QCOMPARE(editor.document.history().count(), 1);
+
+    editor.controller.open("library:sgd/chrome");
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.name() == "chrome", patienceMilliseconds);
+    QVERIFY(!editor.document.factors());
+    editor.controller.paste({edit});
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.factors().has_value(), patienceMilliseconds);
+    const editing::FactorEdit& carried = *editor.document.factors();
+    QVERIFY(carried.original->deviationNodes != edit.original->deviationNodes);
+    QCOMPARE(carried.strength, 0.5);
+    // Wider at every place, as the edit is.
+    const auto &before = carried.original->channels[1][0].f2, &after = carried.edited->channels[1][0].f2;
+    for (std::size_t i = 0; i < before.size(); ++i) QVERIFY(after[i] >= before[i] - 0.02);
+    QVERIFY(after[before.size() / 4] > before[before.size() / 4] + 0.05);
+  }
+
+  /// Curves and sliders that were copied together come as one step, with their strengths and eyes; so does a model that
+  /// has to be fitted first.
+  void whatWasCopiedTogetherIsOneStep() {
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    const auto factors = factorization::factorizePdv(*editor.document.material()->table, {.terms = 1}).factors;
+    editing::FactorEdit curves;
+    curves.original = std::make_shared<const factorization::PdvFactors>(factors);
+    curves.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
+    for (const char* id : {"ggx", "lambert"}) {
+      const models::Model& model = models::findModel(id);
+      editing::DifferentialEdit sliders{.model = &model, .fitted = {}, .edited = {}, .strength = 0.5, .enabled = false};
+      sliders.fitted = sliders.edited = models::defaultParameters(model.spec());
+      sliders.edited.values[0] = 0.5 * sliders.fitted.values[0];
+      const EditState before = editor.document.state();
+      const int steps = editor.document.history().index();
+      editor.controller.paste({curves, sliders});
+      QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle() && editor.document.history().index() > steps,
+                               patienceMilliseconds);
+      QCOMPARE(editor.document.history().index(), steps + 1);
+      QVERIFY(*editor.document.factors() == curves);
+      const editing::DifferentialEdit& pasted = *editor.document.edit();
+      QVERIFY(pasted.model == &model && pasted.edited != pasted.fitted);
+      QVERIFY(pasted.strength == 0.5 && !pasted.enabled);
+      editor.document.history().undo();
+      QVERIFY(editor.document.factors() == before.factors);
+      QVERIFY(editor.document.edit()->model == before.edit->model);
+      QVERIFY(editor.document.edit()->edited == before.edit->edited);
+    }
+  }
+
+  /// Without a picture there is no view to keep: the document opens all the same.
+  void aDocumentWithoutAViewOpens() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("blind.gonio");
+    Editor editor, again;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    QVERIFY(editor.controller.save(path, {}));
+    QSignalSpy failed(&again.controller, &DocumentController::failed);
+    again.controller.open(path);
+    QTRY_VERIFY_WITH_TIMEOUT(again.document.edit().has_value() || failed.count() > 0, patienceMilliseconds);
+    QCOMPARE(failed.count(), 0);
+  }
+
+  void aChangedSourceIsTold() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("old.gonio");
+    editing::EditDocument stored;
+    stored.sourcePath = material.toStdString();
+    stored.sourceSha256 = std::string(64, '0');
+    editing::writeDocument(stored, path.toStdString());
+    Editor editor;
+    QSignalSpy warned(&editor.controller, &DocumentController::warned);
+    editor.controller.open(path);
+    QTRY_COMPARE_WITH_TIMEOUT(warned.count(), 1, patienceMilliseconds);
+    QVERIFY(warned[0][0].toString().contains("changed"));
+  }
+
+  void aFileThatNobodyReadsIsToldAndChangesNothing() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("poem.binary");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("not a material");
+    file.close();
+    Editor editor;
+    QSignalSpy failed(&editor.controller, &DocumentController::failed);
+    editor.controller.open(path);
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patienceMilliseconds);
+    QVERIFY(failed[0][1].toString().contains("poem.binary"));
+    QVERIFY(!editor.document.material());
+  }
+
+  /// A newer load wins; a fit that is stopped offers its best so far, and applying that is one step.
+  void aFitKeepsTheChosenConventions() {
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    const std::size_t masking = *editor.document.edit()->model->spec().find("masking");
+    const Rgb heightCorrelated(1);
+    QVERIFY(editor.document.edit()->fitted.values[masking] != heightCorrelated);
+    editor.document.setParameter(int(masking), heightCorrelated);
+    editor.controller.fit();
+    QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle(), patienceMilliseconds);
+    QCOMPARE(editor.document.edit()->fitted.values[masking], heightCorrelated);
+    QVERIFY(editor.document.edit()->isIdentity());
+  }
+
+  void aNewerLoadWinsAndAStoppedFitIsAProposal() {
+    Editor editor;
+    QSignalSpy offered(&editor.controller, &DocumentController::proposalOffered);
+    editor.controller.open("library:sgd/chrome");
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.controller.isFitting(), patienceMilliseconds);
+    QCOMPARE(editor.document.name(), QStringLiteral("green-plastic"));
+    QTest::qWait(50);
+    editor.tasks.cancelTopmost();
+    QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle(), patienceMilliseconds);
+    QCOMPARE(offered.count(), 1);
+    QVERIFY(!editor.document.edit());
+    editor.controller.applyProposal();
+    QVERIFY(editor.document.edit());
+    QCOMPARE(editor.document.history().count(), 1);
+    editor.document.history().undo();
+    QVERIFY(!editor.document.edit());
+  }
+};
+
+GONIO_TEST(DocumentControllerTest)
+#include "document_controller_test.moc"

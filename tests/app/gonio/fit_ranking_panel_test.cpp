@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/study/fit_ranking_panel.h"
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeView>
+#include <cmath>
+
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::app;
+
+namespace {
+
+constexpr int patienceMilliseconds = 120000;
+
+struct Editor {
+  Document document;
+  BackgroundTasks tasks;
+  DocumentController controller{document, tasks};
+  FitRankingPanel panel{document, controller, tasks};
+};
+
+LoadedMaterialPtr greyMaterial() {
+  auto loaded = std::make_shared<LoadedMaterial>();
+  loaded->material.name = "grey";
+  const HalfDifferenceGrid grid{12, 12, 12};
+  loaded->table = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0.3)}}), grid);
+  loaded->material.brdf = loaded->table;
+  return loaded;
+}
+
+study::RankedFit ranked(const char* id, double error, double snr) {
+  study::RankedFit row;
+  row.fit.model = &models::findModel(id);
+  row.fit.parameters = models::defaultParameters(row.fit.model->spec());
+  row.fit.errors.assign(metrics::allBrdfMetrics().size(), error);
+  row.renderedSnr = snr;
+  return row;
+}
+
+QStringList names(const QAbstractItemModel& model) {
+  QStringList texts;
+  for (int row = 0; row < model.rowCount(); ++row) texts << model.index(row, 0).data().toString();
+  return texts;
+}
+
+}  // namespace
+
+class FitRankingPanelTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// Best first by the column: the smallest error, the largest SNR; what is no number last.
+  void sortsByEachColumn() {
+    Editor editor;
+    FitRankingModel& model = editor.panel.model();
+    model.add(ranked("lambert", 0.3, 10));
+    model.add(ranked("ggx", NAN, 30));
+    model.add(ranked("ward", 0.1, NAN));
+    QTreeView* view = editor.panel.view();
+    view->sortByColumn(FitRankingModel::ErrorColumn, Qt::AscendingOrder);
+    const auto name = [](const char* id) { return QString::fromUtf8(models::findModel(id).spec().name.data()); };
+    QCOMPARE(names(*view->model()), (QStringList{name("ward"), name("lambert"), name("ggx")}));
+    view->sortByColumn(FitRankingModel::SnrColumn, Qt::AscendingOrder);
+    QCOMPARE(names(*view->model()), (QStringList{name("ggx"), name("lambert"), name("ward")}));
+    // The same model again takes the place of its row.
+    model.add(ranked("ggx", 0.01, 30));
+    QCOMPARE(model.rowCount(), 3);
+  }
+
+  /// A fit of all, a click on a row, undo: one step each way, and no fit is made again.
+  void fitsAllAndTakesAClickedRow() {
+    Editor editor;
+    editor.document.setMaterial(greyMaterial());
+    editor.document.adoptFit(ranked("ggx", 0.1, 10).fit);
+    QSignalSpy rows(&editor.panel.model(), &QAbstractItemModel::rowsInserted);
+    editor.panel.fitAll();
+    QVERIFY(editor.panel.isRunning());
+    QTRY_VERIFY_WITH_TIMEOUT(!editor.panel.isRunning(), patienceMilliseconds);
+    QTRY_COMPARE(editor.panel.model().rowCount(), int(models::allModels().size()));
+    QCOMPARE(rows.count(), int(models::allModels().size()));  // one after the other, as they were done
+
+    QTreeView* view = editor.panel.view();
+    int lambert = -1;
+    for (int row = 0; row < view->model()->rowCount(); ++row)
+      if (view->model()->index(row, 0).data().toString().startsWith("Lambert")) lambert = row;
+    QVERIFY(lambert >= 0);
+    Q_EMIT view->clicked(view->model()->index(lambert, 0));
+    QVERIFY(!editor.tasks.isRunning("fit"));
+    QCOMPARE(editor.document.edit()->model, &models::findModel("lambert"));
+    QVERIFY(std::abs(editor.document.edit()->fitted.values[0].x - 0.3) < 1e-3);
+    QCOMPARE(editor.document.history().count(), 1);
+    QVERIFY(view->model()->index(lambert, 0).data().toString().contains("in use"));
+    editor.document.history().undo();
+    QCOMPARE(editor.document.edit()->model, &models::findModel("ggx"));
+  }
+
+  /// Stopping keeps the rows that are done; another material takes them away.
+  void stopsAndForgets() {
+    Editor editor;
+    editor.document.setMaterial(greyMaterial());
+    editor.panel.fitAll();
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.model().rowCount() >= 1, patienceMilliseconds);
+    editor.tasks.cancelTopmost();
+    QTRY_VERIFY_WITH_TIMEOUT(!editor.panel.isRunning(), patienceMilliseconds);
+    QVERIFY(editor.panel.model().rowCount() >= 1);
+    editor.document.setMaterial(greyMaterial());
+    QCOMPARE(editor.panel.model().rowCount(), 0);
+  }
+
+  /// What is told late belongs to no material that is open: closing everything meanwhile is safe.
+  void closingWhileFitting() {
+    for (int i = 0; i < 3; ++i) {
+      Editor editor;
+      editor.document.setMaterial(greyMaterial());
+      editor.panel.fitAll();
+      QTest::qWait(60);
+    }
+    QTest::qWait(50);
+  }
+};
+
+GONIO_TEST(FitRankingPanelTest)
+#include "fit_ranking_panel_test.moc"

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QComboBox>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <cmath>
+
+#include "tests/app/gonio/interpolation_panel_test_support.h"
+#include "tests/support/test_program.h"
+#include "widgets/inputs/number_field.h"
+#include "widgets/inputs/parameter_slider.h"
+#include "widgets/interpolation/blend_pad.h"
+#include "widgets/interpolation/blend_strip.h"
+#include "widgets/interpolation/material_well.h"
+#include "widgets/library/material_drag.h"
+
+using namespace gonio;
+using namespace gonio::app;
+using namespace gonio::app::test;
+using editing::InterpolationSpace;
+
+class InterpolationPanelTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// Nothing in the wells: nothing to show or to keep, and asking for it tells why.
+  void theEmptyPanel() {
+    Editor editor;
+    QVERIFY(editor.panel.isSettled());
+    QVERIFY(!editor.panel.subject());
+    QVERIFY(editor.panel.strip().rows().empty());
+    QVERIFY(!editor.panel.keepButton().isEnabled());
+    QVERIFY(!editor.panel.well(0).currentButton()->isEnabled());
+    QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
+    editor.panel.keep();
+    QCOMPARE(failed.count(), 1);
+    QVERIFY(!editor.document.material());
+  }
+
+  /// Two greys in the linear space: the grey in between, at once under the hand; slider, number and strip agree.
+  void twoMaterialsAndTheSlider() {
+    Editor editor;
+    editor.fill(0, "dark", 0.2);
+    QVERIFY(!editor.panel.subject());
+    editor.fill(1, "light", 0.6);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.spaces().prepared(InterpolationSpace::linear), patienceMilliseconds);
+    QSignalSpy changed(&editor.panel, &InterpolationPanel::subjectChanged);
+    Q_EMIT editor.panel.slider().numberEdited(0.25);
+    QVERIFY(changed.count() > 0);
+    QCOMPARE(editor.panel.number().value(), 0.25);
+    QCOMPARE(editor.panel.slider().number(), 0.25);
+    QVERIFY(editor.panel.subject()->blend.has_value());
+    QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.3) < 1e-6);
+    Q_EMIT editor.panel.number().valueEdited(0.5);
+    QCOMPARE(editor.panel.slider().number(), 0.5);
+    QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.4) < 1e-6);
+    QVERIFY(editor.panel.description().contains("50 % dark") && editor.panel.description().contains("Linear"));
+    QCOMPARE(editor.panel.well(1).content().note, QStringLiteral("50 %"));
+    // The end is the material, not a blend of one.
+    Q_EMIT editor.panel.slider().numberEdited(1);
+    QVERIFY(!editor.panel.subject()->blend);
+    QCOMPARE(editor.panel.subject()->table, editor.panel.ends().at(1)->material.table);
+    // Swapped: the same place, the other end.
+    editor.panel.ends().swap(0, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
+    QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.2) < 1e-6);
+  }
+
+  /// Every space has its row; a click on a sphere takes its space and its place.
+  void theStripShowsTheSpaces() {
+    Editor editor;
+    editor.fill(0, "dark", 0.2);
+    editor.fill(1, "light", 0.6);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.isSettled(), patienceMilliseconds);
+    const auto& rows = editor.panel.strip().rows();
+    QCOMPARE(rows.size(), editor.panel.spaces().spaces().size());
+    for (const auto& row : rows) {
+      QVERIFY2(row.note.isEmpty(), qPrintable(row.name + ": " + row.note));
+      QCOMPARE(int(row.pictures.size()), BlendSpaces::pictureCount);
+      for (const QImage& picture : row.pictures) QVERIFY(!picture.isNull());
+      QVERIFY(row.pictures.front() != row.pictures.back());
+      QVERIFY(row.pictures.front() == rows[0].pictures.front());  // an end is the material in every space
+      QVERIFY(!row.toolTip.isEmpty());
+    }
+    Q_EMIT editor.panel.strip().chosen(1, 2);
+    QCOMPARE(editor.panel.space(), editor.panel.spaces().spaces()[1]);
+    QCOMPARE(editor.panel.spaceBox().currentIndex(), 1);
+    QVERIFY(std::abs(editor.panel.place().x() - 1 / 3.0) < 1e-12);
+    // Its name takes the space alone.
+    Q_EMIT editor.panel.strip().chosen(0, -1);
+    QCOMPARE(editor.panel.space(), InterpolationSpace::linear);
+    QVERIFY(std::abs(editor.panel.place().x() - 1 / 3.0) < 1e-12);
+  }
+
+  /// Three materials: the pad takes the slider's place; its weights are those of the blend.
+  void threeMaterialsAndThePad() {
+    Editor editor;
+    editor.fill(0, "dark", 0.2);
+    editor.fill(1, "light", 0.6);
+    QVERIFY(editor.panel.slider().isVisible());
+    editor.panel.ends().addPlace();
+    QVERIFY(!editor.panel.slider().isVisible() && editor.panel.pad().isVisible());
+    QVERIFY(!editor.panel.subject());
+    editor.fill(2, "white", 0.9);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject() || !editor.panel.isShownInPreview(), patienceMilliseconds);
+    editor.panel.pad().setFocus();
+    QTest::keyClick(&editor.panel.pad(), Qt::Key_Home);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
+    QVERIFY(editor.panel.pad().place() == editor.panel.place());
+    QVERIFY(editor.panel.weights() == editor.panel.pad().weights());
+    QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 1.7 / 3) < 1e-6);
+    QTest::keyClick(&editor.panel.pad(), Qt::Key_3);
+    QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.9) < 1e-6);
+    // Back to two: the place goes to the nearest that there is.
+    editor.panel.well(2).clearButton()->click();
+    QCOMPARE(editor.panel.ends().count(), 2);
+    QVERIFY(editor.panel.slider().isVisible());
+    QCOMPARE(editor.panel.weights(), (std::vector<double>{1, 0}));
+  }
+
+  /// A drop of something that nobody reads: told with its name, shown in the well, and the well can be used again.
+  void aDropThatCannotBeReadIsTold() {
+    Editor editor;
+    QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
+    const std::unique_ptr<QMimeData> data(widgets::toDrag("/nowhere/at-all.binary"));
+    QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(&editor.panel.well(0), &enter);
+    QDropEvent drop(QPointF(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(&editor.panel.well(0), &drop);
+    QCOMPARE(editor.panel.well(0).content().note, QStringLiteral("Opening..."));
+    QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patienceMilliseconds);
+    QVERIFY(failed[0][1].toString().contains("at-all.binary"));
+    QVERIFY(editor.panel.well(0).content().failed);
+    editor.fill(0, "dark", 0.2);
+    QVERIFY(!editor.panel.well(0).content().failed);
+  }
+
+  /// Library materials are taken into the first empty place; a hidden panel leaves the preview alone.
+  void materialsFromTheLibrary() {
+    Editor editor;
+    editor.panel.take("library:sgd/nickel");
+    editor.panel.take("library:sgd/red-fabric");
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().isComplete(), patienceMilliseconds);
+    QCOMPARE(editor.panel.ends().at(0)->name, QStringLiteral("nickel"));
+    QCOMPARE(editor.panel.ends().at(1)->name, QStringLiteral("red-fabric"));
+    QVERIFY(!editor.panel.ends().at(0)->picture.isNull());
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
+    QSignalSpy changed(&editor.panel, &InterpolationPanel::subjectChanged);
+    editor.panel.hide();
+    QVERIFY(changed.count() > 0 && !editor.panel.subject());
+  }
+
+  /// Cancelled work says so, and the button does it after all.
+  void cancelledSpacesCanBeDrawn() {
+    Editor editor;
+    editor.fill(0, "dark", 0.2);
+    editor.fill(1, "light", 0.6);
+    const auto cancelled = [&] {
+      for (const auto& row : editor.panel.strip().rows())
+        if (row.note == "Cancelled") return true;
+      return false;
+    };
+    // Work that ends before it hears of the cancel is done: the next is cancelled.
+    const auto cancel = [&] {
+      editor.tasks.cancelTopmost();
+      return cancelled();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(cancel(), patienceMilliseconds);
+    QVERIFY(editor.panel.isSettled() && editor.panel.drawButton().isVisible());
+    editor.panel.drawButton().click();
+    QVERIFY(!editor.panel.isSettled());
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.isSettled(), patienceMilliseconds);
+    QVERIFY(!cancelled() && !editor.panel.drawButton().isVisible());
+  }
+
+  /// What is edited is what is seen: the preview leaves the blend, and comes back to it with the hand.
+  void editingTakesThePreviewBack() {
+    Editor editor;
+    editor.fill(0, "dark", 0.2);
+    editor.fill(1, "light", 0.6);
+    editor.panel.moveTo({0.5, 0});
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
+    fitting::FitResult fit;
+    fit.model = &models::findModel("lambert");
+    fit.parameters = {{Rgb(0.6)}};
+    editor.document.adoptFit(fit);
+    QVERIFY(editor.panel.subject());
+    editor.document.setParameter(0, Rgb(0.5));
+    QVERIFY(!editor.panel.subject());
+    editor.panel.moveTo({0.6, 0});
+    QVERIFY(editor.panel.subject());
+  }
+};
+
+GONIO_TEST(InterpolationPanelTest)
+#include "interpolation_panel_test.moc"

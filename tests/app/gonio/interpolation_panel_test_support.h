@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+
+#include "app/gonio/document/document_controller.h"
+#include "app/gonio/interpolation/interpolation_panel.h"
+#include "core/models/registry.h"
+#include "widgets/interpolation/material_well.h"
+
+namespace gonio::app::test {
+
+inline constexpr int patienceMilliseconds = 240000;
+
+inline LoadedMaterialPtr greyMaterial(const char* name, double albedo) {
+  auto loaded = std::make_shared<LoadedMaterial>();
+  loaded->material.name = name;
+  loaded->material.source.path = std::string("/nowhere/") + name + ".binary";
+  loaded->material.source.sha256 = std::string(64, 'a');
+  const HalfDifferenceGrid grid{12, 12, 12};
+  loaded->table = std::make_shared<const TabulatedBrdf>(
+      grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(float(albedo / pi))),
+      std::vector<std::uint8_t>(grid.size(), 1));
+  loaded->material.brdf = loaded->table;
+  return loaded;
+}
+
+inline double normalValue(const Brdf& brdf) { return pi * brdf.evaluate({0, 0, 1}, {0, 0, 1}).r; }
+
+struct Editor {
+  BackgroundTasks tasks;
+  Document document;
+  DocumentController controller{document, tasks};
+  InterpolationPanel panel{document, tasks};
+
+  Editor() {
+    panel.resize(1300, 400);
+    panel.show();
+  }
+  bool isSettled() const { return panel.isSettled() && tasks.isIdle(); }
+  /// Opens a grey and takes it as it is.
+  void fill(int place, const char* name, double albedo) {
+    document.setMaterial(greyMaterial(name, albedo));
+    panel.well(place).currentButton()->click();
+    QTRY_VERIFY_WITH_TIMEOUT(panel.ends().at(place), patienceMilliseconds);
+  }
+};
+
+}  // namespace gonio::app::test

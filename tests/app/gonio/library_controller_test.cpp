@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/library/library_controller.h"
+
+#include <QTest>
+#include <atomic>
+#include <mutex>
+
+#include "core/support/error.h"
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::app;
+
+/// The library with makers of pictures that tell what they were asked for.
+class LibraryControllerTest : public QObject {
+  Q_OBJECT
+ private:
+  static widgets::LibraryLook anyLook() {
+    QImage image(4, 4, QImage::Format_RGBA8888);
+    image.fill(Qt::red);
+    return {image, 0, 0.5};
+  }
+  static QStringList idsOf(widgets::LibraryModel& model) {
+    QStringList ids;
+    for (int row = 0; row < model.rowCount(); ++row)
+      ids.push_back(model.index(row, 0).data(widgets::LibraryModel::IdRole).toString());
+    return ids;
+  }
+
+ private Q_SLOTS:
+  /// The window may take half a second a frame: the pictures must not wait for one each.
+  void quickPicturesComeTogether() {
+    BackgroundTasks tasks;
+    LibraryController library(tasks, [](const QString&, const TaskControl&) { return anyLook(); });
+    int turns = 0;
+    connect(&tasks, &BackgroundTasks::changed, this, [&] { ++turns; });
+    library.showBundled();
+    QVERIFY(library.model().rowCount() > 100);
+    QTRY_VERIFY(library.model().pending().isEmpty());
+    QVERIFY(turns < library.model().rowCount() / 2);
+  }
+
+  void oneThatFailsHoldsNoOtherUp() {
+    BackgroundTasks tasks;
+    LibraryController library(tasks, [](const QString& id, const TaskControl&) -> widgets::LibraryLook {
+      if (id.endsWith("chrome")) throw Error("chrome is broken");
+      return anyLook();
+    });
+    library.showBundled();
+    QTRY_VERIFY(library.model().pending().isEmpty());
+    for (int row = 0; row < library.model().rowCount(); ++row) {
+      const QModelIndex index = library.model().index(row, 0);
+      const QString id = index.data(widgets::LibraryModel::IdRole).toString();
+      QCOMPARE(index.data(widgets::LibraryModel::FailureRole).toString(),
+               id.endsWith("chrome") ? QStringLiteral("chrome is broken") : QString());
+    }
+  }
+
+  void thoseInSightComeFirst() {
+    BackgroundTasks tasks;
+    std::mutex mutex;
+    QStringList asked;
+    std::atomic<bool> isHeld = true;
+    LibraryController library(tasks, [&](const QString& id, const TaskControl&) {
+      while (isHeld) QThread::msleep(1);
+      const std::lock_guard lock(mutex);
+      asked.push_back(id);
+      QThread::msleep(id == asked.front() ? 150 : 0);  // the first is a batch of its own
+      return anyLook();
+    });
+    library.showBundled();
+    const QStringList ids = idsOf(library.model());
+    library.setVisible({ids[70], ids[90]});
+    isHeld = false;
+    QTRY_VERIFY(library.isVisibleComplete());
+    const std::lock_guard lock(mutex);
+    QCOMPARE(asked.mid(0, 3), QStringList({ids[0], ids[70], ids[90]}));
+  }
+};
+
+GONIO_TEST(LibraryControllerTest)
+#include "library_controller_test.moc"

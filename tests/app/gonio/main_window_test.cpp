@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/window/main_window.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QStandardPaths>
+#include <QTest>
+
+#include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/window/command_search.h"
+#include "app/gonio/window/help_pages.h"
+#include "core/models/model.h"
+#include "tests/support/test_program.h"
+#include "tests/widgets/offscreen_context.h"
+#include "widgets/library/library_view.h"
+#include "widgets/parameters/parameter_panel.h"
+#include "widgets/preview/preview_overlay.h"
+#include "widgets/preview/preview_widget.h"
+
+using namespace gonio;
+using namespace gonio::app;
+
+namespace {
+
+LoadedMaterialPtr greyMaterial() {
+  auto loaded = std::make_shared<LoadedMaterial>();
+  loaded->material.name = "grey";
+  const HalfDifferenceGrid grid{4, 4, 4};
+  loaded->table = std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.2f)),
+                                                  std::vector<std::uint8_t>(grid.size(), 1));
+  return loaded;
+}
+
+}  // namespace
+
+class MainWindowTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    const tests::OffscreenContext context;
+    if (!context.isValid()) QSKIP("needs an OpenGL 4.1 context");
+  }
+
+  void everyActionHasATextAndShortcutsAreUnique() {
+    auto* window = new MainWindow;
+    QMap<QString, QAction*> byKey;
+    for (const NamedAction& named : allActions(window))
+      for (const QKeySequence& key : named.action->shortcuts()) {
+        const QString text = key.toString();
+        QVERIFY2(!byKey.contains(text) || byKey[text] == named.action, qPrintable(named.path + " " + text));
+        byKey[text] = named.action;
+      }
+    QVERIFY(byKey.contains("Ctrl+Z") && byKey.contains("Ctrl+K") && byKey.contains("F11"));
+    // The help is made from the same actions.
+    const QString page = shortcutsPage(window);
+    for (const QString& key : byKey.keys())
+      QVERIFY2(page.contains(QKeySequence(key).toString(QKeySequence::NativeText).toHtmlEscaped()), qPrintable(key));
+    for (const models::Model* model : models::allModels())
+      QVERIFY(formulaePage().contains(QString::fromUtf8(model->spec().name.data())));
+    for (const char* part : {"F1(θR)", "1 + sin θR", "ρ(original curves)", "Tongbuasirilai"})
+      QVERIFY2(formulaePage().contains(QString::fromUtf8(part)), part);
+    QVERIFY(!formulaePage().contains("%1"));
+    delete window;
+  }
+
+  /// Parameter panel, document, undo action and title together.
+  void editingThroughThePanel() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(window->windowTitle().contains("Untitled"));
+    window->document().setMaterial(greyMaterial());
+    fitting::FitResult fit;
+    fit.model = &defaultModel();
+    fit.parameters = models::defaultParameters(fit.model->spec());
+    window->document().adoptFit(fit);
+    QVERIFY(window->windowTitle().contains("grey"));
+    auto* panel = window->inspector().parameters();
+    Q_EMIT panel->valueEdited(0, Rgb(0.75));
+    QVERIFY(window->isWindowModified());
+    QVERIFY(window->document().edit()->edited.values[0] == Rgb(0.75));
+    window->document().history().undo();
+    QVERIFY(!window->isWindowModified());
+    QVERIFY(window->document().edit()->isIdentity());
+    QTest::qWait(50);
+    delete window;
+  }
+
+  void commandSearchRunsWhatItFinds() {
+    auto* window = new MainWindow;
+    window->show();
+    const bool before = window->preview().overlayVisible();
+    auto& search = *new CommandSearch(window);
+    search.show();
+    auto* text = search.findChild<QLineEdit*>();
+    QTest::keyClicks(text, "view overl");
+    QCOMPARE(search.findChild<QListWidget*>()->count(), 1);
+    QTest::keyClick(text, Qt::Key_Return);
+    QCOMPARE(window->preview().overlayVisible(), !before);
+    delete window;
+  }
+
+  /// The four layouts show what their work needs; the first is the usual one.
+  void layouts() {
+    auto* window = new MainWindow;
+    window->show();
+    const auto run = [&](const QString& path) {
+      for (const NamedAction& named : allActions(window))
+        if (named.path == path) return named.action->trigger();
+      QFAIL(qPrintable(path));
+    };
+    const auto isShown = [&](const char* name) {
+      for (const QDockWidget* dock : window->docks())
+        if (dock->objectName() == name) return !dock->isHidden();
+      return false;
+    };
+    run("View > Layouts > Compare");
+    QVERIFY(isShown("comparison") && !isShown("library"));
+    QVERIFY(window->comparison().comparison().mode != widgets::CompareMode::off);
+    run("View > Layouts > Analyse");
+    QVERIFY(isShown("plots") && isShown("models") && isShown("library"));
+    run("View > Layouts > Acquire");
+    QVERIFY(isShown("acquisition") && !isShown("library") && !isShown("inspector") && !isShown("plots"));
+    run("View > Layouts > Edit");
+    QVERIFY(!isShown("acquisition"));
+    QVERIFY(isShown("library") && isShown("inspector") && !isShown("plots") && !isShown("comparison"));
+    delete window;
+  }
+
+  /// \\ shows the second side while it is held, wherever the focus is, but writes itself into a field for text.
+  void flickerKey() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    window->document().setMaterial(greyMaterial());
+    fitting::FitResult fit;
+    fit.model = &defaultModel();
+    fit.parameters = models::defaultParameters(fit.model->spec());
+    window->document().adoptFit(fit);
+    window->comparison().setComparison({.mode = widgets::CompareMode::flicker});
+    const auto* shown = window->preview().overlay()->name(0);
+    QTest::keyPress(&window->preview(), Qt::Key_Backslash);
+    QCOMPARE(shown->text(), "Measured");
+    QTest::keyRelease(&window->preview(), Qt::Key_Backslash);
+    QCOMPARE(shown->text(), "Fit: GGX");
+    auto* search = window->libraryView().search();
+    search->setFocus();
+    QTest::keyPress(search, Qt::Key_Backslash, {});
+    QCOMPARE(shown->text(), "Fit: GGX");
+    QTest::keyRelease(search, Qt::Key_Backslash);
+    delete window;
+  }
+
+  /// A search of the library leaves fewer materials to learn from.
+  void acquisitionsLearnFromWhatTheLibraryShows() {
+    auto* window = new MainWindow;
+    AcquisitionControls& controls = window->acquisition().controls();
+    controls.trainingBox().setCurrentIndex(3);
+    QCOMPARE(controls.trainingBox().currentText(), "What the library shows");
+    QCOMPARE(controls.planSettings().training.ids.size(), window->library().model().rowCount());
+    window->libraryView().search()->setText("paper_");
+    const QStringList ids = controls.planSettings().training.ids;
+    QVERIFY(!ids.isEmpty() && ids.size() < window->library().model().rowCount());
+    for (const QString& id : ids) QVERIFY2(id.startsWith("library:") && id.contains("paper_"), qPrintable(id));
+    delete window;
+  }
+
+  void resetLayoutBringsDocksBack() {
+    auto* window = new MainWindow;
+    window->show();
+    window->docks().front()->hide();
+    window->resetLayout();
+    QVERIFY(!window->docks().front()->isHidden());
+    delete window;
+  }
+};
+
+GONIO_TEST(MainWindowTest)
+#include "main_window_test.moc"

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/scene/scene_panel.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+#include "app/gonio/window/view_state.h"
+#include "core/models/registry.h"
+#include "core/rendering/scene_file.h"
+#include "tests/app/gonio/glossy_material.h"
+#include "tests/support/test_program.h"
+#include "widgets/interpolation/material_well.h"
+#include "widgets/panels/effect_list.h"
+#include "widgets/preview/preview_widget.h"
+
+using namespace gonio;
+using app::ScenePanel;
+
+class ScenePanelTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    preview_ = std::make_unique<widgets::PreviewWidget>();
+    tasks_ = std::make_unique<app::BackgroundTasks>();
+    document_ = std::make_unique<app::Document>();
+    panel_ = std::make_unique<ScenePanel>(*preview_, *document_, *tasks_);
+  }
+  void cleanup() {
+    panel_.reset();
+    document_.reset();
+    tasks_.reset();
+    preview_.reset();
+  }
+
+  /// A scene that is chosen is shown, and the plan is that of the scene: of these effects the lone sphere has one.
+  void aChosenSceneIsPlanned() {
+    QVERIFY(!preview_->plan().simulates(Effect::castShadows));
+    choose("sphere-point-light");
+    QTRY_COMPARE(preview_->scene().name, std::string("sphere-point-light"));
+    QVERIFY(preview_->plan().simulates(Effect::castShadows) && preview_->plan().simulates(Effect::directLight));
+    QVERIFY(!preview_->plan().simulates(Effect::environmentLight));
+    QVERIFY(shows("the sphere may stand between the ground and the point light"));
+    choose("bowl");
+    QTRY_VERIFY(preview_->plan().simulates(Effect::selfShadowing));
+    QVERIFY(shows("the bowl is not convex"));
+  }
+
+  /// The switch forces, the row tells it, and back by the plan nothing is left of it.
+  void aSwitchForces() {
+    QComboBox& shadows = panel_->effects().switchOf(Effect::castShadows);
+    activate(shadows, 1);
+    QVERIFY(preview_->plan().simulates(Effect::castShadows) && !preview_->plan()[Effect::castShadows].calledFor);
+    QVERIFY(shows("yes, forced"));
+    activate(shadows, 0);
+    QVERIFY(!preview_->plan().simulates(Effect::castShadows) && preview_->overrides() == EffectOverrides{});
+    QVERIFY(!shows("yes, forced"));
+  }
+
+  /// Nothing can be measured without a material; with one every effect gets its cost, until another scene comes.
+  void costsAreMeasured() {
+    QVERIFY(!panel_->measureButton().isEnabled() && !panel_->compareButton().isEnabled());
+    preview_->setMaterial(
+        app::test::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->table, {});
+    QTRY_VERIFY(panel_->measureButton().isEnabled());
+    panel_->measureButton().click();
+    QTRY_VERIFY_WITH_TIMEOUT(panel_->costs(), 60000);
+    QCOMPARE(panel_->costs()->effects.size(), effectCount);
+    QVERIFY(panel_->costs()->seconds > 0 && shows("ms ("));
+    choose("torus");
+    QTRY_VERIFY(!panel_->costs() && !shows("ms ("));
+  }
+
+  /// A scene of several places has a well for each but the first; what is put there is traced, and measured, with it.
+  void anotherMaterialStandsBeside() {
+    const auto wellsShown = [this] {
+      int shown = 0;
+      for (int place = 0; place < app::SceneNeighbours::count; ++place)
+        shown += !panel_->neighbours().well(place).isHidden();
+      return shown;
+    };
+    QVERIFY(panel_->neighbours().isHidden());
+    choose("row");
+    QTRY_COMPARE(wellsShown(), 3);
+    choose("two-spheres");
+    QTRY_COMPARE(wellsShown(), 1);
+    QVERIFY(!panel_->neighbours().well(0).currentButton()->isEnabled());
+    const auto material = app::test::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36});
+    document_->replaceMaterial(material, {});
+    preview_->setMaterial(material->table, {});
+    QTRY_VERIFY(preview_->material() && !preview_->isTraced());
+    panel_->neighbours().well(0).currentButton()->click();
+    QTRY_VERIFY(preview_->isTraced());
+    QVERIFY(preview_->others()[0] && preview_->others()[0] != preview_->material());
+    QVERIFY(!panel_->neighbours().well(0).content().name.isEmpty());
+    choose("sphere");
+    QTRY_VERIFY(!preview_->isTraced());  // it has no second place
+    choose("two-spheres");
+    QTRY_VERIFY(preview_->isTraced());
+    panel_->neighbours().well(0).clearButton()->click();
+    QVERIFY(!preview_->isTraced() && panel_->neighbours().well(0).content().name.isEmpty());
+    QSignalSpy failed(panel_.get(), &ScenePanel::failed);
+    panel_->neighbours().read(0, "/nowhere/metal.binary");
+    QTRY_COMPARE(failed.count(), 1);
+    QVERIFY(panel_->neighbours().well(0).content().failed && !preview_->isTraced());
+  }
+
+  void aSceneThatCannotBeReadIsTold() {
+    QSignalSpy failed(panel_.get(), &ScenePanel::failed);
+    panel_->open("/nowhere/scene.json");
+    QTRY_COMPARE(failed.count(), 1);
+    QVERIFY(failed[0][1].toString().contains("/nowhere/scene.json"));
+    QCOMPARE(preview_->scene().name, std::string("sphere"));
+  }
+
+  /// A document keeps the scene by its name; one from before there were scenes has the lone sphere.
+  void aViewKeepsTheScene() {
+    choose("two-spheres");
+    QTRY_COMPARE(preview_->scene().name, std::string("two-spheres"));
+    QCOMPARE(app::sceneNameOf(app::viewToJson(*preview_)), QString("two-spheres"));
+    QCOMPARE(app::sceneNameOf({{"yaw", 0.1}}), QString("sphere"));
+  }
+
+ private:
+  void choose(const char* scene) { activate(panel_->scenes(), panel_->scenes().findData(QString(scene))); }
+  void activate(QComboBox& box, int index) {
+    box.setCurrentIndex(index);
+    Q_EMIT box.activated(index);
+  }
+  bool shows(const QString& text) {
+    for (const QLabel* label : panel_->findChildren<QLabel*>())
+      if (label->text().contains(text)) return true;
+    return false;
+  }
+
+  std::unique_ptr<widgets::PreviewWidget> preview_;
+  std::unique_ptr<app::BackgroundTasks> tasks_;
+  std::unique_ptr<app::Document> document_;
+  std::unique_ptr<ScenePanel> panel_;
+};
+
+GONIO_TEST(ScenePanelTest)
+#include "scene_panel_test.moc"

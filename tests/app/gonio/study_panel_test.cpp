@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/study/study_panel.h"
+
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeView>
+#include <cmath>
+
+#include "core/models/registry.h"
+#include "tests/support/test_program.h"
+#include "widgets/study/study_scatter.h"
+
+using namespace gonio;
+using namespace gonio::app;
+
+namespace {
+
+constexpr int patienceMilliseconds = 120000;
+
+LoadedMaterialPtr material(const char* name, double value) {
+  auto loaded = std::make_shared<LoadedMaterial>();
+  loaded->material.name = name;
+  loaded->table = bakeTable(*models::findModel("lambert").instantiate({{Rgb(value)}}), HalfDifferenceGrid{12, 12, 12});
+  loaded->material.brdf = loaded->table;
+  return loaded;
+}
+
+/// Two tables, two fits.
+study::RepresentationChoice fewRepresentations() {
+  study::RepresentationChoice choice;
+  choice.families = {study::RepresentationFamily::table, study::RepresentationFamily::fit};
+  choice.models = {&models::findModel("lambert"), &models::findModel("ggx")};
+  return choice;
+}
+
+struct Editor {
+  Document document;
+  BackgroundTasks tasks;
+  StudyPanel panel{document, tasks};
+  Editor() {
+    study::StudyOptions options;
+    options.picture = {.width = 16, .height = 16, .samples = 4};
+    panel.setChoice(fewRepresentations(), options);
+  }
+  QPushButton* button(const QString& text) const {
+    for (QPushButton* one : panel.findChildren<QPushButton*>())
+      if (one->text().remove('&') == text) return one;
+    return nullptr;
+  }
+  QString text(int row, int column) { return panel.model().index(row, column).data().toString(); }
+  bool measure() {
+    panel.measure();
+    return QTest::qWaitFor([&] { return !panel.isRunning() && panel.model().missing().empty(); }, patienceMilliseconds);
+  }
+};
+
+enum Row { nearestTable, trilinearTable, lambertFit, ggxFit };
+
+}  // namespace
+
+class StudyPanelTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void withoutAMaterialThereIsNothingToMeasure() {
+    Editor editor;
+    QCOMPARE(editor.panel.model().rowCount(), 0);
+    QVERIFY(!editor.button("Measure")->isEnabled());
+    QVERIFY(!editor.button("Copy as CSV")->isEnabled());
+    editor.panel.measure();
+    QVERIFY(!editor.panel.isRunning());
+  }
+
+  /// "-" until measured; then each number is one.
+  void rowsFillAsTheyAreMeasured() {
+    Editor editor;
+    editor.document.setMaterial(material("grey", 0.3));
+    StudyModel& model = editor.panel.model();
+    QCOMPARE(model.rowCount(), 4);
+    for (int row = 0; row < 4; ++row)
+      for (int column = 1; column < StudyModel::ColumnCount; ++column) {
+        QCOMPARE(editor.text(row, column), "-");
+        QVERIFY(model.index(row, column).data(Qt::ForegroundRole).isValid());
+      }
+    QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+    QVERIFY(editor.measure());
+    QVERIFY(changed.count() >= 4);
+    for (int row = 0; row < 4; ++row) {
+      for (int column = 1; column < StudyModel::ColumnCount; ++column) QVERIFY(editor.text(row, column) != "-");
+      QVERIFY(!model.index(row, 0).data(Qt::ForegroundRole).isValid());
+      QVERIFY(model.toolTip(row).contains("<img src=\"data:image/png;base64,"));
+    }
+    QCOMPARE(editor.text(trilinearTable, StudyModel::SnrColumn), "∞");
+    QCOMPARE(editor.text(trilinearTable, StudyModel::EncodingColumn), "none");
+    QVERIFY(editor.button("Re-measure"));
+    // Lines of what is measured, under five of where.
+    QCOMPARE(editor.panel.csv().count('\n'), 5 + 1 + 4);
+    // Anew: all rows are empty again at first.
+    editor.panel.measure();
+    QCOMPARE(model.missing().size(), std::size_t(4));
+    QVERIFY(QTest::qWaitFor([&] { return model.missing().empty(); }, patienceMilliseconds));
+  }
+
+  void sortsByEachColumn() {
+    Editor editor;
+    editor.document.setMaterial(material("grey", 0.3));
+    QVERIFY(editor.measure());
+    const QAbstractItemModel& sorted = *editor.panel.view()->model();
+    for (int column = 1; column < StudyModel::ColumnCount; ++column) {
+      editor.panel.view()->sortByColumn(column, Qt::AscendingOrder);
+      for (int row = 1; row < sorted.rowCount(); ++row)
+        QVERIFY(sorted.index(row - 1, column).data(Qt::UserRole).toDouble() <=
+                sorted.index(row, column).data(Qt::UserRole).toDouble());
+    }
+    editor.panel.view()->sortByColumn(StudyModel::SnrColumn, Qt::AscendingOrder);
+    QVERIFY(sorted.index(0, StudyModel::SnrColumn).data().toString() == "∞");
+  }
+
+  /// A row is shown; the same again, Escape, or another material, and the material is.
+  void aRowIsShownAndTakenBack() {
+    Editor editor;
+    editor.document.setMaterial(material("grey", 0.3));
+    editor.panel.show(ggxFit);
+    QVERIFY(!editor.panel.subject());  // not measured yet
+    QVERIFY(editor.measure());
+    QSignalSpy changed(&editor.panel, &StudyPanel::subjectChanged);
+    const auto shows = [&](int row) {
+      editor.panel.show(row);
+      return QTest::qWaitFor([&] { return editor.panel.subject().has_value(); }, patienceMilliseconds);
+    };
+    QVERIFY(shows(ggxFit));
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(editor.panel.shownName(), "GGX, 8 numbers");
+    QVERIFY(editor.text(ggxFit, 0).startsWith("GGX, 8 numbers (shown"));
+    QVERIFY(editor.panel.subject()->table->grid() == editor.document.material()->table->grid());
+    editor.panel.show(ggxFit);
+    QVERIFY(!editor.panel.subject());
+    QCOMPARE(changed.count(), 2);
+
+    QVERIFY(shows(lambertFit));
+    QTest::keyClick(&editor.panel.scatter(), Qt::Key_Escape);
+    QVERIFY(!editor.panel.subject());
+    QVERIFY(shows(lambertFit));
+    QTest::keyClick(editor.panel.view(), Qt::Key_Escape);
+    QVERIFY(!editor.panel.subject());
+    QVERIFY(shows(trilinearTable));
+    QVERIFY(editor.panel.subject()->table == editor.document.material()->table);
+    editor.document.setMaterial(material("other", 0.5));
+    QVERIFY(!editor.panel.subject() && editor.panel.shownName().isEmpty());
+    QCOMPARE(editor.panel.model().missing().size(), std::size_t(4));
+  }
+
+  void keysShowARow() {
+    Editor editor;
+    editor.document.setMaterial(material("grey", 0.3));
+    QVERIFY(editor.measure());
+    editor.panel.view()->setCurrentIndex(editor.panel.view()->model()->index(0, 0));
+    QVERIFY(editor.panel.scatter().current() >= 0);
+    QTest::keyClick(editor.panel.view(), Qt::Key_Return);
+    QVERIFY(QTest::qWaitFor([&] { return editor.panel.subject().has_value(); }, patienceMilliseconds));
+  }
+
+  void theBudgetChoosesAndIsTaken() {
+    Editor editor;
+    editor.document.setMaterial(material("grey", 0.3));
+    QVERIFY(editor.measure());
+    QSignalSpy taken(&editor.panel, &StudyPanel::taken);
+    QPushButton& take = editor.panel.budgetBar().take();
+    QVERIFY(take.isEnabled());
+    // 12 bytes: only three numbers fit.
+    editor.panel.budgetBar().setBudget({.frameMilliseconds = {}, .renderedSnr = {}, .bytes = 100});
+    QVERIFY(editor.text(lambertFit, 0).endsWith("(best)") || editor.text(ggxFit, 0).endsWith("(best)"));
+    take.click();
+    QCOMPARE(taken.count(), 1);
+    QCOMPARE(taken[0][0].value<study::Representation>().family, study::RepresentationFamily::fit);
+    editor.panel.budgetBar().setBudget({.frameMilliseconds = {}, .renderedSnr = 200, .bytes = 100});
+    QVERIFY(!take.isEnabled());
+  }
+
+  /// What is done stays, and the rest goes on from there.
+  void stoppingKeepsWhatIsMeasured() {
+    Editor editor;
+    editor.document.setMaterial(material("grey", 0.3));
+    StudyModel& model = editor.panel.model();
+    connect(&model, &QAbstractItemModel::dataChanged, &editor.panel, [&] {
+      if (model.missing().size() == 3 && editor.panel.isRunning()) editor.tasks.cancelTopmost();
+    });
+    editor.panel.measure();
+    QVERIFY(QTest::qWaitFor([&] { return !editor.panel.isRunning(); }, patienceMilliseconds));
+    QTest::qWait(0);  // rows that were on their way
+    const std::size_t left = model.missing().size();
+    QVERIFY(left < 4);
+    const auto first = model.studied(nearestTable);
+    if (left > 0) {
+      QVERIFY(editor.button("Measure"));
+      QVERIFY(editor.measure());
+    }
+    QVERIFY(first && model.studied(nearestTable) == first);
+  }
+};
+
+GONIO_TEST(StudyPanelTest)
+#include "study_panel_test.moc"

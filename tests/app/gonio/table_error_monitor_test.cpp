@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/inspector/table_error_monitor.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "app/gonio/inspector/source_facts.h"
+#include "core/rendering/rendered_comparison.h"
+#include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::app;
+
+namespace {
+
+constexpr int patience = 60000;
+const SphereRenderOptions picture{.width = 32, .height = 32, .samples = 4, .lobe = {}};
+
+/// A material in another form than a table; or, without one, its table.
+LoadedMaterialPtr glossy(double roughness, bool sampled) {
+  auto loaded = std::make_shared<LoadedMaterial>();
+  loaded->material.name = "glossy";
+  const std::shared_ptr<const Brdf> form = testing::ggx(Rgb(0.2), Rgb(0.8), roughness, 0.5);
+  loaded->table = bakeTable(*form, {12, 12, 12});
+  loaded->material.brdf = sampled ? form : loaded->table;
+  return loaded;
+}
+
+QString tableText(const LoadedMaterial& material, const TableErrorMonitor& monitor) {
+  for (const widgets::Fact& fact : sourceFacts(material, monitor.snr(), !monitor.isSettled()))
+    if (fact.name == "Table") return fact.value;
+  return {};
+}
+
+}  // namespace
+
+class TableErrorMonitorTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void measuresWhatSamplingCosts() {
+    Document document;
+    BackgroundTasks tasks;
+    const TableErrorMonitor monitor(document, tasks, nullptr, picture);
+    QSignalSpy measured(&monitor, &TableErrorMonitor::measured);
+    const LoadedMaterialPtr material = glossy(0.3, true);
+    document.setMaterial(material);
+    QVERIFY(!monitor.isSettled() && !monitor.snr());
+    QVERIFY(tableText(*material, monitor).contains("measuring"));
+    QVERIFY(measured.wait(patience));
+    const RenderedComparison comparison(*material->material.brdf, picture);
+    QCOMPARE(*monitor.snr(), comparison.signalToNoiseRatio(comparison.render(*material->table)));
+    QVERIFY(tableText(*material, monitor).contains(QString::number(*monitor.snr(), 'f', 1) + " dB against the file"));
+    QVERIFY(monitor.isSettled());
+  }
+
+  void aTableItselfHasNoError() {
+    Document document;
+    BackgroundTasks tasks;
+    const TableErrorMonitor monitor(document, tasks, nullptr, picture);
+    const LoadedMaterialPtr material = glossy(0.3, false);
+    document.setMaterial(material);
+    QVERIFY(monitor.isSettled() && !monitor.snr() && tasks.isIdle());
+    QVERIFY(!tableText(*material, monitor).contains("dB") && !tableText(*material, monitor).contains("measur"));
+  }
+
+  /// The number of one material is never shown for the next.
+  void anotherMaterialStopsTheMeasurement() {
+    Document document;
+    BackgroundTasks tasks;
+    const TableErrorMonitor monitor(document, tasks, nullptr, picture);
+    QSignalSpy measured(&monitor, &TableErrorMonitor::measured);
+    document.setMaterial(glossy(0.3, true));
+    document.setMaterial(glossy(0.3, false));
+    QVERIFY(monitor.isSettled() && tasks.isIdle());
+    document.setMaterial(glossy(0.1, true));
+    QVERIFY(measured.wait(patience));
+    QCOMPARE(measured.count(), 1);
+    document.setMaterial(glossy(0.2, true));
+    QVERIFY(!monitor.snr() && !monitor.isSettled());
+  }
+};
+
+GONIO_TEST(TableErrorMonitorTest)
+#include "table_error_monitor_test.moc"

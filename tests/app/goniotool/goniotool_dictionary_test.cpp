@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <cmath>
+
+#include "core/dictionary/decode.h"
+#include "core/io/code_file.h"
+#include "core/metrics/brdf_metrics.h"
+#include "tests/app/goniotool/goniotool_runner.h"
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::test;
+
+/// goniotool dictionary, encode and decode, and codes as materials.
+class GoniotoolDictionaryTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic, HalfDifferenceGrid());
+    rough_ = folder_.writeTable("rough.binary", "ggx", {{Rgb(0.1), Rgb(0.5), Rgb(0.5), Rgb(0.6), Rgb(0)}},
+                                HalfDifferenceGrid());
+  }
+
+  /// What it learned from, it encodes well; a checkpoint is left, and is of that training alone.
+  void learnsAndEncodes() {
+    const QString out = folder_.path("two.dictionary"), checkpoint = folder_.path("two.checkpoint");
+    const QStringList options{"--dictionaries",  "1",     "--sparsities", "40", "--iterations", "1",
+                              "--subspace-loss", "0.001", "--out",        out};
+    const ToolResult trained = runJson(QStringList{"dictionary", "train", plastic_, rough_} + options);
+    VERIFY_SUCCESS(trained);
+    QVERIFY(trained.json["complete"].get<bool>());
+    QCOMPARE(trained.json["materials"].get<int>(), 2);
+    QVERIFY(trained.json["orthonormality"].get<double>() < 1e-10);
+    const auto& ensemble = trained.json["ensembles"][0];
+    QVERIFY(ensemble["errors"].back() <= ensemble["errors"].front());
+    QVERIFY(ensemble["errorAfterSweep"] <= ensemble["errorBeforeSweep"]);
+
+    const ToolResult info = runJson({"dictionary", "info", out});
+    VERIFY_SUCCESS(info);
+    QVERIFY(info.json["learnedFrom"] == nlohmann::json({"plastic", "rough"}));
+    QVERIFY(info.json["sparsities"] == nlohmann::json({40}));
+
+    const QString code = folder_.path("plastic.code"), decoded = folder_.path("decoded.binary");
+    const ToolResult encoded =
+        runJson({"encode", plastic_, "--dictionary", out, "--coefficients", "100", "--out", code});
+    VERIFY_SUCCESS(encoded);
+    QCOMPARE(qint64(encoded.json["bytes"].get<std::int64_t>()), bytesOf(code).size());
+    QCOMPARE(encoded.json["candidates"].size(), std::size_t(2));
+    VERIFY_SUCCESS(runJson({"decode", code, "--dictionary", out, "--out", decoded}));
+    const double error = metrics::brdfErrors(*readTable(plastic_), *readTable(decoded))[0];
+    QVERIFY(std::abs(encoded.json["errors"]["log"].get<double>() / error - 1) < 1e-3);
+    QVERIFY2(error < 0.02, qPrintable(QString::number(error)));
+    // Over the bundled dictionary it is nothing.
+    const ToolResult foreign = runTool({"info", code});
+    QCOMPARE(foreign.code, 1);
+    QVERIFY(foreign.error.contains("plastic.code") && foreign.error.contains("another dictionary"));
+  }
+
+  void wrongTrainingsAreTold() {
+    const QString out = folder_.path("none.dictionary");
+    const ToolResult none = runTool({"dictionary", "train", plastic_, "--exclude", "plastic", "--out", out});
+    QCOMPARE(none.code, 1);
+    QVERIFY(none.error.contains("no material is left"));
+    const ToolResult misspelt = runTool({"dictionary", "train", plastic_, "--exclude", "plastik", "--out", out});
+    QCOMPARE(misspelt.code, 1);
+    QVERIFY(misspelt.error.contains("plastik"));
+    QCOMPARE(runTool({"encode", plastic_, "--bytes", "900", "--single"}).code, 2);
+    QVERIFY(!QFile::exists(out));
+    QCOMPARE(runTool({"dictionary", "info", plastic_}).code, 1);
+    QCOMPARE(runTool({"dictionary", "train", plastic_}).code, 2);
+  }
+
+  /// Over the bundled dictionary: budgets, precisions, a target, and the code as a material of every subcommand.
+  void bundledDictionary() {
+    const QString code = folder_.path("bundled.code"), single = folder_.path("single.code");
+    const ToolResult half = runJson({"encode", rough_, "--bytes", "900", "--out", code});
+    VERIFY_SUCCESS(half);
+    QVERIFY(bytesOf(code).size() <= 900 && bytesOf(code).size() > 700);
+    VERIFY_SUCCESS(
+        runJson({"encode", rough_, "--coefficients", "60", "--single", "--transform", "log-plus", "--out", single}));
+    QVERIFY(io::readCode(single.toStdString()).precision == dictionary::CodePrecision::single);
+    const ToolResult info = runJson({"info", single});
+    VERIFY_SUCCESS(info);
+    QCOMPARE(QString::fromStdString(info.json["format"]), QString("sparse code"));
+    const ToolResult compared = runJson({"compare", rough_, code, "--size", "16", "--samples", "4"});
+    VERIFY_SUCCESS(compared);
+    QVERIFY(std::abs(compared.json["brdfSnr"].get<double>() - half.json["brdfSnr"].get<double>()) < 0.01);
+    const ToolResult target = runJson({"encode", rough_, "--coefficients", "12", "--rendered-snr", "15"});
+    VERIFY_SUCCESS(target);
+    QVERIFY2(target.json["renderedSnr"].get<double>() >= 15 || target.json["coefficients"].get<int>() == 12,
+             qPrintable(target.out));
+  }
+
+  void zEveryKeyIsDocumented() {
+    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
+    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
+  }
+
+ private:
+  TestFolder folder_{"goniotool-dictionary"};
+  QString plastic_, rough_;
+};
+
+GONIO_TEST(GoniotoolDictionaryTest)
+#include "goniotool_dictionary_test.moc"

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+
+#include "core/io/image_io.h"
+#include "tests/app/goniotool/goniotool_runner.h"
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::test;
+
+/// What goniotool says when it cannot do what was asked: exit codes, one line, the name of the file.
+class GoniotoolErrorsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic); }
+
+  void wrongUsageIsTwo_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::newRow("nothing") << QStringList{};
+    QTest::newRow("unknown subcommand") << QStringList{"dance"};
+    QTest::newRow("no file") << QStringList{"info"};
+    QTest::newRow("unknown option") << QStringList{"info", plastic_, "--wings"};
+    QTest::newRow("unknown model") << QStringList{"fit", plastic_, "--model", "phong-2077"};
+    QTest::newRow("unknown metric") << QStringList{"fit", plastic_, "--model", "ggx", "--metric", "taste"};
+    QTest::newRow("model and all") << QStringList{"fit", plastic_, "--model", "ggx", "--all"};
+    QTest::newRow("no model") << QStringList{"fit", plastic_};
+    QTest::newRow("metric that no fit minimises") << QStringList{"fit", plastic_, "--model", "ggx", "--metric", "lab"};
+    QTest::newRow("gamma of another metric") << QStringList{"fit", plastic_, "--model", "ggx", "--gamma", "2"};
+    for (const char* gamma : {"3.5", "two", "nan"})
+      QTest::addRow("gamma %s", gamma) << QStringList{"fit",      plastic_, "--model", "ggx",
+                                                      "--metric", "gamma",  "--gamma", gamma};
+    QTest::newRow("gamma of all") << QStringList{"fit", plastic_, "--all", "--metric", "gamma", "--gamma", "auto"};
+    QTest::newRow("order of one") << QStringList{"fit", plastic_, "--model", "ggx", "--sort", "snr"};
+    QTest::newRow("no threads") << QStringList{"info", plastic_, "--threads", "0"};
+    QTest::newRow("unknown parameter") << QStringList{"edit",  plastic_,  "--model", "ggx",
+                                                      "--set", "gloss=1", "--out",   folder_.path("x.binary")};
+    QTest::newRow("no value") << QStringList{"edit",  plastic_, "--model", "ggx",
+                                             "--set", "f0=",    "--out",   folder_.path("x.binary")};
+    QTest::newRow("two values") << QStringList{"edit",  plastic_,      "--model", "ggx",
+                                               "--set", "diffuse=1,2", "--out",   folder_.path("x.binary")};
+    QTest::newRow("channels of a shared parameter")
+        << QStringList{"edit", plastic_, "--model", "ggx", "--set", "f0=1,0,1", "--out", folder_.path("x.binary")};
+    QTest::newRow("size") << QStringList{"render", plastic_, "--size", "12y9", "--out", folder_.path("x.png")};
+    QTest::newRow("two lights") << QStringList{"render", plastic_,        "--light", "1",     "1",
+                                               "1",      "--environment", "studio",  "--out", folder_.path("x.png")};
+    QTest::newRow("picture format") << QStringList{"render", plastic_, "--out", folder_.path("x.jpg")};
+  }
+  void wrongUsageIsTwo() {
+    QFETCH(QStringList, arguments);
+    const ToolResult result = runTool(arguments);
+    QCOMPARE(result.code, 2);
+    QVERIFY(!result.error.isEmpty());
+    QVERIFY(result.out.isEmpty());
+  }
+
+  void failuresAreOneLine_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("names");
+    const QString garbage = folder_.path("garbage.binary"), missing = folder_.path("missing.binary");
+    const QString shortened = folder_.path("short.binary"), document = folder_.path("garbage.gonio");
+    folder_.writeText("garbage.binary", "this is no material");
+    folder_.writeText("short.binary", bytesOf(plastic_).left(5000));
+    folder_.writeText("garbage.gonio", "{\"format\": \"other\"}");
+    QTest::newRow("missing") << QStringList{"info", missing} << "missing.binary";
+    QTest::newRow("folder") << QStringList{"info", folder_.path()} << "goniotool";
+    QTest::newRow("garbage") << QStringList{"fit", garbage, "--model", "ggx"} << "garbage.binary";
+    QTest::newRow("short") << QStringList{"check", shortened} << "short.binary";
+    QTest::newRow("document") << QStringList{"info", document} << "garbage.gonio";
+    QTest::newRow("suffix") << QStringList{"convert", plastic_, folder_.path("out.xyz")} << "out.xyz";
+    QTest::newRow("no folder") << QStringList{"convert", plastic_, folder_.path("no/out.binary")} << "out.binary";
+    QTest::newRow("environment") << QStringList{"render", plastic_, "--environment",
+                                                garbage,  "--out",  folder_.path("x.png")}
+                                 << "garbage.binary";
+    QTest::newRow("directions") << QStringList{"evaluate", plastic_, "--directions",
+                                               missing,    "--out",  folder_.path("x.csv")}
+                                << "missing.binary";
+    const QString dictionary = folder_.path("missing.dictionary");
+    QTest::newRow("dictionary") << QStringList{"encode", plastic_, "--dictionary", dictionary} << "missing.dictionary";
+    const QString broken = folder_.path("broken.exr");
+    Image image(2, 1);
+    image.pixels[1] = glm::vec3(-1);
+    io::writeExr(image, broken.toStdString());
+    QTest::newRow("negative environment")
+        << QStringList{"render", plastic_, "--environment", broken, "--out", folder_.path("x.png")} << "broken.exr";
+  }
+  void failuresAreOneLine() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, names);
+    const ToolResult result = runJson(arguments);
+    QCOMPARE(result.code, 1);
+    QCOMPARE(result.errorLines(), 1);
+    const QString told = result.error.mid(QString("goniotool: ").size());
+    QVERIFY2(result.error.startsWith("goniotool: ") && told.count(names) == 1, qPrintable(result.error));
+    QVERIFY(result.out.isEmpty());
+  }
+
+  void progressIsOnStandardErrorOnly() {
+    const ToolResult shown = runJson({"fit", plastic_, "--model", "ggx", "--progress"});
+    VERIFY_SUCCESS(shown);
+    QVERIFY(shown.json.is_object());
+    QVERIFY(shown.error.contains("fitting ggx 100 %"));
+    QVERIFY(runJson({"fit", plastic_, "--model", "lambert"}).error.isEmpty());
+  }
+
+ private:
+  TestFolder folder_{"goniotool-errors"};
+  QString plastic_;
+};
+
+GONIO_TEST(GoniotoolErrorsTest)
+#include "goniotool_errors_test.moc"

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <set>
+
+#include "core/metrics/brdf_metric.h"
+#include "tests/app/goniotool/goniotool_runner.h"
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::test;
+
+namespace {
+const QStringList tiny{"--size",   "16",          "--samples", "4",  "--representations", "table,fits,factors",
+                       "--models", "lambert,ggx", "--terms",   "1,3"};
+}
+
+/// goniotool study.
+class GoniotoolStudyTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic);
+    rough_ = folder_.writeTable("rough.binary", "ggx", {{Rgb(0.1), Rgb(0.5), Rgb(0.5), Rgb(0.6), Rgb(0)}});
+  }
+
+  void recordsFilesAndSummary() {
+    const QString out = folder_.path("new/results");
+    const ToolResult result =
+        runJson(QStringList{"study", plastic_, rough_, "--out", out, "--max-bytes", "10000", "--min-snr", "10"} + tiny);
+    VERIFY_SUCCESS(result);
+    // Two tables, two fits, two counts of terms in two forms; of two materials.
+    QCOMPARE(result.json["records"].size(), std::size_t(16));
+    QCOMPARE(result.json["summary"].size(), std::size_t(8));
+    QVERIFY(result.json["complete"].get<bool>());
+    std::set<std::string> names;
+    for (const auto& record : result.json["records"]) {
+      names.insert(record["material"]);
+      QVERIFY(record["evaluationNs"].get<double>() > 0 && record["frameMs"].get<double>() > 0);
+      QVERIFY(record["bytes"].get<double>() > 0);
+      QCOMPARE(record["errors"].size(), metrics::allBrdfMetrics().size());
+      const bool isTable = record["representation"] == "table-trilinear";
+      QCOMPARE(record["identical"].get<bool>(), isTable);
+      QCOMPARE(record["renderedSnr"].is_null(), isTable);
+      // Nothing is as good as the table itself.
+      if (isTable) QVERIFY(!record["front"].empty());
+    }
+    QVERIFY(names == (std::set<std::string>{"plastic", "rough"}));
+    QCOMPARE(result.json["chosen"].size(), std::size_t(2));
+    // A fit of the model that made the material.
+    QCOMPARE(result.json["chosen"][0]["best"]["representation"].get<std::string>(), "ggx");
+    QVERIFY(!result.json["machine"]["processor"].get<std::string>().empty());
+    for (const char* name : {"plastic", "rough", "summary"}) {
+      const QString stem = out + "/" + name;
+      const auto json = nlohmann::json::parse(bytesOf(stem + ".json").toStdString());
+      QCOMPARE(json["records"].size(), std::size_t(8));
+      collectKeys(json);
+      QVERIFY(bytesOf(stem + ".svg").contains("Pareto front"));
+      QCOMPARE(bytesOf(stem + ".csv").split('\n').size() - 1, 5 + 1 + 8);
+    }
+  }
+
+  void textForPeople() {
+    const QString out = folder_.path("text");
+    const ToolResult result = runTool(QStringList{"study", plastic_, "--out", out, "--max-frame-ms", "0"} + tiny);
+    VERIFY_SUCCESS(result);
+    QVERIFY(result.out.contains("PDV factors, three curves, 3 terms"));
+    QVERIFY(result.out.contains("no representation keeps the limits"));
+    QVERIFY(!QFile::exists(out + "/summary.json"));
+  }
+
+  void principalComponentsOfATrainingSet() {
+    const QString merl = folder_.writeTable("merl.binary", "ggx", plastic, HalfDifferenceGrid());
+    const QString other = folder_.writeTable("other.binary", "lambert", {{Rgb(0.2, 0.3, 0.4)}}, HalfDifferenceGrid());
+    const ToolResult result =
+        runJson({"study", merl, "--out", folder_.path("components"), "--representations", "components",
+                 "--components-from", merl + "," + other, "--components", "2,5,100", "--size", "16", "--samples", "4"});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["records"].size(), std::size_t(2));  // two materials have six
+    QVERIFY(result.json["records"][1]["errors"]["log"] < result.json["records"][0]["errors"]["log"]);
+  }
+
+  void wrongStudiesAreTold() {
+    const QString out = folder_.path("none");
+    const auto fails = [&](const QStringList& arguments, int code, const char* text) {
+      const ToolResult result = runTool(QStringList{"study", "--out", out} + arguments);
+      QCOMPARE(result.code, code);
+      QVERIFY2(result.error.contains(text), qPrintable(result.error));
+      QCOMPARE(result.errorLines(), 1);
+    };
+    fails({plastic_, "--representations", "tables"}, 1, "'tables', expected one of table, fits");
+    fails({plastic_, "--models", "gxx"}, 1, "gxx");
+    fails({plastic_, plastic_}, 2, "plastic");
+    fails({plastic_, "--representations", "components"}, 2, "--components-from");
+    fails({folder_.path("absent.binary")}, 1, "absent.binary");
+    QCOMPARE(runTool({"study", plastic_}).code, 2);
+    const ToolResult file = runTool({"study", plastic_, "--out", plastic_});
+    QCOMPARE(file.code, 1);
+    QVERIFY(file.error.contains("plastic.binary: cannot be made a folder"));
+  }
+
+  void zEveryKeyIsDocumented() {
+    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
+    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
+  }
+
+ private:
+  TestFolder folder_{"goniotool-study"};
+  QString plastic_, rough_;
+};
+
+GONIO_TEST(GoniotoolStudyTest)
+#include "goniotool_study_test.moc"

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <cmath>
+#include <limits>
+
+#include "core/editing/differential_edit.h"
+#include "core/io/image_io.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/models/parameters_json.h"
+#include "tests/app/goniotool/goniotool_runner.h"
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::test;
+
+class GoniotoolTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic);
+    matte_ = folder_.writeTable("matte.binary", "lambert", {{Rgb(0.5, 0.4, 0.3)}});
+  }
+
+  void infoOfALambertianTable() {
+    const ToolResult result = runJson({"info", matte_});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["format"].get<std::string>(), "MERL");
+    QVERIFY(result.json["grid"] == nlohmann::json({30, 30, 36}));
+    QVERIFY(std::abs(result.json["channels"][1]["max"].get<double>() - 0.4 / pi) < 1e-6);
+    QVERIFY(std::abs(result.json["albedo"]["30"][0].get<double>() - 0.5) < 0.02);
+    QVERIFY(std::abs(result.json["dynamicRange"].get<double>() - 5.0 / 3) < 1e-5);
+    const auto table = readTable(matte_);
+    const double invalidShare = 1 - double(table->validCount()) / double(table->grid().size());
+    QVERIFY(std::abs(result.json["invalidShare"].get<double>() - invalidShare) < 1e-12);
+    QVERIFY(runTool({"info", matte_}).out.contains("albedo at 80 degrees"));
+  }
+
+  /// What sampling costs is what compare says of the sampled table; a table itself loses nothing.
+  void infoTellsTheErrorOfTheTable() {
+    QVERIFY(runJson({"info", plastic_, "--table-error"}).json["tableSnr"].is_null());
+    QVERIFY(!runJson({"info", plastic_}).json.contains("tableSnr"));
+    const QString factors = folder_.path("plastic.pdv"), sampled = folder_.path("sampled.binary");
+    VERIFY_SUCCESS(runTool({"factor", plastic_, "--terms", "1", "--out", factors}));
+    VERIFY_SUCCESS(runTool({"convert", factors, sampled}));
+    const ToolResult result = runJson({"info", factors, "--table-error"});
+    VERIFY_SUCCESS(result);
+    const double snr = runJson({"compare", factors, sampled}).json["renderedSnr"].get<double>();
+    QVERIFY(snr < 100 && std::abs(result.json["tableSnr"].get<double>() - snr) < 1e-9);
+  }
+
+  void evaluateIsTheTable() {
+    const QString in = folder_.path("directions.csv"), out = folder_.path("values.csv");
+    folder_.writeText("directions.csv",
+                      "# a comment\nphi_o,theta_o,name,theta_i,phi_i\n180,30,a,30,0\n40,100,b,10,0\n");
+    const ToolResult result = runJson({"evaluate", plastic_, "--directions", in, "--out", out});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["evaluated"].get<int>(), 2);
+    const QList<QByteArray> lines = bytesOf(out).split('\n');
+    QCOMPARE(lines[0], QByteArray("theta_i,phi_i,theta_o,phi_o,r,g,b"));
+    const Rgb expected = readTable(plastic_)->evaluate(fromSpherical(radians(30), 0), fromSpherical(radians(30), pi));
+    const QList<QByteArray> fields = lines[1].split(',');
+    QCOMPARE(fields[3], QByteArray("180"));
+    QCOMPARE(fields[5].toDouble(), expected.y);
+    QCOMPARE(lines[2], QByteArray("10,0,100,40,0,0,0"));
+  }
+
+  void evaluateTellsTheLine() {
+    const QString in = folder_.path("wrong.csv");
+    folder_.writeText("wrong.csv", "1,2,3,4\n1,2,x,4\n");
+    const ToolResult result = runTool({"evaluate", plastic_, "--directions", in, "--out", folder_.path("no.csv")});
+    QCOMPARE(result.code, 1);
+    QVERIFY2(result.error.contains("wrong.csv, line 2: found 'x' for theta_o"), qPrintable(result.error));
+    QVERIFY(!QFile::exists(folder_.path("no.csv")));
+  }
+
+  void checkPassesAndFails() {
+    const ToolResult passed = runJson({"check", matte_});
+    VERIFY_SUCCESS(passed);
+    QVERIFY(passed.json["passed"].get<bool>());
+    QCOMPARE(passed.json["checks"].size(), std::size_t(4));
+    const QString bright = folder_.writeTable("bright.binary", "lambert", {{Rgb(2)}});
+    const ToolResult failed = runJson({"check", bright});
+    QCOMPARE(failed.code, 1);
+    QVERIFY(!failed.json["passed"].get<bool>());
+    QCOMPARE(failed.errorLines(), 1);
+    QVERIFY(failed.error.contains("bright.binary") && failed.error.contains("energy"));
+  }
+
+  void convertKeepsBytes() {
+    const QString out = folder_.path("copy.binary");
+    const ToolResult result = runJson({"convert", plastic_, out});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["from"].get<std::string>(), "MERL");
+    QCOMPARE(bytesOf(out), bytesOf(plastic_));
+    QCOMPARE(qint64(result.json["bytes"].get<std::int64_t>()), bytesOf(out).size());
+  }
+
+  void bundledMaterials() {
+    const ToolResult info = runJson({"info", "library:sgd/chrome"});
+    VERIFY_SUCCESS(info);
+    QCOMPARE(info.json["format"].get<std::string>(), "SGD fit");
+    const QString out = folder_.path("chrome.binary");
+    VERIFY_SUCCESS(runTool({"convert", "library:sgd/chrome", out}));
+    QVERIFY(runJson({"info", out}).json["grid"] == nlohmann::json({90, 90, 180}));
+    QCOMPARE(runTool({"info", "library:sgd/no-such-material"}).code, 1);
+  }
+
+  void fitRecoversAndBakes() {
+    const QString out = folder_.path("fitted.binary");
+    const ToolResult result = runJson({"fit", plastic_, "--model", "ggx", "--out", out});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["model"].get<std::string>(), "ggx");
+    QVERIFY(std::abs(result.json["parameters"]["roughness"].get<double>() / 0.15 - 1) < 0.01);
+    QVERIFY(std::abs(result.json["parameters"]["f0"].get<double>() / 0.1 - 1) < 0.01);
+    QVERIFY(std::abs(result.json["parameters"]["specular"][2].get<double>() / 0.7 - 1) < 0.01);
+    QCOMPARE(result.json["errors"].size(), metrics::allBrdfMetrics().size());
+    QVERIFY(result.json["seconds"].get<double>() > 0);
+    const int cells = result.json["usedCells"].get<int>() + result.json["invalidCells"].get<int>() +
+                      result.json["grazingCells"].get<int>();
+    QCOMPARE(std::size_t(cells), smallGrid.size());
+    QVERIFY(metrics::brdfErrors(*readTable(plastic_), *readTable(out))[0] < 1e-5);
+  }
+
+  void fitAllRanksEveryModel() {
+    const ToolResult result = runJson({"fit", matte_, "--all", "--metric", "cube-root", "--sort", "snr"});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["fits"].size(), models::allModels().size());
+    QCOMPARE(result.json["metric"].get<std::string>(), "cube-root");
+    double last = std::numeric_limits<double>::infinity();
+    for (const nlohmann::json& fit : result.json["fits"]) {
+      const std::string model = fit["model"].get<std::string>();
+      // The body of Ashikhmin and Shirley is none of Lambert's.
+      const double most = model == "ashikhmin-shirley" ? 0.05 : 1e-3;
+      QVERIFY2(fit["errors"]["cube-root"].get<double>() < most, model.c_str());
+      QVERIFY(fit["parameterCount"].get<int>() >= 3);
+      const double snr = fit["renderedSnr"].is_null() ? last : fit["renderedSnr"].get<double>();
+      QVERIFY2(snr <= last, model.c_str());
+      last = snr;
+    }
+  }
+
+  void fitByTheGammaMetric() {
+    const ToolResult one = runJson({"fit", plastic_, "--model", "ward", "--metric", "gamma", "--gamma", "2.5"});
+    VERIFY_SUCCESS(one);
+    QCOMPARE(one.json["gamma"].get<double>(), 2.5);
+    const ToolResult chosen = runJson({"fit", plastic_, "--model", "ward", "--metric", "gamma", "--gamma", "auto"});
+    VERIFY_SUCCESS(chosen);
+    QCOMPARE(chosen.json["trials"].size(), std::size_t(9));
+    QCOMPARE(chosen.json["gamma"].get<double>(), chosen.json["trials"][0]["gamma"].get<double>());
+  }
+
+  void editOfNothingKeepsEveryByte() {
+    const QString out = folder_.path("unchanged.binary");
+    const ToolResult result = runJson({"edit", plastic_, "--model", "ggx", "--out", out});
+    VERIFY_SUCCESS(result);
+    QVERIFY(result.json["fitted"] == result.json["edited"]);
+    QCOMPARE(bytesOf(out), bytesOf(plastic_));
+  }
+
+  /// The file is what the library makes of the same parameters; where the model does not change, nothing does.
+  /// A table cannot hold it: that is said, in the answer and in words.
+  void anisotropicEditIsAveragedAndToldSo() {
+    const QString out = folder_.path("brushed.binary"), document = folder_.path("brushed.gonio");
+    const QStringList change{"edit", plastic_, "--model", "ward-anisotropic", "--set", "roughness-x=0.05"};
+    const ToolResult result = runJson(change + QStringList{"roughness-y=0.5", "--out", out});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["averagedAzimuths"].get<int>(), editing::bakedAzimuths);
+    const ToolResult described = runJson(change + QStringList{"roughness-y=0.5", "--out", document});
+    VERIFY_SUCCESS(described);
+    QCOMPARE(described.json["averagedAzimuths"].get<int>(), 0);  // a document loses nothing
+    const ToolResult replayed = runTool({"edit", document, "--out", out});
+    VERIFY_SUCCESS(replayed);
+    QVERIFY(replayed.out.contains("anisotropic"));
+    // The document is drawn anisotropic; its cells are compared as the mean that the table holds.
+    const ToolResult compared = runJson({"compare", out, document, "--size", "48", "--samples", "16"});
+    VERIFY_SUCCESS(compared);
+    QVERIFY(compared.json["brdfSnr"].is_null() || compared.json["brdfSnr"].get<double>() > 100);
+    QVERIFY(compared.json["renderedSnr"].get<double>() < 30);
+    QVERIFY(runTool({"info", document}).out.contains("anisotropic"));
+    QCOMPARE(runJson({"edit", plastic_, "--model", "ggx", "--set", "f0=0.5", "--out", out})
+                 .json["averagedAzimuths"]
+                 .get<int>(),
+             0);
+  }
+
+  void editIsTheDifferentialEdit() {
+    const QString out = folder_.path("shiny.binary");
+    const ToolResult result = runJson({"edit", plastic_, "--model", "ggx", "--set", "f0=0.5", "specular=1,2,0.5",
+                                       "roughness=2", "--strength", "0.5", "--out", out});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["edited"]["f0"].get<double>(), 0.5);
+    QCOMPARE(result.json["clamped"][0]["name"].get<std::string>(), "roughness");
+    QCOMPARE(result.json["edited"]["roughness"].get<double>(), 1.0);
+    QVERIFY(result.json["edited"]["diffuse"] == result.json["fitted"]["diffuse"]);
+    const models::Model& ggx = models::findModel("ggx");
+    const auto parameters = [&](const char* key) {
+      return models::parametersFromJson(ggx.spec(), result.json[key], key);
+    };
+    const editing::DifferentialEdit edit{&ggx, parameters("fitted"), parameters("edited"), 0.5, true};
+    const auto expected = editing::bakeEdits(readTable(plastic_), std::span(&edit, 1));
+    io::writeMerl(*expected, folder_.path("expected.binary").toStdString());
+    QCOMPARE(bytesOf(out), bytesOf(folder_.path("expected.binary")));
+  }
+
+  void documentsAreReplayed() {
+    const QString document = folder_.path("edit.gonio"), direct = folder_.path("direct.binary");
+    const QStringList change{"--model", "ggx", "--set", "roughness=0.4"};
+    VERIFY_SUCCESS(runJson(QStringList{"edit", plastic_} + change + QStringList{"--out", document}));
+    VERIFY_SUCCESS(runJson(QStringList{"edit", plastic_} + change + QStringList{"--out", direct}));
+    const QString replayed = folder_.path("replayed.binary");
+    const ToolResult result = runJson({"edit", document, "--out", replayed});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["edits"].get<int>(), 1);
+    QCOMPARE(bytesOf(replayed), bytesOf(direct));
+    QCOMPARE(runJson({"info", document}).json["format"].get<std::string>(), "gonio document");
+    QCOMPARE(runTool({"edit", document, "--model", "ggx", "--out", replayed}).code, 2);
+  }
+
+  void aChangedSourceIsRefused() {
+    const QString source = folder_.path("source.binary"), document = folder_.path("moved.gonio");
+    QVERIFY(QFile::copy(plastic_, source));
+    VERIFY_SUCCESS(runTool({"edit", source, "--model", "lambert", "--set", "diffuse=1", "--out", document}));
+    QVERIFY(QFile::remove(source) && QFile::copy(matte_, source));
+    const ToolResult result = runTool({"edit", document, "--out", folder_.path("no.binary")});
+    QCOMPARE(result.code, 1);
+    QVERIFY(result.error.contains("moved.gonio") && result.error.contains("source.binary"));
+    QVERIFY(!QFile::exists(folder_.path("no.binary")));
+  }
+
+  void renderWritesPictures() {
+    const QString one = folder_.path("one.exr"), two = folder_.path("two.exr"), png = folder_.path("picture.png");
+    const QStringList common{"render", plastic_, "--size", "40x24", "--samples", "4", "--environment", "sky"};
+    const ToolResult result = runJson(common + QStringList{"--out", one, "--threads", "1"});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["samples"].get<int>(), 4);
+    QCOMPARE(result.json["environment"].get<std::string>(), "sky");
+    QVERIFY(result.json["plan"].size() >= 4);
+    QCOMPARE(result.json["counters"]["shadowRays"].get<int>(), 0);
+    VERIFY_SUCCESS(runJson(common + QStringList{"--out", two, "--threads", "2"}));
+    const Image image = io::readImage(std::filesystem::path(one.toStdString()));
+    QCOMPARE(image.width, 40);
+    QCOMPARE(image.height, 24);
+    QVERIFY(image.pixels == io::readImage(std::filesystem::path(two.toStdString())).pixels);
+    VERIFY_SUCCESS(runTool({"render", plastic_, "--size", "16", "--light", "1", "1", "1", "--out", png, "--effects"}));
+    QVERIFY(bytesOf(png).startsWith("\x89PNG"));
+  }
+
+  void compareTellsEqualAndDifferent() {
+    const QStringList small{"--size", "32", "--samples", "4"};
+    const ToolResult equal = runJson(QStringList{"compare", plastic_, plastic_} + small);
+    VERIFY_SUCCESS(equal);
+    QVERIFY(equal.json["identical"].get<bool>() && equal.json["renderedSnr"].is_null());
+    QCOMPARE(equal.json["errors"]["log"].get<double>(), 0.0);
+    const QString image = folder_.path("comparison.png");
+    const ToolResult different = runJson(QStringList{"compare", plastic_, matte_, "--image", image} + small);
+    VERIFY_SUCCESS(different);
+    QVERIFY(!different.json["identical"].get<bool>());
+    for (const char* key : {"renderedSnr", "renderedPsnr", "brdfSnr"}) QVERIFY(different.json[key].is_number());
+    QCOMPARE(different.json["scene"].get<std::string>(), "sphere-studio");
+    QVERIFY(different.json["errors"]["cosine-l2"].get<double>() > 0);
+    QVERIFY(bytesOf(image).startsWith("\x89PNG"));
+  }
+
+  /// Every key that the runs above printed stands in the documentation, in backquotes. Last of all tests.
+  void zEveryKeyIsDocumented() {
+    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
+    QVERIFY(gonio::test::seenKeys().size() > 40);
+    for (const std::string& key : gonio::test::seenKeys())
+      QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
+  }
+
+ private:
+  gonio::test::TestFolder folder_{"goniotool"};
+  QString plastic_, matte_;
+};
+
+GONIO_TEST(GoniotoolTest)
+#include "goniotool_test.moc"

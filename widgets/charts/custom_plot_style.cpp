@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/charts/custom_plot_style.h"
+
+#include <cmath>
+
+#include "core/plots/clip_polyline.h"
+#include "widgets/charts/custom_plot.h"
+
+namespace gonio::widgets {
+
+void styleAxis(QCPAxis& axis, const PlotStyle& style, const QFont& font) {
+  axis.setBasePen(QPen(style.text, 1));
+  axis.setTickPen(QPen(style.text, 1));
+  axis.setSubTickPen(QPen(style.text, 1));
+  axis.setTickLabelColor(style.text);
+  axis.setLabelColor(style.text);
+  axis.setTickLabelFont(font);
+  axis.setLabelFont(font);
+  axis.grid()->setPen(style.gridPen());
+  axis.grid()->setZeroLinePen(style.gridPen());
+}
+
+void styleChart(QCustomPlot& chart, const PlotStyle& style, const QFont& font) {
+  chart.setBackground(QBrush(style.background));
+  for (QCPAxisRect* rect : chart.axisRects())
+    for (QCPAxis* axis : rect->axes()) styleAxis(*axis, style, font);
+  if (!chart.legend) return;
+  chart.legend->setFont(font);
+  chart.legend->setTextColor(style.text);
+  chart.legend->setBorderPen(Qt::NoPen);
+  QColor behind = style.background;
+  behind.setAlpha(200);
+  chart.legend->setBrush(behind);
+  chart.legend->setIconSize(QFontMetrics(font).height() * 5 / 2, QFontMetrics(font).height());
+}
+
+void setLogarithmic(QCPAxis& axis, bool logarithmic) {
+  axis.setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+  if (logarithmic) {
+    axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+    axis.setNumberFormat(QStringLiteral("eb"));
+    axis.setNumberPrecision(0);
+  } else {
+    axis.setTicker(QSharedPointer<QCPAxisTicker>::create());
+    axis.setNumberFormat(QStringLiteral("gb"));
+    axis.setNumberPrecision(6);
+  }
+}
+
+namespace {
+
+using GraphData = QSharedPointer<QCPGraphDataContainer>;
+
+/// The graph's data where it lies between the ends of its axes.
+GraphData cutData(const QCPGraph& graph) {
+  const QCPRange keys = graph.keyAxis()->range(), values = graph.valueAxis()->range();
+  const bool logarithmic = graph.valueAxis()->scaleType() == QCPAxis::stLogarithmic;
+  const auto toAxis = [logarithmic](double value) { return logarithmic ? std::log(value) : value; };
+  std::vector<glm::dvec2> points;
+  for (const QCPGraphData& point : *graph.data()) points.emplace_back(point.key, toAxis(point.value));
+  auto result = GraphData::create();
+  for (const auto& part :
+       plots::clipPolyline(points, {keys.lower, toAxis(values.lower)}, {keys.upper, toAxis(values.upper)})) {
+    for (const glm::dvec2& point : part) result->add(QCPGraphData(point.x, logarithmic ? std::exp(point.y) : point.y));
+    result->add(QCPGraphData(part.back().x, std::nan("")));
+  }
+  return result;
+}
+
+}  // namespace
+
+void paintChart(QCustomPlot& chart, QPaintDevice& device, const QSize& size) {
+  QList<GraphData> whole;
+  for (int i = 0; i < chart.graphCount(); ++i) {
+    whole << chart.graph(i)->data();
+    chart.graph(i)->setData(cutData(*chart.graph(i)));
+  }
+  QCPPainter painter;
+  painter.begin(&device);
+  painter.setMode(QCPPainter::pmVectorized);
+  painter.setMode(QCPPainter::pmNoCaching);
+  chart.toPainter(&painter, size.width(), size.height());
+  for (int i = 0; i < chart.graphCount(); ++i) chart.graph(i)->setData(whole[i]);
+}
+
+}  // namespace gonio::widgets

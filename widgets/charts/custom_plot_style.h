@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QFont>
+#include <QSize>
+
+#include "widgets/charts/plot_style.h"
+
+class QCustomPlot;
+class QCPAxis;
+class QPaintDevice;
+
+namespace gonio::widgets {
+
+/// Colours and fonts of a chart, its axes and its legend.
+void styleChart(QCustomPlot& chart, const PlotStyle& style, const QFont& font);
+void styleAxis(QCPAxis& axis, const PlotStyle& style, const QFont& font);
+/// Kind of an axis and its ticks: powers of ten on a logarithmic one.
+void setLogarithmic(QCPAxis& axis, bool logarithmic);
+/// Draws a chart at any size on any device, lines as lines; graphs are cut at the edges of their axes beforehand, since
+/// SVG files do not clip.
+void paintChart(QCustomPlot& chart, QPaintDevice& device, const QSize& size);
+
+}  // namespace gonio::widgets

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QPalette>
+#include <QPen>
+
+namespace gonio::widgets {
+
+/// Where a curve comes from: it decides its colour and line style in every chart.
+enum class SeriesRole { measured, fit, edited };
+
+/// Colours and lines of a chart: the application's palette on the screen, dark on white in exported files.
+struct PlotStyle {
+  QColor background, text, grid, accent;
+  bool dark = false;
+
+  static PlotStyle of(const QPalette& palette);
+  static PlotStyle paper();
+
+  QColor colour(SeriesRole role) const;
+  /// Measured solid, fit dashed, edited dash-dotted: curves are told apart without their colours.
+  QPen pen(SeriesRole role) const;
+  QPen gridPen() const { return QPen(grid, 1); }
+  /// Of the line that marks the angle of incidence.
+  QPen accentPen() const { return QPen(accent, 1.5); }
+};
+
+}  // namespace gonio::widgets

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/gl/blend_textures.h"
+
+#include <cassert>
+
+namespace gonio::widgets {
+
+namespace {
+
+void append(std::vector<glm::vec3>& all, const std::vector<glm::vec3>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+void setMoves(QOpenGLShaderProgram& program, const std::vector<editing::DifferentialEdit>& moves) {
+  if (moves.empty()) return;
+  const auto target = moves[0].model->shaderParameters(moves[0].edited);
+  std::vector<glm::vec3> own;
+  for (const editing::DifferentialEdit& move : moves) append(own, move.model->shaderParameters(move.fitted));
+  program.setUniformValueArray("targetParameters", &target.front().x, int(target.size()), 3);
+  program.setUniformValueArray("ownParameters", &own.front().x, int(own.size()), 3);
+}
+
+}  // namespace
+
+void addModel(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
+              QStringList& preamble) {
+  const QString id = QString::fromUtf8(model.spec().id.data(), qsizetype(model.spec().id.size()));
+  definitions << "EVALUATE_MODEL evaluate_" + QString(id).replace('-', '_')
+              << QString("MODEL_PARAMETERS %1").arg(model.shaderParameters(values).size());
+  preamble << "models/" + id + ".glsl";
+}
+
+void BlendTextures::addVariant(const PreviewBlend& blend, QStringList& definitions, QStringList& preamble) {
+  definitions << QString("BLEND_TABLES %1").arg(blend.mixture->tables.size())
+              << QString("BLEND_TRANSFORM %1").arg(int(blend.mixture->transform));
+  if (blend.moves.empty()) return;
+  definitions << "BLEND_MOVES";
+  addModel(*blend.moves[0].model, blend.moves[0].fitted, definitions, preamble);
+}
+
+void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
+                         const PreviewBlend& blend) {
+  const int count = int(blend.mixture->tables.size());
+  assert(firstBlendUnit + count <= endOfBlendUnits);
+  if (blend.mixture != uploaded_ || !textures_) {
+    gl.glActiveTexture(GL_TEXTURE0 + firstBlendUnit);
+    textures_ = resources.mixture(blend.mixture);
+    uploaded_ = blend.mixture;
+  }
+  std::vector<GLint> units;
+  std::vector<float> periods, weights;
+  for (int i = 0; i < count; ++i) {
+    const TableTexture& table = *textures_->tables[std::size_t(i)];
+    units.push_back(firstBlendUnit + i);
+    periods.push_back(float(table.phiPeriod));
+    weights.push_back(float(blend.weights[std::size_t(i)]));
+    gl.glActiveTexture(GL_TEXTURE0 + GLenum(units.back()));
+    gl.glBindTexture(GL_TEXTURE_3D, table.name);
+  }
+  program.setUniformValueArray("blendTables", units.data(), count);
+  program.setUniformValueArray("blendPhiPeriods", periods.data(), count, 1);
+  program.setUniformValueArray("blendWeights", weights.data(), count, 1);
+  setMoves(program, blend.moves);
+}
+
+void BlendTextures::release() {
+  textures_.reset();
+  uploaded_.reset();
+}
+
+}  // namespace gonio::widgets

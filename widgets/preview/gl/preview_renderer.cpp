@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/gl/preview_renderer.h"
+
+#include <QMatrix3x3>
+#include <QVector2D>
+#include <QVector3D>
+#include <QVector4D>
+#include <algorithm>
+#include <cmath>
+#include <glm/vec4.hpp>
+
+#include "core/support/error.h"
+#include "widgets/preview/gl/textures.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+constexpr int maxSamples = 64;  // of scene.frag
+QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d.z)}; }
+
+}  // namespace
+
+PreviewRenderer::PreviewRenderer(std::shared_ptr<PreviewResources> resources) : resources_(std::move(resources)) {
+  const Scene sphere = gonio::sceneOf(SphereScene{});
+  setScene(sphere, previewPlan(sphere, diffuseMaterial(Rgb(0.5))));
+}
+
+PreviewRenderer::~PreviewRenderer() = default;
+
+void PreviewRenderer::initialize() {
+  if (!resources_->isInitialized()) resources_->initialize();
+  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
+}
+
+void PreviewRenderer::release() {
+  accumulation_.reset();
+  tableTexture_.reset();
+  uploadedTable_.reset();
+  blendTextures_.release();
+  if (resources_->isInitialized()) factorTexture_.release(*this);
+  if (resources_.use_count() == 1) resources_->release();
+  restart();
+}
+
+void PreviewRenderer::setSubject(const PreviewSubject& subject) {
+  subject_ = subject;
+  restart();
+}
+
+void PreviewRenderer::setTable(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe) {
+  setSubject({.table = std::move(table), .lobe = lobe});
+}
+
+void PreviewRenderer::setEdit(std::optional<editing::DifferentialEdit> edit) {
+  subject_.edit = std::move(edit);
+  restart();
+}
+
+void PreviewRenderer::setFactors(std::optional<editing::FactorEdit> factors) {
+  subject_.factors = std::move(factors);
+  restart();
+}
+
+void PreviewRenderer::setLobe(const SamplingLobe& lobe) {
+  subject_.lobe = lobe;
+  restart();
+}
+
+void PreviewRenderer::setScene(const Scene& scene, const EffectPlan& plan) {
+  SceneUniforms uniforms(scene, plan);
+  const bool same = scene.camera == scene_.camera && scene.environment == scene_.environment &&
+                    scene.environmentRotation == scene_.environmentRotation && uniforms == sceneUniforms_;
+  scene_ = scene;
+  sceneUniforms_ = std::move(uniforms);
+  if (!same) restart();
+}
+
+void PreviewRenderer::setSize(const QSize& size) {
+  if (size == size_ && accumulation_) return;
+  size_ = size.expandedTo({1, 1});
+  accumulation_.reset();
+  restart();
+}
+
+QOpenGLShaderProgram& PreviewRenderer::sceneProgram() {
+  QStringList definitions = sceneUniforms_.definitions(), preamble;
+  const bool edited = subject_.hasActiveEdit();
+  const models::Model* model = edited ? subject_.edit->model : subject_.blend ? nullptr : subject_.model;
+  if (model) {
+    definitions << (edited ? "EDIT_MODEL" : "MODEL_ALONE");
+    addModel(*model, edited ? subject_.edit->fitted : subject_.parameters, definitions, preamble);
+  }
+  if (subject_.blend) BlendTextures::addVariant(*subject_.blend, definitions, preamble);
+  if (subject_.hasActiveFactors()) definitions << FactorTexture::definitions(*subject_.factors);
+  return resources_->program("preview/scene.frag", definitions, preamble);
+}
+
+void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
+  const CameraFrame camera = cameraFrame(scene_.camera);
+  QMatrix3x3 axes;
+  for (int row = 0; row < 3; ++row) {
+    axes(row, 0) = float(camera.right[row]);
+    axes(row, 1) = float(camera.up[row]);
+    axes(row, 2) = float(camera.forward[row]);
+  }
+  const glm::dvec2 extent = viewExtent(camera, double(size_.width()) / size_.height());
+  program.setUniformValue("eye", toVector(camera.eye));
+  program.setUniformValue("cameraAxes", axes);
+  program.setUniformValue("viewExtent", QVector2D(float(extent.x), float(extent.y)));
+  program.setUniformValue("orthographic", camera.orthographic);
+  program.setUniformValue("pictureSize", QVector2D(float(size_.width()), float(size_.height())));
+  sceneUniforms_.set(program);
+}
+
+void PreviewRenderer::setModelUniforms(QOpenGLShaderProgram& program) {
+  const auto set = [&](const char* name, const models::Model& model, const models::ParameterValues& values) {
+    const std::vector<glm::vec3> uniforms = model.shaderParameters(values);
+    program.setUniformValueArray(name, &uniforms.front().x, int(uniforms.size()), 3);
+  };
+  if (subject_.blend) return;
+  if (subject_.model) set("modelParameters", *subject_.model, subject_.parameters);
+  if (!subject_.hasActiveEdit()) return;
+  const editing::DifferentialEdit& edit = *subject_.edit;
+  set("editedParameters", *edit.model, edit.edited);
+  set("fittedParameters", *edit.model, edit.fitted);
+  program.setUniformValue("editStrength", float(edit.strength));
+}
+
+void PreviewRenderer::setFactorUniforms(QOpenGLShaderProgram& program) {
+  if (!subject_.hasActiveFactors()) return;
+  glActiveTexture(GL_TEXTURE0 + factorUnit);
+  factorTexture_.update(*this, *subject_.factors);
+  factorTexture_.setUniforms(program, factorUnit);
+  program.setUniformValue("factorStrength", float(subject_.factors->strength));
+}
+
+void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count) {
+  QVector4D numbers[maxSamples];
+  QVector2D offsets[maxSamples];
+  constexpr int dimensions = 5;
+  for (int i = 0; i < count; ++i) {
+    const int index = samples_ + i;
+    const auto number = [&](int d) { return float(additiveRecurrence(dimensions, d, index)); };
+    numbers[i] = {number(0), number(1), number(2), float(index)};
+    offsets[i] = {number(3) - 0.5f, number(4) - 0.5f};
+  }
+  program.setUniformValue("sampleCount", count);
+  program.setUniformValueArray("sampleNumbers", numbers, count);
+  program.setUniformValueArray("pixelOffsets", offsets, count);
+}
+
+void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
+  const std::shared_ptr<const TabulatedBrdf> table = subject_.isAlone() ? nullptr : subject_.table;
+  if (table != uploadedTable_ || (table && !tableTexture_)) {
+    glActiveTexture(GL_TEXTURE0 + tableUnit);
+    tableTexture_ = resources_->table(table, subject_.code);
+    uploadedTable_ = table;
+  }
+  if (tableTexture_) {
+    glActiveTexture(GL_TEXTURE0 + tableUnit);
+    glBindTexture(GL_TEXTURE_3D, tableTexture_->name);
+    program.setUniformValue("table", tableUnit);
+    program.setUniformValue("phiPeriod", float(tableTexture_->phiPeriod));
+  }
+  if (subject_.blend) blendTextures_.bind(*this, program, *resources_, *subject_.blend);
+  program.setUniformValue("lobeRoughness", float(subject_.lobe.roughness));
+  program.setUniformValue("lobeSpecularShare", float(subject_.lobe.specularShare));
+  if (!sceneUniforms_.usesEnvironment()) return;
+  resources_->bindEnvironment(scene_.environment);
+  program.setUniformValue("environment", environmentUnit);
+  program.setUniformValue("lightPool", lightPoolUnit);
+  program.setUniformValue("lightPoolRadiance", lightPoolRadianceUnit);
+  program.setUniformValue("environmentTurn", QVector2D(float(std::cos(scene_.environmentRotation)),
+                                                       float(std::sin(scene_.environmentRotation))));
+}
+
+/// Unbinds the texture of the active unit: comes before textures are bound.
+void PreviewRenderer::createTarget() {
+  if (accumulation_) return;
+  accumulation_ = std::make_unique<QOpenGLFramebufferObject>(size_, QOpenGLFramebufferObject::NoAttachment,
+                                                             GL_TEXTURE_2D, GL_RGBA32F);
+  samples_ = 0;
+}
+
+void PreviewRenderer::prepareTarget() {
+  accumulation_->bind();
+  glViewport(0, 0, size_.width(), size_.height());
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  if (samples_ == 0) {
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+}
+
+void PreviewRenderer::accumulate(int count) {
+  if (!hasMaterial() || count <= 0) return;
+  count = std::min(count, maxSamples);
+  QOpenGLShaderProgram& program = sceneProgram();
+  program.bind();
+  createTarget();
+  bindTextures(program);
+  setCameraUniforms(program);
+  setModelUniforms(program);
+  setFactorUniforms(program);
+  prepareTarget();
+  setSampleUniforms(program, count);
+  resources_->drawFullscreen();
+  glDisable(GL_BLEND);
+  program.release();
+  accumulation_->release();
+  glFinish();
+  samples_ += count;
+}
+
+void PreviewRenderer::showTraced(const Film& film) {
+  setSize({film.width, film.height});
+  createTarget();
+  std::vector<glm::vec4> texels;
+  texels.reserve(film.radiance.size());
+  for (int y = film.height - 1; y >= 0; --y)
+    for (int x = 0; x < film.width; ++x) {
+      const std::size_t index = std::size_t(y) * std::size_t(film.width) + std::size_t(x);
+      texels.emplace_back(film.radiance[index], film.coverage[index]);
+    }
+  glActiveTexture(GL_TEXTURE0 + accumulationUnit);
+  glBindTexture(GL_TEXTURE_2D, accumulation_->texture());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, film.width, film.height, GL_RGBA, GL_FLOAT, texels.data());
+  samples_ = film.samples;
+}
+
+Image PreviewRenderer::readPicture() {
+  Image image(size_.width(), size_.height());
+  image.alpha.assign(image.pixels.size(), 0.f);
+  if (!accumulation_ || samples_ == 0) return image;
+  std::vector<glm::vec4> texels(image.pixels.size());
+  accumulation_->bind();
+  glReadPixels(0, 0, size_.width(), size_.height(), GL_RGBA, GL_FLOAT, texels.data());
+  accumulation_->release();
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const glm::vec4 mean = texels[image.index(x, image.height - 1 - y)] / float(samples_);
+      image.at(x, y) = glm::vec3(mean);
+      image.alpha[image.index(x, y)] = mean.a;
+    }
+  return image;
+}
+
+}  // namespace gonio::widgets

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QOpenGLFramebufferObject>
+#include <QSize>
+
+#include "core/rendering/film.h"
+#include "widgets/preview/gl/blend_textures.h"
+#include "widgets/preview/gl/factor_texture.h"
+#include "widgets/preview/gl/preview_resources.h"
+#include "widgets/preview/gl/preview_subject.h"
+#include "widgets/preview/gl/scene_uniforms.h"
+
+namespace gonio::widgets {
+
+/// Draws one subject in a scene with OpenGL 4.1 core into an accumulation buffer: the twin of
+/// core/rendering/path_tracer.h. Knows no widget: tests drive it with an offscreen surface. The shader of a frame
+/// contains only what the scene and the subject call for. The setters need no context; what reads or draws needs the
+/// one of initialize().
+class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
+ public:
+  /// Draws the lone sphere in a distant light until it is told another scene.
+  /// @param resources shared by the pictures of one context.
+  explicit PreviewRenderer(std::shared_ptr<PreviewResources> resources = std::make_shared<PreviewResources>());
+  ~PreviewRenderer();
+
+  /// @throws Error when the context has no OpenGL 4.1 core functions.
+  void initialize();
+  /// Frees what belongs to the context; the resources too unless another picture shares them.
+  void release();
+
+  void setSubject(const PreviewSubject& subject);
+  const PreviewSubject& subject() const { return subject_; }
+  /// A table without an edit; null: nothing to draw. The upload (about 20 ms for 90 x 90 x 180) comes with the frame.
+  void setTable(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe);
+  /// Uniforms only. The shader of a model is compiled at its first use.
+  void setEdit(std::optional<editing::DifferentialEdit> edit);
+  /// Small textures only: what a drag of a factor curve changes.
+  void setFactors(std::optional<editing::FactorEdit> factors);
+  /// Density of the reflected samples under an environment. An edit that sharpens a highlight needs a new one, else the
+  /// mirror is dark with sparkles.
+  void setLobe(const SamplingLobe& lobe);
+  /// A scene of which SceneUniforms::canDraw() says yes, and the plan of its effects.
+  void setScene(const Scene& scene, const EffectPlan& plan);
+  /// Size of the accumulated picture in pixels.
+  void setSize(const QSize& size);
+
+  bool hasMaterial() const { return !subject_.isEmpty(); }
+  QSize size() const { return size_; }
+  /// Samples a pixel accumulated since the last change.
+  int samples() const { return samples_; }
+  void restart() { samples_ = 0; }
+
+  /// Adds `count` samples to every pixel and waits for the result, so that its time can be taken.
+  /// @throws Error with the compiler's log when a shader does not compile.
+  void accumulate(int count);
+  /// Shows a picture that was traced elsewhere; its size becomes the picture's.
+  void showTraced(const Film& film);
+
+  /// RGBA32F: sum over samples() of linear radiance, with the coverage in alpha. 0 before the first frame.
+  GLuint accumulationTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->texture() : 0; }
+  /// The mean as linear RGB with coverage in alpha: what renderSphere() returns.
+  Image readPicture();
+
+ private:
+  QOpenGLShaderProgram& sceneProgram();
+  void setCameraUniforms(QOpenGLShaderProgram& program);
+  void setFactorUniforms(QOpenGLShaderProgram& program);
+  void setModelUniforms(QOpenGLShaderProgram& program);
+  void setSampleUniforms(QOpenGLShaderProgram& program, int count);
+  void bindTextures(QOpenGLShaderProgram& program);
+  void createTarget();
+  void prepareTarget();
+
+  std::shared_ptr<PreviewResources> resources_;
+  std::shared_ptr<const TableTexture> tableTexture_;
+  FactorTexture factorTexture_;
+  BlendTextures blendTextures_;
+  std::unique_ptr<QOpenGLFramebufferObject> accumulation_;
+  PreviewSubject subject_;
+  std::shared_ptr<const TabulatedBrdf> uploadedTable_;
+  Scene scene_;
+  SceneUniforms sceneUniforms_;
+  QSize size_{1, 1};
+  int samples_ = 0;
+};
+
+}  // namespace gonio::widgets

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/gl/preview_resources.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+
+#include "core/rendering/false_colour.h"
+#include "core/support/error.h"
+#include "widgets/preview/gl/shader_library.h"
+#include "widgets/preview/gl/textures.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+std::unique_ptr<QOpenGLShaderProgram> link(const QByteArray& fragment, const QString& name) {
+  auto program = std::make_unique<QOpenGLShaderProgram>();
+  if (!program->addShaderFromSourceCode(QOpenGLShader::Vertex, assembleShader("preview/fullscreen.vert")) ||
+      !program->addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) || !program->link())
+    throw Error("shader " + name.toStdString() +
+                " was refused by the graphics driver: " + program->log().toStdString());
+  return program;
+}
+
+}  // namespace
+
+TableTexture::~TableTexture() {
+  if (QOpenGLContext* context = QOpenGLContext::currentContext(); context && name)
+    context->functions()->glDeleteTextures(1, &name);
+}
+
+void PreviewResources::initialize() {
+  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
+  glGenVertexArrays(1, &vertexArray_);
+  decodesCodes_ = !CodeDecoder::isSoftware(*this);
+  initialized_ = true;
+}
+
+void PreviewResources::release() {
+  if (!initialized_) return;
+  for (GLuint* texture :
+       {&environmentTexture_, &lightPoolTexture_, &lightPoolRadianceTexture_, &colourMaps_[0], &colourMaps_[1]}) {
+    if (*texture) glDeleteTextures(1, texture);
+    *texture = 0;
+  }
+  glDeleteVertexArrays(1, &vertexArray_);
+  decoder_.release(*this);
+  programs_.clear();
+  tables_.clear();
+  mixtures_.clear();
+  uploadedEnvironment_.reset();
+  initialized_ = false;
+}
+
+QOpenGLShaderProgram& PreviewResources::program(const QString& fragment, const QStringList& definitions,
+                                                const QStringList& preamble) {
+  auto& program = programs_[fragment + ' ' + definitions.join(' ')];
+  if (!program) program = link(assembleShader(fragment, definitions, preamble), fragment);
+  return *program;
+}
+
+void PreviewResources::drawFullscreen() {
+  glBindVertexArray(vertexArray_);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindVertexArray(0);
+}
+
+bool PreviewResources::decode(const EnsembleCode& code, GLuint& texture) {
+  if (!decodesCodes_) return false;
+  const CodeTexels texels = codeTexels(*code.ensemble, code.code);
+  if (!CodeDecoder::fits(*this, texels)) return false;
+  try {
+    decoder_.decode(*this, *this, texels, texture);
+  } catch (const Error&) {
+    decodesCodes_ = false;  // the decoded table is at hand
+  }
+  return decodesCodes_;
+}
+
+std::shared_ptr<const TableTexture> PreviewResources::table(const std::shared_ptr<const TabulatedBrdf>& table,
+                                                            const std::shared_ptr<const EnsembleCode>& code) {
+  if (!table) return nullptr;
+  std::erase_if(tables_, [](const auto& entry) { return entry.second.expired(); });
+  auto& known = tables_[table];
+  if (auto texture = known.lock()) return texture;
+  auto texture = std::make_shared<TableTexture>();
+  texture->phiPeriod = table->grid().phiDPeriod();
+  if (!code || !decode(*code, texture->name))
+    uploadTable(*this, texture->name, table->grid(), table->values(), table->valid());
+  known = texture;
+  return texture;
+}
+
+std::shared_ptr<const MixtureTextures> PreviewResources::mixture(
+    const std::shared_ptr<const editing::TransformedMixture>& mixture) {
+  std::erase_if(mixtures_, [](const auto& entry) { return entry.second.expired(); });
+  auto& known = mixtures_[mixture];
+  if (auto textures = known.lock()) return textures;
+  auto textures = std::make_shared<MixtureTextures>();
+  for (const editing::TransformedTable& table : mixture->tables) {
+    auto& texture = *textures->tables.emplace_back(std::make_unique<TableTexture>());
+    texture.phiPeriod = table.grid.phiDPeriod();
+    uploadTable(*this, texture.name, table.grid, table.values, table.valid);
+  }
+  known = textures;
+  return textures;
+}
+
+void PreviewResources::bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
+  if (environment != uploadedEnvironment_) {
+    glActiveTexture(GL_TEXTURE0 + environmentUnit);
+    uploadEnvironment(*this, environmentTexture_, lightPoolTexture_, lightPoolRadianceTexture_,
+                      *environmentTexels(environment));
+    uploadedEnvironment_ = environment;
+  }
+  glActiveTexture(GL_TEXTURE0 + environmentUnit);
+  glBindTexture(GL_TEXTURE_2D, environmentTexture_);
+  glActiveTexture(GL_TEXTURE0 + lightPoolUnit);
+  glBindTexture(GL_TEXTURE_2D, lightPoolTexture_);
+  glActiveTexture(GL_TEXTURE0 + lightPoolRadianceUnit);
+  glBindTexture(GL_TEXTURE_2D, lightPoolRadianceTexture_);
+}
+
+void PreviewResources::bindColourMap(bool isSigned) {
+  glActiveTexture(GL_TEXTURE0 + colourMapUnit);
+  if (!colourMaps_[isSigned]) uploadColourMap(isSigned);
+  glBindTexture(GL_TEXTURE_2D, colourMaps_[isSigned]);
+}
+
+void PreviewResources::uploadColourMap(bool isSigned) {
+  constexpr int size = 256;
+  std::vector<glm::vec4> texels;
+  for (int i = 0; i < size; ++i) {
+    const double x = i / (size - 1.0);
+    const DisplayColour colour = isSigned ? signedColour(2 * x - 1) : viridis(x);
+    texels.push_back(glm::vec4(colour[0], colour[1], colour[2], 255) / 255.f);
+  }
+  uploadColours(*this, colourMaps_[isSigned], size, texels);
+}
+
+}  // namespace gonio::widgets

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/gl/scene_uniforms.h"
+
+#include <algorithm>
+#include <glm/vec4.hpp>
+
+namespace gonio::widgets {
+
+namespace {
+
+constexpr float lookedAt = 0, diffuse = 1, emitting = 2;  // of preview/scene_shapes.glsl
+
+glm::vec4 colourOf(const SceneObject& object) {
+  if (object.emits()) return glm::vec4(object.radiance, emitting);
+  if (const auto* surface = std::get_if<Diffuse>(&object.material)) return glm::vec4(surface->reflectance, diffuse);
+  return {0, 0, 0, lookedAt};
+}
+
+/// The shader's numbers of the objects: spheres, rectangles, lamps.
+std::vector<std::size_t> drawnOrder(const Scene& scene) {
+  std::vector<std::size_t> order;
+  const auto rank = [&](std::size_t i) {
+    const SceneObject& object = scene.objects[i];
+    return object.emits() ? 2 : std::holds_alternative<Sphere>(object.shape) ? 0 : 1;
+  };
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) order.push_back(i);
+  std::ranges::stable_sort(order, {}, rank);
+  return order;
+}
+
+}  // namespace
+
+bool SceneUniforms::canDraw(const Scene& scene) {
+  const auto analytic = [](const SceneObject& object) { return !std::holds_alternative<MeshShape>(object.shape); };
+  return !scene.objects.empty() && scene.objects.size() <= mostObjects &&
+         scene.directionalLights.size() <= mostLights && scene.pointLights.size() <= mostLights &&
+         std::ranges::all_of(scene.objects, analytic);
+}
+
+SceneUniforms::SceneUniforms(const Scene& scene, const EffectPlan& plan) {
+  addObjects(scene, plan);
+  addLights(scene, plan);
+  reflections_ = std::clamp(plan.reflections, 1, mostReflections);
+  const bool emitted = plan.simulates(Effect::emittedLight);
+  showLamps_ = emitted && lamps_ > 0;
+  showEnvironment_ = emitted && scene.environment && scene.showEnvironment;
+}
+
+void SceneUniforms::addObjects(const Scene& scene, const EffectPlan& plan) {
+  const std::vector<std::size_t> order = drawnOrder(scene);
+  std::vector<int> numbers(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) numbers[order[i]] = int(i);
+  bool anyBlocks = false;
+  for (const std::size_t index : order) {
+    const SceneObject& object = scene.objects[index];
+    colours_.push_back(colourOf(object));
+    diffuse_ = diffuse_ || colours_.back().w == diffuse;
+    lamps_ += object.emits();
+    if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
+      spheres_.emplace_back(sphere->centre, sphere->radius);
+    } else {
+      const auto& rectangle = std::get<Rectangle>(object.shape);
+      centres_.emplace_back(rectangle.centre);
+      sides_.emplace_back(rectangle.halfU);
+      sides_.emplace_back(rectangle.halfV);
+    }
+    int bits = 0;
+    for (const auto& ofLight : plan.blockers[index])
+      for (const std::size_t blocker : ofLight) bits |= 1 << numbers[blocker];
+    blockers_.push_back(bits);
+    anyBlocks = anyBlocks || bits != 0;
+  }
+  if (!anyBlocks) blockers_.clear();
+}
+
+void SceneUniforms::addLights(const Scene& scene, const EffectPlan& plan) {
+  for (const SceneLight& light : plan.lights) {
+    const bool distant = light.kind == SceneLight::Kind::environment;
+    if (!plan.simulates(distant ? Effect::environmentLight : Effect::directLight)) continue;
+    switch (light.kind) {
+      case SceneLight::Kind::environment:
+        lightEnvironment_ = true;
+        break;
+      case SceneLight::Kind::directional:
+        distantDirections_.emplace_back(scene.directionalLights[light.index].toLight);
+        distantIrradiances_.emplace_back(scene.directionalLights[light.index].irradiance);
+        break;
+      case SceneLight::Kind::point:
+        pointPositions_.emplace_back(scene.pointLights[light.index].position);
+        pointIntensities_.emplace_back(scene.pointLights[light.index].intensity);
+        break;
+      case SceneLight::Kind::rectangle:
+        lightLamps_ = true;
+        drawLamps_ = plan.simulates(Effect::areaLightSampling);
+        break;
+    }
+  }
+}
+
+QStringList SceneUniforms::definitions() const {
+  const auto count = [](const char* name, std::size_t number) { return QString("%1 %2").arg(name).arg(number); };
+  QStringList result{count("SPHERES", spheres_.size()), count("RECTANGLES", centres_.size()),
+                     count("DISTANT_LIGHTS", distantDirections_.size()), count("POINT_LIGHTS", pointPositions_.size()),
+                     count("LAMPS", std::size_t(lamps_))};
+  for (const auto& [wanted, name] : {std::pair{diffuse_, "DIFFUSE_OBJECTS"},
+                                     {lightEnvironment_, "LIGHT_ENVIRONMENT"},
+                                     {showEnvironment_, "SHOW_ENVIRONMENT"},
+                                     {showLamps_, "SHOW_LAMPS"},
+                                     {lightLamps_, "LIGHT_LAMPS"},
+                                     {drawLamps_, "DRAW_LAMPS"},
+                                     {reflections_ > 1, "INTERREFLECTION"},
+                                     {!blockers_.empty(), "SHADOWS"}})
+    if (wanted) result << name;
+  return result;
+}
+
+void SceneUniforms::set(QOpenGLShaderProgram& program) const {
+  const auto vectors = [&](const char* name, const std::vector<glm::vec3>& values) {
+    if (!values.empty()) program.setUniformValueArray(name, &values.front().x, int(values.size()), 3);
+  };
+  const auto wide = [&](const char* name, const std::vector<glm::vec4>& values) {
+    if (!values.empty()) program.setUniformValueArray(name, &values.front().x, int(values.size()), 4);
+  };
+  wide("spheres", spheres_);
+  wide("objectColours", colours_);
+  vectors("rectangleCentres", centres_);
+  vectors("rectangleSides", sides_);
+  vectors("distantDirections", distantDirections_);
+  vectors("distantIrradiances", distantIrradiances_);
+  vectors("pointPositions", pointPositions_);
+  vectors("pointIntensities", pointIntensities_);
+  if (reflections_ > 1) program.setUniformValue("reflections", reflections_);
+  if (!blockers_.empty()) program.setUniformValueArray("blockers", blockers_.data(), int(blockers_.size()));
+}
+
+EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const TracedMaterial>& material,
+                       const EffectOverrides& overrides, const TracedMaterials& others) {
+  return planEffects(scene, bindMaterials(scene, lookedAtMaterials(scene, material, others)), overrides);
+}
+
+}  // namespace gonio::widgets
