@@ -63,7 +63,7 @@ struct Rendered {
   double seconds = 0;
 };
 
-Rendered renderPicture(const PathTracer& tracer, const SphereRenderOptions& size, const Tool& tool) {
+Rendered renderPicture(const PathTracer& tracer, const RenderOptions& size, const Tool& tool) {
   Rendered result{Film(size.width, size.height)};
   const auto start = std::chrono::steady_clock::now();
   tracer.accumulate(result.film, size.samples, tool.control("rendering"));
@@ -72,7 +72,7 @@ Rendered renderPicture(const PathTracer& tracer, const SphereRenderOptions& size
 }
 
 /// Adds the figures of each sampling strategy to the result.
-void measureStrategies(const PathTracer& tracer, const Materials& materials, const SphereRenderOptions& size,
+void measureStrategies(const PathTracer& tracer, const Materials& materials, const RenderOptions& size,
                        const Tool& tool, Json& json, std::string& text) {
   const std::vector<StrategyCost> costs = measureStrategyCosts(
       tracer.scene(), materials, tracer.plan(),
@@ -96,7 +96,7 @@ int render(const Options& options, const Tool& tool) {
   if (options.out.empty() && !options.effects && !options.costs && !options.strategies)
     throw UsageError("--out: found nothing, expected a picture to write (or --effects alone)");
   if (!options.out.empty()) checkPicture(options.out);
-  const SphereRenderOptions size = options.picture->renderOptions();
+  const RenderOptions size = options.picture->renderOptions();
   Scene scene = openScene(options.scene, int(options.materials.size()));
   requirePlaces(scene, options.materials.size());
   options.picture->apply(scene);

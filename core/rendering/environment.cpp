@@ -200,4 +200,6 @@ EnvironmentMap::Sample EnvironmentMap::sampleAbove(const Direction& normal, doub
   return at(place);
 }
 
+EnvironmentRotation::EnvironmentRotation(double angle) : c_(std::cos(angle)), s_(std::sin(angle)) {}
+
 }  // namespace gonio

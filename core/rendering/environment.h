@@ -70,6 +70,19 @@ class EnvironmentMap {
   std::vector<double> solidAngles_;                              ///< of a pixel in each row, sr
 };
 
+/// The turn of an environment about +y: from a world direction to the direction of the environment's picture that is
+/// seen there, and back. With c, s the cosine and sine of the angle (rad): (x c + z s, y, z c - x s). Positive angles
+/// turn the surroundings from -z toward +x.
+class EnvironmentRotation {
+ public:
+  explicit EnvironmentRotation(double angle);
+  Direction toEnvironment(const Direction& w) const { return {w.x * c_ + w.z * s_, w.y, w.z * c_ - w.x * s_}; }
+  Direction fromEnvironment(const Direction& w) const { return {w.x * c_ - w.z * s_, w.y, w.z * c_ + w.x * s_}; }
+
+ private:
+  double c_, s_;
+};
+
 /// Made by the project itself, 512 x 256: a photo studio with soft boxes, and a clear sky with a sun.
 std::shared_ptr<const EnvironmentMap> studioEnvironment();
 std::shared_ptr<const EnvironmentMap> skyEnvironment();

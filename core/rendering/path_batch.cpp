@@ -14,12 +14,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Reflections that every path takes before chance may end it.
 constexpr int certainReflections = 3;
 
-/// Any frame about a normal (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
-ShadingFrame anyFrame(const Direction& n) {
-  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-  return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
-}
-
 /// The weight of a direction that was sampled with a density, where another strategy samples it with the other density:
 /// one sample each, the exponent 2 (Veach 1997, section 9.2.4). It disturbs a good strategy less than the balance
 /// heuristic does.
@@ -45,7 +39,7 @@ std::span<const PathTracer::PathBatch::Result> PathTracer::PathBatch::trace(std:
 }
 
 void PathTracer::PathBatch::enter(const Start& start, std::size_t result) {
-  const Ray ray{start.ray.origin, start.ray.direction};
+  const Ray& ray = start.ray;
   ++counters_.camera;
   std::size_t object = 0;
   double nearest = infinity;

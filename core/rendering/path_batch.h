@@ -5,6 +5,7 @@
 #include "core/rendering/light_sampling.h"
 #include "core/rendering/path_samples.h"
 #include "core/rendering/path_tracer.h"
+#include "core/rendering/shading_frame.h"
 
 namespace gonio {
 
@@ -18,7 +19,7 @@ class PathTracer::PathBatch {
   struct Start {
     std::size_t pixel;
     PathSeed seed;
-    CameraRay ray;
+    Ray ray;
   };
   struct Result {
     Rgb radiance{0};       ///< along the camera's ray

@@ -14,17 +14,13 @@ int lookedAtCount(const Scene& scene) {
   return count;
 }
 
-Scene sceneOf(const SphereScene& sphere) {
+Scene sphereScene(std::shared_ptr<const EnvironmentMap> environment, const OrbitCamera& camera) {
   Scene scene;
   scene.name = "sphere";
-  scene.camera = sphere.camera;
+  scene.camera = camera;
   scene.objects.push_back({.name = "sphere", .shape = Sphere{}});
-  if (sphere.environment)
-    scene.environment = sphere.environment;
-  else
-    scene.directionalLights.push_back(sphere.light);
-  scene.environmentRotation = sphere.environmentRotation;
-  scene.showEnvironment = sphere.showEnvironment;
+  if (!environment) scene.directionalLights.emplace_back();
+  scene.environment = std::move(environment);
   return scene;
 }
 

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/rendering/camera.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/shape.h"
-#include "core/rendering/sphere_scene.h"
 
 namespace gonio {
 
@@ -31,6 +32,12 @@ struct SceneObject {
   bool emits() const { return maxChannel(radiance) > 0; }
 };
 
+/// Radiance that arrives from one direction.
+struct DirectionalLight {
+  Direction toLight{0.4082482904638631, 0.4082482904638631, 0.8164965809277261};  ///< world, unit
+  Rgb irradiance{pi};                                                             ///< perpendicular to the direction
+};
+
 /// Light from one point: radiant intensity, linear RGB per sr.
 struct PointLight {
   Direction position{0, 4, 0};
@@ -46,14 +53,15 @@ struct Scene {
   std::vector<DirectionalLight> directionalLights;
   std::vector<PointLight> pointLights;
   std::shared_ptr<const EnvironmentMap> environment;
-  double environmentRotation = 0;  ///< rad about +y, as of SphereScene
+  double environmentRotation = 0;  ///< rad, see EnvironmentRotation
   bool showEnvironment = false;    ///< draw the environment behind the objects (else black, alpha 0)
 };
 
 /// One more than the highest number of a material that is looked at: how many the scene asks for.
 int lookedAtCount(const Scene& scene);
 
-/// The one sphere with the lights of `sphere`: what previews and thumbnails show, as a scene.
-Scene sceneOf(const SphereScene& sphere);
+/// The unit sphere at the origin in an environment, or, where that is null, in the default directional light: what
+/// previews and thumbnails show.
+Scene sphereScene(std::shared_ptr<const EnvironmentMap> environment = nullptr, const OrbitCamera& camera = {});
 
 }  // namespace gonio

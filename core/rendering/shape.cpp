@@ -81,6 +81,12 @@ ShapeHit shapeHit(const Shape& shape, const Ray& ray, double t) {
   return {t, position - glm::dot(position - rectangle.centre, normal) * normal, normal, normal};
 }
 
+std::optional<ShapeHit> nearestHit(const Shape& shape, const Ray& ray) {
+  const double distance = nearestDistance(shape, ray, 0, noHit);
+  if (!std::isfinite(distance)) return std::nullopt;
+  return shapeHit(shape, ray, distance);
+}
+
 Direction leavingPoint(const Shape& shape, const ShapeHit& hit) {
   if (const auto* mesh = std::get_if<MeshShape>(&shape))
     return offsetOrigin(hit.position, hit.geometricNormal, (*mesh)->mesh().boundingSphere().radius);

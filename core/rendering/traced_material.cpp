@@ -8,8 +8,8 @@ namespace gonio {
 
 namespace {
 
-std::optional<SamplingLobe> lobeOf(const Brdf& brdf, std::optional<SamplingLobe> lobe) {
-  if (brdf.samplesItself()) return std::nullopt;
+std::optional<SamplingLobe> lobeOf(const Brdf& brdf, std::optional<SamplingLobe> lobe, TracedMaterial::LobeUse use) {
+  if (brdf.samplesItself() && !(lobe && use == TracedMaterial::LobeUse::always)) return std::nullopt;
   return lobe ? lobe : estimateSamplingLobe(brdf);
 }
 
@@ -29,9 +29,9 @@ class DiffuseBrdf final : public Brdf {
 
 }  // namespace
 
-TracedMaterial::TracedMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe)
+TracedMaterial::TracedMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe, LobeUse use)
     : brdf_(std::move(brdf)),
-      lobe_(lobeOf(*brdf_, lobe)),
+      lobe_(lobeOf(*brdf_, lobe, use)),
       bound_(*brdf_, [this](const Direction& wo, const glm::dvec3& u) { return sample(wo, u); }) {}
 
 std::shared_ptr<const TracedMaterial> diffuseMaterial(const Rgb& reflectance) {

@@ -14,9 +14,13 @@ namespace gonio {
 /// asks of it. Immutable.
 class TracedMaterial {
  public:
-  /// Models and factors are drawn from their own densities; what has none (tables, codes, edits) from the lobe, which
+  /// Whether a lobe that is given also takes the place of a density of the BRDF's own.
+  enum class LobeUse { whereNeeded, always };
+
+  /// Models and factors are sampled from their own densities; what has none (tables, codes, edits) from the lobe, which
   /// is estimated where absent. Some ms; up to 50 ms for a sparse code.
-  explicit TracedMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt);
+  explicit TracedMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt,
+                          LobeUse use = LobeUse::whereNeeded);
 
   const Brdf& brdf() const { return *brdf_; }
   /// Contracts of Brdf::sample() and pdf().

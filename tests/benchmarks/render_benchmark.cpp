@@ -3,22 +3,18 @@
 #include <benchmark/benchmark.h>
 
 #include "core/editing/differential_edit.h"
-#include "core/rendering/path_tracer.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 #include "tests/benchmarks/materials.h"
 
 using namespace gonio;
 
 namespace {
 
-const SphereRenderOptions thumbnail = [] {
-  SphereRenderOptions options;
-  options.width = options.height = 128;
-  options.samples = 64;
-  return options;
-}();
+enum class Kind { model, table, edited };
 
-std::shared_ptr<const Brdf> edited() {
+std::shared_ptr<const Brdf> materialOf(Kind kind) {
+  if (kind == Kind::model) return benchmarks::plastic();
+  if (kind == Kind::table) return benchmarks::plasticTable();
   const models::ModelSpec& spec = models::ggx().spec();
   editing::DifferentialEdit edit{
       .model = &models::ggx(), .fitted = models::defaultParameters(spec), .edited = models::defaultParameters(spec)};
@@ -26,47 +22,27 @@ std::shared_ptr<const Brdf> edited() {
   return editing::applyEdits(benchmarks::plasticTable(), std::span(&edit, 1));
 }
 
-std::shared_ptr<const Brdf> material(int kind) {
-  if (kind == 0) return benchmarks::plastic();
-  if (kind == 1) return benchmarks::plasticTable();
-  return edited();
+/// The lone sphere of previews, thumbnails and rendered SNRs.
+void renderSphere(benchmark::State& state, Kind kind, bool inStudio) {
+  const auto brdf = materialOf(kind);
+  const Scene scene = sphereScene(inStudio ? studioEnvironment() : nullptr);
+  const RenderOptions options{.width = 128, .height = 128, .samples = 64, .lobe = {}};
+  for (auto _ : state) benchmark::DoNotOptimize(renderPicture(*brdf, scene, options));
 }
+void inStudio(benchmark::State& state, Kind kind) { renderSphere(state, kind, true); }
+void inDistantLight(benchmark::State& state, Kind kind) { renderSphere(state, kind, false); }
 
-SphereScene sceneOfKind(bool directional) { return directional ? SphereScene{} : comparisonScene(); }
-
-Image bySphereRenderer(const Brdf& brdf, const SphereScene& scene, int samples, std::uint64_t seed) {
-  SphereRenderOptions options = thumbnail;
-  options.samples = samples;
-  options.seed = seed;
-  return renderSphere(brdf, scene, options);
-}
-
-Image byPathTracer(const std::shared_ptr<const Brdf>& brdf, const SphereScene& sphere, int samples,
-                   std::uint64_t seed) {
-  const Scene scene = sceneOf(sphere);
-  const std::vector lookedAt{std::make_shared<const TracedMaterial>(brdf)};
-  const auto materials = bindMaterials(scene, lookedAt);
-  Film film(thumbnail.width, thumbnail.height);
-  PathTracer(scene, materials, planEffects(scene, materials), seed).accumulate(film, samples);
-  return film.image();
-}
-
-template <bool traced>
-void renderLoneSphere(benchmark::State& state) {
-  const auto brdf = material(int(state.range(0)));
-  const SphereScene scene = sceneOfKind(state.range(1));
-  const auto render = [&](int samples, std::uint64_t seed) {
-    return traced ? byPathTracer(brdf, scene, samples, seed) : bySphereRenderer(*brdf, scene, samples, seed);
-  };
-  for (auto _ : state) benchmark::DoNotOptimize(render(thumbnail.samples, 1));
-}
-BENCHMARK(renderLoneSphere<false>)
-    ->ArgsProduct({{0, 1, 2}, {0, 1}})
+BENCHMARK_CAPTURE(inStudio, model, Kind::model)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(inStudio, table, Kind::table)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(inStudio, edited, Kind::edited)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
-BENCHMARK(renderLoneSphere<true>)
-    ->ArgsProduct({{0, 1, 2}, {0, 1}})
+BENCHMARK_CAPTURE(inDistantLight, model, Kind::model)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(inDistantLight, table, Kind::table)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();

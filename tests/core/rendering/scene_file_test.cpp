@@ -11,8 +11,8 @@
 #include "core/io/image_io.h"
 #include "core/rendering/bundled_scenes.h"
 #include "core/rendering/environment_file.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_light.h"
-#include "core/rendering/sphere_renderer.h"
 #include "core/support/error.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
@@ -165,7 +165,7 @@ class SceneFileTest : public QObject {
 
   /// "sphere" is what previews and rendered SNRs show.
   void theSphereIsTheComparisonScene() {
-    const Scene file = openScene("sphere"), made = sceneOf(comparisonScene());
+    const Scene file = openScene("sphere"), made = comparisonScene();
     QVERIFY(file.environment == made.environment && file.environmentRotation == made.environmentRotation);
     QCOMPARE(file.camera.distance, made.camera.distance);
     QCOMPARE(file.camera.fieldOfView, made.camera.fieldOfView);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/rendering/sphere_scene.h"
+#include "core/rendering/camera.h"
 
 #include <cmath>
 
@@ -24,17 +24,8 @@ glm::dvec2 viewExtent(const CameraFrame& frame, double aspect) {
   return frame.halfExtent * (aspect > 1 ? glm::dvec2(aspect, 1) : glm::dvec2(1, 1 / aspect));
 }
 
-CameraRay cameraRay(const CameraFrame& frame, double x, double y, double aspect) {
+Ray cameraRay(const CameraFrame& frame, double x, double y, double aspect) {
   return cameraRay(frame, glm::dvec2(x, y) * viewExtent(frame, aspect));
 }
-
-std::optional<Direction> sphereHit(const CameraRay& ray) {
-  const Direction closest = ray.origin - glm::dot(ray.origin, ray.direction) * ray.direction;
-  const double depth2 = 1 - glm::dot(closest, closest);
-  if (!(depth2 > 0)) return std::nullopt;
-  return glm::normalize(closest - std::sqrt(depth2) * ray.direction);
-}
-
-EnvironmentRotation::EnvironmentRotation(double angle) : c_(std::cos(angle)), s_(std::sin(angle)) {}
 
 }  // namespace gonio
