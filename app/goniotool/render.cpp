@@ -13,7 +13,7 @@ namespace gonio::tool {
 
 namespace {
 
-using Materials = std::vector<std::shared_ptr<const TracedMaterial>>;
+using Materials = std::vector<std::shared_ptr<const RenderMaterial>>;
 
 struct Options {
   std::vector<std::string> materials, on, off;
@@ -38,7 +38,7 @@ std::vector<std::string> effectIds() {
 }
 
 void requirePlaces(const Scene& scene, std::size_t materials) {
-  const std::size_t places = std::size_t(std::max(1, lookedAtCount(scene)));
+  const std::size_t places = std::size_t(std::max(1, materialSlotCount(scene)));
   if (materials > places)
     throw UsageError("MATERIAL: found " + std::to_string(materials) + ", expected at most " + std::to_string(places) +
                      ", as many as the scene '" + scene.name + "' shows");
@@ -48,7 +48,7 @@ Materials openMaterials(const Options& options, const Tool& tool) {
   Materials materials;
   for (const std::string& material : options.materials)
     materials.push_back(
-        std::make_shared<const TracedMaterial>(openMaterial(material, tool.control("reading " + material)).brdf));
+        std::make_shared<const RenderMaterial>(openMaterial(material, tool.control("reading " + material)).brdf));
   return materials;
 }
 

@@ -109,7 +109,7 @@ void PathTracer::PathBatch::sampleLight(std::size_t light, Path& path, const glm
   double weight = wi.z;
   if (hasSize(source)) {
     if (!(sample.density > 0)) return;
-    const TracedMaterial& material = *tracer_.materials_[path.object];
+    const RenderMaterial& material = *tracer_.materials_[path.object];
     const double other = tracer_.strategy_ == Strategy::both ? material.pdf(wi, path.wo) : 0;
     weight *= powerHeuristic(sample.density, other) / sample.density;
   }
@@ -132,7 +132,7 @@ void PathTracer::PathBatch::sampleMaterials(int reflection) {
     path.sample.pdf = 0;
     if (!tracer_.findsLights_[path.object] && !goesOn(path, reflection)) continue;
     const glm::dvec2 u = directions.pair(path.seed);
-    const TracedMaterial& material = *tracer_.materials_[path.object];
+    const RenderMaterial& material = *tracer_.materials_[path.object];
     path.sample = material.sample(path.wo, {lobes.number(path.seed), u.x, u.y});
     path.toward = path.frame.toWorld(path.sample.wi);
     if (!(glm::dot(path.geometricNormal, path.toward) > 0)) path.sample.pdf = 0;

@@ -11,7 +11,7 @@
 
 namespace gonio {
 
-PathTracer::PathTracer(Scene scene, std::vector<std::shared_ptr<const TracedMaterial>> materials, EffectPlan plan,
+PathTracer::PathTracer(Scene scene, std::vector<std::shared_ptr<const RenderMaterial>> materials, EffectPlan plan,
                        std::uint64_t seed, Strategy strategy)
     : scene_(std::move(scene)),
       materials_(std::move(materials)),

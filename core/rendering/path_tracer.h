@@ -19,7 +19,7 @@ class PathTracer {
   enum class Strategy { both, lights, materials };
 
   /// @param materials of bindMaterials(), of which the plan was made.
-  PathTracer(Scene scene, std::vector<std::shared_ptr<const TracedMaterial>> materials, EffectPlan plan,
+  PathTracer(Scene scene, std::vector<std::shared_ptr<const RenderMaterial>> materials, EffectPlan plan,
              std::uint64_t seed = 1, Strategy strategy = Strategy::both);
 
   const Scene& scene() const { return scene_; }
@@ -37,7 +37,7 @@ class PathTracer {
   std::vector<std::size_t> candidatesOf(std::size_t object) const;
 
   Scene scene_;
-  std::vector<std::shared_ptr<const TracedMaterial>> materials_;
+  std::vector<std::shared_ptr<const RenderMaterial>> materials_;
   EffectPlan plan_;
   std::uint64_t seed_;
   Strategy strategy_;

@@ -4,15 +4,15 @@
 
 namespace gonio {
 
-std::shared_ptr<const TracedMaterial> pictureMaterial(const Brdf& brdf, const RenderOptions& options) {
+std::shared_ptr<const RenderMaterial> pictureMaterial(const Brdf& brdf, const RenderOptions& options) {
   // Without ownership: the caller keeps the BRDF for as long.
   const std::shared_ptr<const Brdf> borrowed(std::shared_ptr<const Brdf>(), &brdf);
-  return std::make_shared<const TracedMaterial>(borrowed, options.lobe, TracedMaterial::LobeUse::always);
+  return std::make_shared<const RenderMaterial>(borrowed, options.lobe, RenderMaterial::LobeUse::always);
 }
 
-Image renderPicture(const std::shared_ptr<const TracedMaterial>& material, const Scene& scene,
+Image renderPicture(const std::shared_ptr<const RenderMaterial>& material, const Scene& scene,
                     const RenderOptions& options, const TaskControl& control) {
-  const TracedMaterials materials = bindMaterials(scene, lookedAtMaterials(scene, material));
+  const RenderMaterials materials = bindMaterials(scene, materialsInSlots(scene, material));
   EffectOverrides overrides;
   // Isotropic and anisotropic materials share their noise only by equal frames.
   overrides[std::size_t(Effect::anisotropicFrames)] = true;

@@ -16,7 +16,7 @@ struct RenderOptions {
 };
 
 /// The material of a picture with these options.
-std::shared_ptr<const TracedMaterial> pictureMaterial(const Brdf& brdf, const RenderOptions& options);
+std::shared_ptr<const RenderMaterial> pictureMaterial(const Brdf& brdf, const RenderOptions& options);
 
 /// A picture of a scene whose objects all have the one material, by the effects that the scene calls for and frames
 /// along the surfaces: linear RGB radiance, the same bits for any number of threads. `brdf` is not kept.
@@ -24,7 +24,7 @@ std::shared_ptr<const TracedMaterial> pictureMaterial(const Brdf& brdf, const Re
 Image renderPicture(const Brdf& brdf, const Scene& scene, const RenderOptions& options,
                     const TaskControl& control = {});
 /// The same of pictureMaterial(), for several pictures of one material.
-Image renderPicture(const std::shared_ptr<const TracedMaterial>& material, const Scene& scene,
+Image renderPicture(const std::shared_ptr<const RenderMaterial>& material, const Scene& scene,
                     const RenderOptions& options, const TaskControl& control = {});
 
 /// The scene of every rendered SNR in Gonio, named "sphere-studio": the sphere with the default camera in the studio.

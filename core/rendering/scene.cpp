@@ -6,11 +6,11 @@
 
 namespace gonio {
 
-int lookedAtCount(const Scene& scene) {
+int materialSlotCount(const Scene& scene) {
   int count = 0;
   for (const SceneObject& object : scene.objects)
-    if (const auto* lookedAt = std::get_if<LookedAt>(&object.material); lookedAt && !object.emits())
-      count = std::max(count, lookedAt->number + 1);
+    if (const auto* slot = std::get_if<MaterialSlot>(&object.material); slot && !object.emits())
+      count = std::max(count, slot->number + 1);
   return count;
 }
 

@@ -11,22 +11,22 @@
 
 namespace gonio {
 
-/// What an object is made of: one of the materials that are looked at, by its number, or a white Lambertian surface of
-/// some reflectance (linear RGB, 0 to 1), which grounds and backdrops have.
-struct LookedAt {
+/// What an object is made of: the material in one of the scene's slots, which the user fills, or a Lambertian surface
+/// of some reflectance (linear RGB, 0 to 1), which grounds and backdrops have.
+struct MaterialSlot {
   int number = 0;
 };
 struct Diffuse {
   Rgb reflectance{0.5};
 };
-using SceneMaterial = std::variant<LookedAt, Diffuse>;
+using SceneMaterial = std::variant<MaterialSlot, Diffuse>;
 
 /// One thing in a scene. A rectangle may emit: then it sends `radiance` (linear RGB) from its front, equal in all
 /// directions, and reflects nothing.
 struct SceneObject {
   std::string name;
   Shape shape;
-  SceneMaterial material = LookedAt{};
+  SceneMaterial material = MaterialSlot{};
   Rgb radiance{0};
 
   bool emits() const { return maxChannel(radiance) > 0; }
@@ -57,8 +57,8 @@ struct Scene {
   bool showEnvironment = false;    ///< draw the environment behind the objects (else black, alpha 0)
 };
 
-/// One more than the highest number of a material that is looked at: how many the scene asks for.
-int lookedAtCount(const Scene& scene);
+/// One more than the highest number of a slot: how many materials the scene asks for.
+int materialSlotCount(const Scene& scene);
 
 /// The unit sphere at the origin in an environment, or, where that is null, in the default directional light: what
 /// previews and thumbnails show.

@@ -87,7 +87,7 @@ class PreviewRendererTest : public QObject {
   /// followed as far as the shader follows them.
   void scenesAreThoseOfThePathTracer() {
     const auto table = bakedModel("ggx", {{"roughness", 0.3}, {"f0", 0.6}});
-    const auto material = std::make_shared<const TracedMaterial>(table);
+    const auto material = std::make_shared<const RenderMaterial>(table);
     for (const std::string& name : bundledSceneNames()) {
       const Scene scene = openScene(name, 2);
       if (!widgets::SceneUniforms::canDraw(scene)) continue;
@@ -99,8 +99,8 @@ class PreviewRendererTest : public QObject {
       renderer_->setSize({side, side});
       for (int i = 0; i < 16; ++i) renderer_->accumulate(64);
       Film film(side, side);
-      const std::vector lookedAt(2, material);
-      PathTracer(scene, bindMaterials(scene, lookedAt), plan, 7).accumulate(film, 512);
+      const std::vector slotMaterials(2, material);
+      PathTracer(scene, bindMaterials(scene, slotMaterials), plan, 7).accumulate(film, 512);
       const double snr = metrics::signalToNoiseRatio(film.image(), renderer_->readPicture());
       qInfo("%s: %.1f dB", name.c_str(), snr);
       QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name.c_str()).arg(snr)));

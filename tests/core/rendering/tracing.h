@@ -12,10 +12,10 @@
 /// Small pictures by the path tracer, and whether two estimates of a picture agree within their own noise.
 namespace gonio::testing {
 
-using Material = std::shared_ptr<const TracedMaterial>;
+using Material = std::shared_ptr<const RenderMaterial>;
 
 inline Material traced(std::shared_ptr<const Brdf> brdf) {
-  return std::make_shared<const TracedMaterial>(std::move(brdf));
+  return std::make_shared<const RenderMaterial>(std::move(brdf));
 }
 
 struct TraceOptions {
@@ -26,8 +26,8 @@ struct TraceOptions {
 };
 
 inline PathTracer tracerOf(const Scene& scene, const Material& material, const TraceOptions& options = {}) {
-  const std::vector<Material> lookedAt(std::size_t(std::max(1, lookedAtCount(scene))), material);
-  const auto bound = bindMaterials(scene, lookedAt);
+  const std::vector<Material> slotMaterials(std::size_t(std::max(1, materialSlotCount(scene))), material);
+  const auto bound = bindMaterials(scene, slotMaterials);
   return PathTracer(scene, bound, planEffects(scene, bound, options.overrides), options.seed, options.strategy);
 }
 

@@ -10,16 +10,16 @@
 
 namespace gonio {
 
-/// A material as rendering needs it: its reflectance, a density to draw its reflections from, and what the effect plan
-/// asks of it. Immutable.
-class TracedMaterial {
+/// A material as rendering needs it: its BRDF, a density to sample directions from, and what the effect plan asks of
+/// it. Immutable.
+class RenderMaterial {
  public:
   /// Whether a lobe that is given also takes the place of a density of the BRDF's own.
   enum class LobeUse { whereNeeded, always };
 
   /// Models and factors are sampled from their own densities; what has none (tables, codes, edits) from the lobe, which
   /// is estimated where absent. Some ms; up to 50 ms for a sparse code.
-  explicit TracedMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt,
+  explicit RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt,
                           LobeUse use = LobeUse::whereNeeded);
 
   const Brdf& brdf() const { return *brdf_; }
@@ -31,8 +31,8 @@ class TracedMaterial {
   const ReflectionBound& bound() const { return bound_; }
 
  private:
-  friend std::shared_ptr<const TracedMaterial> diffuseMaterial(const Rgb& reflectance);
-  TracedMaterial(std::shared_ptr<const Brdf> brdf, const ReflectionBound& bound)
+  friend std::shared_ptr<const RenderMaterial> diffuseMaterial(const Rgb& reflectance);
+  RenderMaterial(std::shared_ptr<const Brdf> brdf, const ReflectionBound& bound)
       : brdf_(std::move(brdf)), bound_(bound) {}
 
   std::shared_ptr<const Brdf> brdf_;
@@ -41,19 +41,19 @@ class TracedMaterial {
 };
 
 /// A Lambertian material; `reflectance` in linear RGB. Nothing is estimated.
-std::shared_ptr<const TracedMaterial> diffuseMaterial(const Rgb& reflectance);
+std::shared_ptr<const RenderMaterial> diffuseMaterial(const Rgb& reflectance);
 
-using TracedMaterials = std::vector<std::shared_ptr<const TracedMaterial>>;
+using RenderMaterials = std::vector<std::shared_ptr<const RenderMaterial>>;
 
-/// The materials that a scene looks at: number 0 is `first`, number i is others[i - 1], or `first` again where there is
+/// The materials of a scene's slots: slot 0 has `first`, slot i has others[i - 1], or `first` again where there is
 /// none.
-TracedMaterials lookedAtMaterials(const Scene& scene, const std::shared_ptr<const TracedMaterial>& first,
-                                  const TracedMaterials& others = {});
+RenderMaterials materialsInSlots(const Scene& scene, const std::shared_ptr<const RenderMaterial>& first,
+                                 const RenderMaterials& others = {});
 
 /// What each object of a scene is made of, in their order; null for what emits.
-/// @param lookedAt the materials that are looked at, by their number.
-/// @throws Error when the scene looks at more than are given.
-std::vector<std::shared_ptr<const TracedMaterial>> bindMaterials(
-    const Scene& scene, std::span<const std::shared_ptr<const TracedMaterial>> lookedAt);
+/// @param slotMaterials of the scene's slots, by their number.
+/// @throws Error when the scene has more slots than are given.
+std::vector<std::shared_ptr<const RenderMaterial>> bindMaterials(
+    const Scene& scene, std::span<const std::shared_ptr<const RenderMaterial>> slotMaterials);
 
 }  // namespace gonio
