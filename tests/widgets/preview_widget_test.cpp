@@ -7,8 +7,8 @@
 
 #include "core/metrics/image_metrics.h"
 #include "core/models/model.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
-#include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
 #include "tests/support/test_program.h"
 #include "widgets/preview/false_colour_legend.h"
@@ -164,16 +164,15 @@ class PreviewWidgetTest : public QObject {
     edit.edited = edit.fitted;
     edit.edited.values[*model.spec().find("roughness")] = Rgb(0.01);
     const auto rough = bakeTable(*model.instantiate(edit.fitted));
-    SphereScene scene;
-    scene.environment = studioEnvironment();
+    const Scene scene = comparisonScene();
     widget_->setMaterial(rough, estimateSamplingLobe(*rough));
-    widget_->setScene(sceneOf(scene));
+    widget_->setScene(scene);
     widget_->setEdit(edit);
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const Image shown = widget_->linearPicture();
     const auto edited = editing::applyEdits(rough, std::span(&edit, 1));
     const Image reference =
-        renderSphere(*edited, scene, {.width = shown.width, .height = shown.height, .samples = 256, .seed = 3});
+        renderPicture(*edited, scene, {.width = shown.width, .height = shown.height, .samples = 256, .seed = 3});
     const double snr = metrics::signalToNoiseRatio(reference, shown);
     QVERIFY2(snr > 25, qPrintable(QString("%1 dB").arg(snr)));
   }

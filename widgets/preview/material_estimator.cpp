@@ -33,7 +33,7 @@ void MaterialEstimator::start(const PreviewSubject& subject) {
     const std::shared_ptr<const Brdf> brdf = subjectBrdf(subject);
     // The lobe of a table as it is has come with it.
     const SamplingLobe lobe = subject.isMeasured() ? subject.lobe : estimateSamplingLobe(*brdf);
-    return MaterialEstimate{lobe, std::make_shared<const TracedMaterial>(brdf, lobe)};
+    return MaterialEstimate{lobe, std::make_shared<const RenderMaterial>(brdf, lobe)};
   }));
 }
 

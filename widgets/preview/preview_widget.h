@@ -56,8 +56,8 @@ class PreviewWidget : public QOpenGLWidget {
   /// Puts an environment into the scene; null: a distant light in its place.
   void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
   /// What the scene's other places show: number i is others[i - 1]; the subject itself where that is null or missing.
-  void setOthers(const TracedMaterials& others);
-  const TracedMaterials& others() const { return others_; }
+  void setOthers(const RenderMaterials& others);
+  const RenderMaterials& others() const { return others_; }
   /// Effects that the user forces on or off.
   void setOverrides(const EffectOverrides& overrides);
   const EffectOverrides& overrides() const { return overrides_; }
@@ -66,7 +66,7 @@ class PreviewWidget : public QOpenGLWidget {
   /// Whether the scene is traced on the CPU: the shader knows neither meshes nor several materials.
   bool isTraced() const;
   /// The first subject as rendering takes it; null while it is not known.
-  const std::shared_ptr<const TracedMaterial>& material() const { return first_.material; }
+  const std::shared_ptr<const RenderMaterial>& material() const { return first_.material; }
   void setExposure(double stops);
   double exposure() const { return settings_.exposure; }
   void setToneMap(ToneMap toneMap);
@@ -118,7 +118,7 @@ class PreviewWidget : public QOpenGLWidget {
     PreviewSubject subject;
     QString name;
     MaterialEstimator estimator;
-    std::shared_ptr<const TracedMaterial> material;
+    std::shared_ptr<const RenderMaterial> material;
     EffectPlan plan;
     SceneTracer tracer;
     std::shared_ptr<const Film> shown;  ///< of the tracer, as the picture has it
@@ -156,7 +156,7 @@ class PreviewWidget : public QOpenGLWidget {
   FrameBudget budget_;
   Scene scene_, home_;
   EffectOverrides overrides_;
-  TracedMaterials others_;
+  RenderMaterials others_;
   PreviewComparison comparison_;
   double range_ = 0;      ///< 0: not found yet
   int rangeSamples_ = 0;  ///< at which the range was found

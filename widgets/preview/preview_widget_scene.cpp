@@ -60,7 +60,7 @@ void PreviewWidget::adopt(Side& side, const MaterialEstimate& estimate) {
 
 /// What the side's picture simulates; its picture starts anew only where that changes.
 void PreviewWidget::plan(Side& side) {
-  static const std::shared_ptr<const TracedMaterial> grey = diffuseMaterial(Rgb(0.5));
+  static const std::shared_ptr<const RenderMaterial> grey = diffuseMaterial(Rgb(0.5));
   adoptPlan(side, previewPlan(scene_, side.material ? side.material : grey, overrides_, others_));
 }
 
@@ -74,7 +74,7 @@ void PreviewWidget::adoptPlan(Side& side, const EffectPlan& plan) {
 void PreviewWidget::trace(Side& side) {
   if (!isTraced() || !side.material || side.subject.isEmpty()) return side.tracer.stop();
   if (&side == &second_ && !isComparing()) return;
-  side.tracer.trace(scene_, lookedAtMaterials(scene_, side.material, others_), side.plan, pictureSize(),
+  side.tracer.trace(scene_, materialsInSlots(scene_, side.material, others_), side.plan, pictureSize(),
                     wantedSamples());
 }
 
@@ -120,12 +120,12 @@ void PreviewWidget::setEnvironment(const std::shared_ptr<const EnvironmentMap>& 
 
 bool PreviewWidget::isTraced() const {
   if (!SceneUniforms::canDraw(scene_)) return true;
-  const auto shown = std::min(others_.size(), std::size_t(std::max(1, lookedAtCount(scene_)) - 1));
+  const auto shown = std::min(others_.size(), std::size_t(std::max(1, materialSlotCount(scene_)) - 1));
   return std::any_of(others_.begin(), others_.begin() + std::ptrdiff_t(shown),
                      [](const auto& material) { return material != nullptr; });
 }
 
-void PreviewWidget::setOthers(const TracedMaterials& others) {
+void PreviewWidget::setOthers(const RenderMaterials& others) {
   if (others == others_) return;
   others_ = others;
   restart();

@@ -45,8 +45,8 @@ void SceneTracer::stop() {
   ++m_request;
 }
 
-void SceneTracer::trace(const Scene& scene, const TracedMaterials& lookedAt, const EffectPlan& plan, const QSize& size,
-                        int samples) {
+void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials, const EffectPlan& plan,
+                        const QSize& size, int samples) {
   stop();
   m_stop = std::stop_source();
   const Told tell = [this, request = m_request](std::shared_ptr<const Film> film, double milliseconds) {
@@ -56,7 +56,7 @@ void SceneTracer::trace(const Scene& scene, const TracedMaterials& lookedAt, con
   m_future = QtConcurrent::run([=, before = m_future, control = TaskControl{m_stop.get_token(), {}}]() mutable {
     before.waitForFinished();  // it was told to stop: two at once would take each other's cores
     try {
-      traceProgressively(PathTracer(scene, bindMaterials(scene, lookedAt), plan), size, samples, control, tell);
+      traceProgressively(PathTracer(scene, bindMaterials(scene, slotMaterials), plan), size, samples, control, tell);
     } catch (const Cancelled&) {
       return;  // another picture is wanted
     }

@@ -39,9 +39,9 @@ class DocumentController : public QObject {
   /// Writes the .gonio file. Returns false after failed().
   bool save(const QString& path, const nlohmann::json& view);
   void exportMerl(const QString& path);
-  /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see lookedAtMaterials().
+  /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see materialsInSlots().
   void exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
-                 const TracedMaterials& others = {});
+                 const RenderMaterials& others = {});
 
   /// Pastes edits, carried over to the open material, in one undo step. The factors that one of curves needs are found
   /// first, and the fit that a model's needs where the model is another one.

@@ -23,7 +23,7 @@ QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d
 }  // namespace
 
 PreviewRenderer::PreviewRenderer(std::shared_ptr<PreviewResources> resources) : resources_(std::move(resources)) {
-  const Scene sphere = gonio::sceneOf(SphereScene{});
+  const Scene sphere = sphereScene();
   setScene(sphere, previewPlan(sphere, diffuseMaterial(Rgb(0.5))));
 }
 

@@ -60,7 +60,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
 
   /// RGBA32F: sum over samples() of linear radiance, with the coverage in alpha. 0 before the first frame.
   GLuint accumulationTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->texture() : 0; }
-  /// The mean as linear RGB with coverage in alpha: what renderSphere() returns.
+  /// The mean as linear RGB with coverage in alpha: what renderPicture() returns.
   Image readPicture();
 
  private:
