@@ -128,10 +128,10 @@ inline void readImageBytes(std::span<const std::byte> bytes) {
 inline void readDocumentBytes(std::span<const std::byte> bytes) {
   const auto document = editing::documentFromText(std::string(textOf(bytes)));
   for (const editing::Edit& edit : document.edits) {
-    if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit))
+    if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit.content))
       differential->model->instantiate(differential->edited);
     else
-      factorization::makePdvBrdf(*std::get<editing::FactorEdit>(edit).edited);
+      factorization::makePdvBrdf(*std::get<editing::FactorEdit>(edit.content).edited);
   }
   editing::toJson(document).dump();
 }

@@ -106,7 +106,7 @@ class BlendPreviewTest : public QObject {
           std::vector<editing::Interpolation::Table>{blend.ends[0].table, blend.ends[1].table}, transform);
       blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
       const auto subject = widgets::blendSubject(blend, someWeights[0]);
-      QVERIFY(subject.blend.has_value());
+      QVERIFY(std::holds_alternative<widgets::PreviewBlend>(subject.shown));
       const double snr = agreement(subject, *widgets::subjectBrdf(subject), {});
       const QString what = QString("transform %1: %2 dB").arg(int(transform)).arg(snr);
       qInfo("%s", qPrintable(what));
@@ -116,7 +116,7 @@ class BlendPreviewTest : public QObject {
 
   /// All of the weight on one material: the same bits as that material alone, in every space.
   void aCornerIsTheMaterial() {
-    const Image alone = drawn({.table = ends(1)[0].table, .lobe = {}}, {}, 64);
+    const Image alone = drawn(widgets::tableSubject(ends(1)[0].table), {}, 64);
     for (const auto space : {InterpolationSpace::linear, InterpolationSpace::factors}) {
       auto subject = widgets::blendSubject(*widgets::prepareBlend(space, ends(2)), {1, 0});
       subject.lobe = {};

@@ -167,10 +167,10 @@ class PreviewWidgetTest : public QObject {
     const Scene scene = comparisonScene();
     widget_->setMaterial(rough, estimateSamplingLobe(*rough));
     widget_->setScene(scene);
-    widget_->setEdit(edit);
+    widget_->setSubject({widgets::EditedTable{rough, {{edit}}}, estimateSamplingLobe(*rough)});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const Image shown = widget_->linearPicture();
-    const auto edited = editing::applyEdits(rough, std::span(&edit, 1));
+    const auto edited = editing::applyEdits(rough, editing::EditList{{edit}});
     const Image reference =
         renderPicture(*edited, scene, {.width = shown.width, .height = shown.height, .samples = 256, .seed = 3});
     const double snr = metrics::signalToNoiseRatio(reference, shown);

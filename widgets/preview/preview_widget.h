@@ -32,8 +32,6 @@ class PreviewWidget : public QOpenGLWidget {
 
   /// The first subject: a table without an edit. A null table shows the empty state with a hint.
   void setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe);
-  /// Live: changes uniforms of the first subject, no table is rebuilt.
-  void setEdit(std::optional<editing::DifferentialEdit> edit);
   /// The first subject. Its lobe is that of the table; what an edit or a model alone needs is estimated in the
   /// background. A subject that is as before does not restart its picture.
   void setSubject(const PreviewSubject& subject, const QString& name = {});

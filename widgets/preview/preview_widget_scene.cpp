@@ -9,17 +9,11 @@
 namespace gonio::widgets {
 
 void PreviewWidget::setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe) {
-  setSubject({.table = std::move(table), .lobe = lobe});
-}
-
-void PreviewWidget::setEdit(std::optional<editing::DifferentialEdit> edit) {
-  PreviewSubject subject = first_.subject;
-  subject.edit = std::move(edit);
-  setSubject(subject, first_.name);
+  setSubject(tableSubject(std::move(table), lobe));
 }
 
 void PreviewWidget::setSubject(const PreviewSubject& subject, const QString& name) {
-  const bool another = subject.table != first_.subject.table;
+  const bool another = subject.table() != first_.subject.table();
   changeSubject(first_, subject, name);
   if (another) budget_.reset();
   if (!failure_.isEmpty()) return;

@@ -7,7 +7,7 @@
 #include "core/brdf/statistics.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/material.h"
@@ -185,7 +185,7 @@ class PathTracerMaterialsTest : public QObject {
                                    .fitted = models::defaultParameters(model.spec()),
                                    .edited = models::defaultParameters(model.spec())};
     edit.edited.values[*model.spec().find("diffuse")] = Rgb(0.05, 0.3, 0.4);
-    const QString text = againstItsTable(editing::applyEdits(measured, std::span(&edit, 1)), 2e-3);
+    const QString text = againstItsTable(editing::applyEdits(measured, editing::EditList{{edit}}), 2e-3);
     QVERIFY2(text.isEmpty(), qPrintable(text));
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "core/coordinates/azimuth_rotation.h"
-#include "core/editing/edit.h"
 #include "core/math/parallel.h"
 
 namespace gonio::editing {
@@ -34,28 +33,23 @@ bool allIsotropic(std::span<const ActiveEdit> edits) {
   return std::all_of(edits.begin(), edits.end(), [](const ActiveEdit& edit) { return edit.isIsotropic(); });
 }
 
-ActiveEdit activated(const DifferentialEdit& edit) {
+ActiveEdit activated(const DifferentialEdit& edit, double strength) {
   assert(edit.model);
-  return {edit.model->instantiate(edit.edited), edit.model->instantiate(edit.fitted), edit.strength};
+  return {edit.model->instantiate(edit.edited), edit.model->instantiate(edit.fitted), strength};
 }
 
-ActiveEdit activated(const FactorEdit& edit) {
+ActiveEdit activated(const FactorEdit& edit, double strength) {
   assert(edit.original && edit.edited);
   return {factorization::makePdvBrdf(*edit.edited),
-          edit.keepDetail ? factorization::makePdvBrdf(*edit.original) : nullptr, edit.strength};
-}
-
-std::vector<ActiveEdit> activate(std::span<const DifferentialEdit> edits) {
-  std::vector<ActiveEdit> active;
-  for (const DifferentialEdit& edit : edits)
-    if (!edit.isIdentity()) active.push_back(activated(edit));
-  return active;
+          edit.keepDetail ? factorization::makePdvBrdf(*edit.original) : nullptr, strength};
 }
 
 std::vector<ActiveEdit> activate(std::span<const Edit> edits) {
   std::vector<ActiveEdit> active;
   for (const Edit& edit : edits)
-    if (!isIdentity(edit)) active.push_back(std::visit([](const auto& one) { return activated(one); }, edit));
+    if (!edit.isIdentity())
+      active.push_back(
+          std::visit([&](const auto& content) { return activated(content, edit.strength); }, edit.content));
   return active;
 }
 
@@ -196,22 +190,15 @@ std::shared_ptr<const TabulatedBrdf> bake(const std::shared_ptr<const TabulatedB
 
 }  // namespace
 
-bool isAnisotropic(const DifferentialEdit& edit) { return !allIsotropic(activate(std::span(&edit, 1))); }
-
-std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const DifferentialEdit> edits) {
-  return editedBrdf(std::move(base), activate(edits), 0);
+bool Edit::isIdentity() const {
+  return !enabled || strength == 0 || std::visit([](const auto& one) { return one.isIdentity(); }, content);
 }
 
-std::shared_ptr<const Brdf> applyEditsUnclamped(std::shared_ptr<const Brdf> base,
-                                                std::span<const DifferentialEdit> edits) {
-  return editedBrdf(std::move(base), activate(edits), std::numeric_limits<double>::lowest());
+bool isIdentity(std::span<const Edit> edits) {
+  return std::all_of(edits.begin(), edits.end(), [](const Edit& edit) { return edit.isIdentity(); });
 }
 
-std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
-                                               std::span<const DifferentialEdit> edits, const TaskControl& control,
-                                               std::size_t* cappedCount) {
-  return bake(base, activate(edits), control, cappedCount);
-}
+bool isAnisotropic(const Edit& edit) { return !allIsotropic(activate(std::span(&edit, 1))); }
 
 std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const Edit> edits) {
   return editedBrdf(std::move(base), activate(edits), 0);
