@@ -166,9 +166,8 @@ class PreviewWidgetTest : public QObject {
     const auto rough = bakeTable(*model.instantiate(edit.fitted));
     SphereScene scene;
     scene.environment = studioEnvironment();
-    widget_->setMaterial(rough, estimateSamplingLobe(*rough));
     widget_->setScene(sceneOf(scene));
-    widget_->setEdit(edit);
+    widget_->setSubject({.table = rough, .lobe = estimateSamplingLobe(*rough), .edit = edit});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const Image shown = widget_->linearPicture();
     const auto edited = editing::applyEdits(rough, std::span(&edit, 1));
@@ -235,6 +234,57 @@ class PreviewWidgetTest : public QObject {
     widget_->setComparison({.mode = widgets::CompareMode::difference, .range = 0.25});
     widget_->grabPicture();
     QCOMPARE(widget_->differenceRange(), 0.25);
+  }
+
+  /// While shaders are compiled and tables uploaded, the picture before stays, and the status tells why.
+  void thePictureStaysUntilTheNextOneIsDone() {
+    const auto status = [&] {
+      QStringList texts;
+      for (const QLabel* label : widget_->findChildren<QLabel*>()) texts << label->text();
+      return texts.join('\n');
+    };
+    widget_->setMaterial(table_, {});
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);
+    const models::Model& model = models::findModel("cook-torrance");
+    bool toldWhy = false;
+    widget_->setSubject({.model = &model, .parameters = models::defaultParameters(model.spec())});
+    while (frames.isEmpty()) {
+      QVERIFY(widget_->grabFramebuffer().pixelColor(110, 110).red() > 60);
+      QTest::qWait(1);
+      toldWhy = toldWhy || status().contains("Compiling");
+    }
+    QVERIFY(toldWhy);
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    QVERIFY(!status().contains("Compiling"));
+  }
+
+  /// A shader that does not compile is told, and the next one is drawn.
+  void aFailureIsToldAndNotForEver() {
+    QSignalSpy failures(widget_.get(), &PreviewWidget::failed);
+    const models::Model &ward = models::findModel("ward"), &ggx = models::findModel("ggx");
+    qputenv("GONIO_SHADER_DIR", "/nowhere");
+    widget_->setSubject({.model = &ward, .parameters = models::defaultParameters(ward.spec())});
+    QTRY_COMPARE_WITH_TIMEOUT(failures.count(), 1, 20000);
+    QVERIFY(failures[0][0].toString().contains("/nowhere"));
+    qunsetenv("GONIO_SHADER_DIR");
+    widget_->setSubject({.model = &ggx, .parameters = models::defaultParameters(ggx.spec())});
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    QCOMPARE(failures.count(), 1);
+  }
+
+  /// A dock that floats gives the widget another window, and with it another context.
+  void anotherWindowShowsThePictureAgain() {
+    widget_->setMaterial(table_, {});
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    QWidget window;
+    window.resize(260, 260);
+    widget_->setParent(&window);
+    widget_->show();
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->grabFramebuffer().pixelColor(widget_->rect().center()).red() > 60, 20000);
+    widget_->setParent(nullptr);
   }
 
   /// Taking the material away shows the empty state again, never a stale picture.
