@@ -148,7 +148,7 @@ class BlendPreviewTest : public QObject {
     const auto blend = widgets::prepareBlend(InterpolationSpace::linear, {{full}, {empty}});
     const auto subject = widgets::blendSubject(*blend, {0.5, 0.5});
     const Image picture = drawn(subject, {}, 64);
-    const Image expected = drawn({.table = full, .lobe = {}}, {}, 64);
+    const Image expected = drawn(widgets::tableSubject(full), {}, 64);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
       QVERIFY(glm::length(picture.pixels[i] - 0.5f * expected.pixels[i]) < 1e-6f);
   }
@@ -159,7 +159,7 @@ class BlendPreviewTest : public QObject {
     const auto half = widgets::blendSubject(*blend, {0.5, 0.5});
     QVERIFY(widgets::sameSubject(half, widgets::blendSubject(*blend, {0.5, 0.5})));
     QVERIFY(!widgets::sameSubject(half, widgets::blendSubject(*blend, {0.4, 0.6})));
-    QVERIFY(!widgets::sameSubject(half, {.table = ends(1)[0].table, .lobe = half.lobe}));
+    QVERIFY(!widgets::sameSubject(half, widgets::tableSubject(ends(1)[0].table, half.lobe)));
     QVERIFY(!half.isEmpty() && !half.isMeasured());
   }
 };

@@ -33,12 +33,18 @@ class MaterialEstimator : public QObject {
 
  Q_SIGNALS:
   void estimated(const gonio::widgets::MaterialEstimate& estimate);
+  /// The newest request came to nothing.
+  void failed(const QString& message);
 
  private:
   void start(const PreviewSubject& subject);
   void finish();
 
-  QFutureWatcher<MaterialEstimate> m_watcher;
+  struct Outcome {
+    MaterialEstimate estimate;
+    QString failure;  ///< empty: there is an estimate
+  };
+  QFutureWatcher<Outcome> m_watcher;
   std::optional<PreviewSubject> m_next;
   bool m_busy = false, m_wanted = false;
 };

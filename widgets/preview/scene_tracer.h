@@ -25,6 +25,8 @@ class SceneTracer : public QObject {
              int samples);
   void stop();
 
+  /// Whether the picture that was last asked for is there with all its samples.
+  bool isDone() const { return m_isDone; }
   /// The picture reached so far; null before the first. Smaller than asked for while it is coarse.
   const std::shared_ptr<const Film>& film() const { return m_film; }
   /// Of the last pass, a sample a pixel at full size.
@@ -32,6 +34,8 @@ class SceneTracer : public QObject {
 
  Q_SIGNALS:
   void advanced();
+  /// The newest request came to nothing.
+  void failed(const QString& message);
 
  private:
   void adopt(int request, std::shared_ptr<const Film> film, double milliseconds);
@@ -40,7 +44,8 @@ class SceneTracer : public QObject {
   std::stop_source m_stop;
   QFuture<void> m_future;
   double m_milliseconds = 0;
-  int m_request = 0;
+  int m_request = 0, m_samples = 0;
+  bool m_isDone = false;
 };
 
 }  // namespace gonio::widgets
