@@ -89,7 +89,8 @@ BuiltRepresentation RepresentationBuilder::fit(const Representation& representat
   return {.brdf = model.instantiate(result.parameters),
           .nodes = nullptr,
           .bytes = fitting::fittedParameterCount(model.spec()) * sizeof(float),
-          .encodeSeconds = result.seconds};
+          .encodeSeconds = result.seconds,
+          .fit = result};
 }
 
 BuiltRepresentation RepresentationBuilder::factors(const Representation& representation, const TaskControl& control) {

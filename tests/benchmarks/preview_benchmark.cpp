@@ -60,9 +60,7 @@ class PreviewFixture {
 
 void runFrames(benchmark::State& state, bool environment, bool edited) {
   PreviewFixture& fixture = PreviewFixture::instance();
-  SphereScene scene;
-  if (environment) scene.environment = studioEnvironment();
-  tests::showSphere(fixture.renderer, scene);
+  tests::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   fixture.show();
   const auto roughness = *fixture.edit.model->spec().find("roughness");
   double value = 0.1;
@@ -89,9 +87,7 @@ void runFactorDrag(benchmark::State& state, bool environment) {
   const auto factors = factorization::factorizePdv(
                            *fixture.table, {.form = factorization::PdvForm::twoFactors, .terms = int(state.range(0))})
                            .factors;
-  SphereScene scene;
-  if (environment) scene.environment = studioEnvironment();
-  tests::showSphere(fixture.renderer, scene);
+  tests::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   fixture.show();
   editing::FactorEdit edit{.original = std::make_shared<const factorization::PdvFactors>(factors), .edited = {}};
   double factor = 1;
@@ -122,9 +118,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
   }();
   const auto count = std::size_t(state.range(0));
   const auto blend = widgets::prepareBlend(space, {materials.begin(), materials.begin() + std::ptrdiff_t(count)});
-  SphereScene scene;
-  if (environment) scene.environment = studioEnvironment();
-  tests::showSphere(fixture.renderer, scene);
+  tests::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   const SamplingLobe lobe = fixture.renderer.subject().lobe;
   std::vector<double> weights(count);
   // Textures and shaders are there when the hand begins.

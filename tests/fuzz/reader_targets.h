@@ -139,7 +139,7 @@ inline void readDocumentBytes(std::span<const std::byte> bytes) {
 /// What was read can be planned. Files that the text names are not opened.
 inline void readSceneBytes(std::span<const std::byte> bytes) {
   const Scene scene = parseScene(std::string(textOf(bytes)), 2);
-  const std::vector<std::shared_ptr<const TracedMaterial>> grey(2, diffuseMaterial(Rgb(0.5)));
+  const std::vector<std::shared_ptr<const RenderMaterial>> grey(2, diffuseMaterial(Rgb(0.5)));
   const EffectPlan plan = planEffects(scene, bindMaterials(scene, grey));
   if (plan.reflections < 0 || !(plan.remainder >= 0) || !(scene.camera.distance > 0))
     throw std::logic_error("a scene without a plan");

@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int folds = 10;
-constexpr SphereRenderOptions picture{.width = 128, .height = 128, .samples = 16};
+constexpr RenderOptions picture{.width = 128, .height = 128, .samples = 16};
 
 struct Selection {
   const char* id;

@@ -17,7 +17,7 @@ std::string collectionOf(const std::filesystem::path& file) {
 }
 
 ComparisonJudge::ComparisonJudge(const std::filesystem::path& file, std::string collection,
-                                 const SphereRenderOptions& picture)
+                                 const RenderOptions& picture)
     : material_(file.stem()),
       collection_(std::move(collection)),
       table_(materials::readMaterial(file).tabulated()),

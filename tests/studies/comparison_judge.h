@@ -17,7 +17,7 @@ std::string collectionOf(const std::filesystem::path& file);
 class ComparisonJudge {
  public:
   /// Reads the material and renders its picture. @throws Error naming the file.
-  ComparisonJudge(const std::filesystem::path& file, std::string collection, const SphereRenderOptions& picture);
+  ComparisonJudge(const std::filesystem::path& file, std::string collection, const RenderOptions& picture);
 
   const std::string& material() const { return material_; }
   const std::shared_ptr<const TabulatedBrdf>& table() const { return table_; }

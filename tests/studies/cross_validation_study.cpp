@@ -150,7 +150,7 @@ class Trial {
   const ComparisonJudge& court() {
     if (!court_)
       court_.emplace(file_, collectionOf(file_),
-                     SphereRenderOptions{.width = options_.size, .height = options_.size, .samples = options_.samples});
+                     RenderOptions{.width = options_.size, .height = options_.size, .samples = options_.samples});
     return *court_;
   }
 

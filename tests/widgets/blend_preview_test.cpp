@@ -5,7 +5,7 @@
 
 #include "core/metrics/image_metrics.h"
 #include "core/models/registry.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 #include "offscreen_context.h"
 #include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
@@ -48,7 +48,7 @@ class BlendPreviewTest : public QObject {
   std::unique_ptr<tests::OffscreenContext> m_context;
   std::unique_ptr<widgets::PreviewRenderer> m_renderer;
 
-  Image drawn(const widgets::PreviewSubject& subject, const SphereScene& scene, int samples) {
+  Image drawn(const widgets::PreviewSubject& subject, const Scene& scene, int samples) {
     m_renderer->setSubject(subject);
     tests::showSphere(*m_renderer, scene);
     m_renderer->setSize({side, side});
@@ -56,10 +56,10 @@ class BlendPreviewTest : public QObject {
     return m_renderer->readPicture();
   }
   /// SNR of the shader's picture against that of `brdf` on the CPU, dB.
-  double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const SphereScene& scene) {
+  double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const Scene& scene) {
     constexpr int samples = 512;
-    const Image reference =
-        renderSphere(brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
+    const Image reference = renderPicture(
+        brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
     return metrics::signalToNoiseRatio(reference, drawn(subject, scene, samples));
   }
 
@@ -148,7 +148,7 @@ class BlendPreviewTest : public QObject {
     const auto blend = widgets::prepareBlend(InterpolationSpace::linear, {{full}, {empty}});
     const auto subject = widgets::blendSubject(*blend, {0.5, 0.5});
     const Image picture = drawn(subject, {}, 64);
-    const Image expected = drawn({.table = full, .lobe = {}}, {}, 64);
+    const Image expected = drawn(widgets::tableSubject(full), {}, 64);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
       QVERIFY(glm::length(picture.pixels[i] - 0.5f * expected.pixels[i]) < 1e-6f);
   }
@@ -159,7 +159,7 @@ class BlendPreviewTest : public QObject {
     const auto half = widgets::blendSubject(*blend, {0.5, 0.5});
     QVERIFY(widgets::sameSubject(half, widgets::blendSubject(*blend, {0.5, 0.5})));
     QVERIFY(!widgets::sameSubject(half, widgets::blendSubject(*blend, {0.4, 0.6})));
-    QVERIFY(!widgets::sameSubject(half, {.table = ends(1)[0].table, .lobe = half.lobe}));
+    QVERIFY(!widgets::sameSubject(half, widgets::tableSubject(ends(1)[0].table, half.lobe)));
     QVERIFY(!half.isEmpty() && !half.isMeasured());
   }
 };

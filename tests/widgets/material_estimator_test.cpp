@@ -50,6 +50,24 @@ class MaterialEstimatorTest : public QObject {
     QVERIFY(!estimator.isBusy());
   }
 
+  /// What cannot be estimated is told, and the next request gets its chance.
+  void aFailureIsTold() {
+    widgets::PreviewSubject wrong = ggx(0.3);
+    wrong.parameters.values.clear();
+    {
+      MaterialEstimator estimator;
+      estimator.request(wrong);  // destroyed with the failure
+    }
+    MaterialEstimator estimator;
+    QSignalSpy told(&estimator, &MaterialEstimator::estimated), failures(&estimator, &MaterialEstimator::failed);
+    estimator.request(wrong);
+    QTRY_COMPARE(failures.count(), 1);
+    QVERIFY(!failures[0][0].toString().isEmpty() && !estimator.isBusy());
+    estimator.request(ggx(0.3));
+    QTRY_COMPARE(told.count(), 1);
+    QCOMPARE(failures.count(), 1);
+  }
+
   /// Destroyed while it works: it waits and tells nothing.
   void mayBeDestroyedWhileBusy() {
     for (int i = 0; i < 20; ++i) {

@@ -9,8 +9,8 @@
 #include "core/metrics/image_metrics.h"
 #include "core/models/model.h"
 #include "core/rendering/path_tracer.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
-#include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
 #include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
@@ -30,7 +30,7 @@ std::shared_ptr<const TabulatedBrdf> bakedModel(const char* id,
 }
 
 /// SNR of the shader's converged picture against the CPU's, dB.
-double agreement(widgets::PreviewRenderer& renderer, widgets::PreviewSubject subject, const SphereScene& scene) {
+double agreement(widgets::PreviewRenderer& renderer, widgets::PreviewSubject subject, const Scene& scene) {
   const std::shared_ptr<const Brdf> brdf = widgets::subjectBrdf(subject);
   const auto table = subject.table();
   subject.lobe = estimateSamplingLobe(table ? *table : *brdf);
@@ -40,12 +40,12 @@ double agreement(widgets::PreviewRenderer& renderer, widgets::PreviewSubject sub
   const int samples = 512;
   for (int i = 0; i < samples / 64; ++i) renderer.accumulate(64);
   const Image reference =
-      renderSphere(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
+      renderPicture(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
   return metrics::signalToNoiseRatio(reference, renderer.readPicture());
 }
 
 double agreement(widgets::PreviewRenderer& renderer, const std::shared_ptr<const TabulatedBrdf>& table,
-                 const editing::EditList& edits, const SphereScene& scene) {
+                 const editing::EditList& edits, const Scene& scene) {
   return agreement(renderer, {widgets::EditedTable{table, edits}}, scene);
 }
 
@@ -97,13 +97,13 @@ class PreviewRendererTest : public QObject {
   /// agree to 40 dB at least (the edge pixels' coverage differs by some percent).
   void pictureUnderADirectionalLight() {
     const auto table = bakedModel("ggx", {{"roughness", 0.2}});
-    QVERIFY2(agreement(*renderer_, table, {}, {}) > 40, "shader and CPU differ");
+    QVERIFY2(agreement(*renderer_, table, {}, sphereScene()) > 40, "shader and CPU differ");
   }
 
   /// Under an environment both are Monte Carlo estimates of the same integral with 512 samples of each kind.
   void pictureUnderTheStudio() {
-    SphereScene scene{
-        .camera = {.yaw = 0.4, .pitch = 0.2}, .environment = studioEnvironment(), .environmentRotation = 0.6};
+    Scene scene = sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2});
+    scene.environmentRotation = 0.6;
     for (const double roughness : {0.03, 0.2, 0.7}) {
       const auto table = bakedModel("ggx", {{"roughness", roughness}, {"f0", 0.5}});
       const double snr = agreement(*renderer_, table, {}, scene);
@@ -116,7 +116,7 @@ class PreviewRendererTest : public QObject {
   /// followed as far as the shader follows them.
   void scenesAreThoseOfThePathTracer() {
     const auto table = bakedModel("ggx", {{"roughness", 0.3}, {"f0", 0.6}});
-    const auto material = std::make_shared<const TracedMaterial>(table);
+    const auto material = std::make_shared<const RenderMaterial>(table);
     for (const std::string& name : bundledSceneNames()) {
       const Scene scene = openScene(name, 2);
       if (!widgets::SceneUniforms::canDraw(scene)) continue;
@@ -128,8 +128,8 @@ class PreviewRendererTest : public QObject {
       renderer_->setSize({side, side});
       for (int i = 0; i < 16; ++i) renderer_->accumulate(64);
       Film film(side, side);
-      const std::vector lookedAt(2, material);
-      PathTracer(scene, bindMaterials(scene, lookedAt), plan, 7).accumulate(film, 512);
+      const std::vector slotMaterials(2, material);
+      PathTracer(scene, bindMaterials(scene, slotMaterials), plan, 7).accumulate(film, 512);
       const double snr = metrics::signalToNoiseRatio(film.image(), renderer_->readPicture());
       qInfo("%s: %.1f dB", name.c_str(), snr);
       QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name.c_str()).arg(snr)));
@@ -137,7 +137,8 @@ class PreviewRendererTest : public QObject {
   }
 
   void orthographicViewWithTheEnvironmentShown() {
-    SphereScene scene{.camera = {.fieldOfView = 0}, .environment = skyEnvironment(), .showEnvironment = true};
+    Scene scene = sphereScene(skyEnvironment(), {.fieldOfView = 0});
+    scene.showEnvironment = true;
     const auto table = bakedModel("lambert", {});
     const double snr = agreement(*renderer_, table, {}, scene);
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
@@ -147,7 +148,7 @@ class PreviewRendererTest : public QObject {
   void editedPicture() {
     const auto table = bakedModel("ggx", {{"roughness", 0.3}});
     for (const models::Model* model : models::allModels()) {
-      const double snr = agreement(*renderer_, table, {brighterEdit(*model)}, {});
+      const double snr = agreement(*renderer_, table, {brighterEdit(*model)}, sphereScene());
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
   }
@@ -285,11 +286,10 @@ class PreviewRendererTest : public QObject {
     edit.edited.values[2] = Rgb(0.15);
     edit.edited.values[3] = Rgb(0.5);
     for (const double pitch : {0.2, 1.4}) {
-      SphereScene scene{.camera = {.yaw = 0.4, .pitch = pitch}};
-      const double lit = agreement(*renderer_, table, {{edit}}, scene);
+      const OrbitCamera camera{.yaw = 0.4, .pitch = pitch};
+      const double lit = agreement(*renderer_, table, {{edit}}, sphereScene(nullptr, camera));
       QVERIFY2(lit > 40, qPrintable(QString("pitch %1: %2 dB").arg(pitch).arg(lit)));
-      scene.environment = studioEnvironment();
-      const double studio = agreement(*renderer_, table, {{edit}}, scene);
+      const double studio = agreement(*renderer_, table, {{edit}}, sphereScene(studioEnvironment(), camera));
       QVERIFY2(studio > 30, qPrintable(QString("pitch %1, studio: %2 dB").arg(pitch).arg(studio)));
     }
   }
@@ -299,12 +299,12 @@ class PreviewRendererTest : public QObject {
   void modelAlone() {
     for (const models::Model* model : models::allModels()) {
       const double snr =
-          agreement(*renderer_, {widgets::ModelAlone{model, models::defaultParameters(model->spec())}}, {});
+          agreement(*renderer_, {widgets::ModelAlone{model, models::defaultParameters(model->spec())}}, sphereScene());
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
     const models::Model& ggx = models::findModel("ggx");
     const double snr = agreement(*renderer_, {widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}},
-                                 {.environment = studioEnvironment()});
+                                 comparisonScene());
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 

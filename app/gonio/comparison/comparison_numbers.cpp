@@ -27,7 +27,7 @@ ComparisonReferencePtr comparisonReference(const widgets::PreviewSubject& subjec
   auto reference = std::make_shared<ComparisonReference>();
   reference->subject = subject;
   reference->table = widgets::subjectTable(subject, {control.stop, {}});
-  SphereRenderOptions options;
+  RenderOptions options;
   options.width = options.height = comparisonSide;
   options.samples = comparisonSamples;
   reference->picture = std::make_unique<const RenderedComparison>(*widgets::subjectBrdf(subject), options,

@@ -213,15 +213,15 @@ void DocumentController::exportMerl(const QString& path) {
 }
 
 void DocumentController::exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
-                                   const TracedMaterials& others) {
+                                   const RenderMaterials& others) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const editing::EditList edits = m_document.edits();
   m_tasks.run<bool>(
       {tr("Rendering %1").arg(shortName(path)), exportKey},
       [material, edits, scene, overrides, others, path](const TaskControl& control) {
-        const auto edited = std::make_shared<const TracedMaterial>(editing::applyEdits(material->table, edits));
-        const TracedMaterials materials = bindMaterials(scene, lookedAtMaterials(scene, edited, others));
+        const auto edited = std::make_shared<const RenderMaterial>(editing::applyEdits(material->table, edits));
+        const RenderMaterials materials = bindMaterials(scene, materialsInSlots(scene, edited, others));
         constexpr std::uint64_t seed = 1;
         const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides), seed);
         Film film(exrSide, exrSide);

@@ -38,9 +38,9 @@ class DocumentController : public QObject {
   /// Writes the .gonio file. Returns false after failed().
   bool save(const QString& path, const nlohmann::json& view);
   void exportMerl(const QString& path);
-  /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see lookedAtMaterials().
+  /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see materialsInSlots().
   void exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
-                 const TracedMaterials& others = {});
+                 const RenderMaterials& others = {});
 
   /// Pastes edits, carried over to the open material, in the place of those of their kinds, in one undo step. The
   /// factors that edits of curves need are found first, and the fits that edits of models need where none is in use.

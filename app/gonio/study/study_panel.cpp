@@ -140,7 +140,7 @@ std::string StudyPanel::studyTitle() const {
 }
 
 std::string StudyPanel::pictures() const {
-  const SphereRenderOptions& picture = m_options.picture;
+  const RenderOptions& picture = m_options.picture;
   return study::picturesText(picture.width, picture.height, picture.samples);
 }
 

@@ -7,6 +7,7 @@
 #include <QVector3D>
 #include <QVector4D>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/vec4.hpp>
 
@@ -18,12 +19,13 @@ namespace gonio::widgets {
 namespace {
 
 constexpr int maxSamples = 64;  // of scene.frag
+constexpr double bandMilliseconds = 8;
 QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d.z)}; }
 
 }  // namespace
 
 PreviewRenderer::PreviewRenderer(std::shared_ptr<PreviewResources> resources) : resources_(std::move(resources)) {
-  const Scene sphere = gonio::sceneOf(SphereScene{});
+  const Scene sphere = sphereScene();
   setScene(sphere, previewPlan(sphere, diffuseMaterial(Rgb(0.5))));
 }
 
@@ -185,12 +187,28 @@ void PreviewRenderer::accumulate(int count) {
   setCameraUniforms(program);
   prepareTarget();
   setSampleUniforms(program, count);
-  resources_->drawFullscreen();
+  drawInBands();
   glDisable(GL_BLEND);
   program.release();
   accumulation_->release();
-  glFinish();
   samples_ += count;
+}
+
+/// The first band tells how many rows the next ones have.
+void PreviewRenderer::drawInBands() {
+  using Clock = std::chrono::steady_clock;
+  glEnable(GL_SCISSOR_TEST);
+  int rows = std::max(1, size_.height() / 8);
+  for (int row = 0; row < size_.height();) {
+    const Clock::time_point start = Clock::now();
+    glScissor(0, row, size_.width(), rows);
+    resources_->drawFullscreen();
+    glFinish();
+    row += rows;
+    const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    rows = std::max(1, int(rows * std::clamp(bandMilliseconds / std::max(milliseconds, 1e-3), 0.25, 4.0)));
+  }
+  glDisable(GL_SCISSOR_TEST);
 }
 
 void PreviewRenderer::showTraced(const Film& film) {

@@ -48,7 +48,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   int samples() const { return samples_; }
   void restart() { samples_ = 0; }
 
-  /// Adds `count` samples to every pixel and waits for the result, so that its time can be taken.
+  /// Adds `count` samples to every pixel and waits for the result, so that its time can be taken. Drawn in bands of
+  /// some ms, each waited for: what another context draws meanwhile has to wait for no more than one.
   /// @throws Error with the compiler's log when a shader does not compile.
   void accumulate(int count);
   /// Shows a picture that was traced elsewhere; its size becomes the picture's.
@@ -56,7 +57,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
 
   /// RGBA32F: sum over samples() of linear radiance, with the coverage in alpha. 0 before the first frame.
   GLuint accumulationTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->texture() : 0; }
-  /// The mean as linear RGB with coverage in alpha: what renderSphere() returns.
+  /// The mean as linear RGB with coverage in alpha: what renderPicture() returns.
   Image readPicture();
 
  private:
@@ -68,6 +69,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   void bindTextures(QOpenGLShaderProgram& program);
   void createTarget();
   void prepareTarget();
+  void drawInBands();
 
   std::shared_ptr<PreviewResources> resources_;
   std::shared_ptr<const TableTexture> tableTexture_;

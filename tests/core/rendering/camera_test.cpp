@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/rendering/sphere_scene.h"
+#include "core/rendering/camera.h"
 
 #include <QTest>
 #include <cmath>
 
+#include "core/rendering/shading_frame.h"
+#include "core/rendering/shape.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;
 
 namespace {
+/// Where a ray meets the unit sphere.
+std::optional<Direction> sphereHit(const Ray& ray) {
+  const auto hit = nearestHit(Sphere{}, ray);
+  return hit ? std::optional(hit->position) : std::nullopt;
+}
 bool near(const Direction& a, const Direction& b, double tolerance = 1e-12) { return glm::length(a - b) < tolerance; }
 }  // namespace
 
-class SphereSceneTest : public QObject {
+class CameraTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void theCentreOfThePictureSeesThePointTowardTheEye() {
@@ -45,7 +52,7 @@ class SphereSceneTest : public QObject {
     const double edge = std::tan(std::asin(0.25)) / perspective.halfExtent;
     QVERIFY(!sphereHit(cameraRay(perspective, edge * (1 + 1e-9), 0, 1)));
     for (const double x : {0.0, 0.5, 0.9, 1 - 1e-9}) {
-      const CameraRay ray = cameraRay(perspective, x * edge, 0, 1);
+      const Ray ray = cameraRay(perspective, x * edge, 0, 1);
       const auto hit = sphereHit(ray);
       QVERIFY(hit && std::abs(glm::length(*hit) - 1) < 1e-15);
       QVERIFY(near(glm::normalize(*hit - ray.origin), ray.direction, 1e-7));
@@ -60,16 +67,17 @@ class SphereSceneTest : public QObject {
     for (const double theta : {0.0, 1e-9, 0.4, 1.5, pi})
       for (const double phi : {0.0, 1.0, -2.0}) {
         const Direction n{std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)};
-        const ShadingFrame frame = shadingFrame(n);
-        QVERIFY(near(glm::cross(frame.tangent, frame.bitangent), frame.normal));
-        QVERIFY(std::abs(glm::dot(frame.tangent, frame.normal)) < 1e-12 &&
-                std::abs(glm::length(frame.tangent) - 1) < 1e-12);
-        const Direction w = glm::normalize(Direction(0.3, -0.5, 0.7));
-        QVERIFY(near(frame.toWorld(frame.toLocal(w)), w));
-        QVERIFY(near(frame.toLocal(n), {0, 0, 1}));
+        for (const ShadingFrame& frame : {shadingFrame(n), anyFrame(n)}) {
+          QVERIFY(near(glm::cross(frame.tangent, frame.bitangent), frame.normal));
+          QVERIFY(std::abs(glm::dot(frame.tangent, frame.normal)) < 1e-12 &&
+                  std::abs(glm::length(frame.tangent) - 1) < 1e-12);
+          const Direction w = glm::normalize(Direction(0.3, -0.5, 0.7));
+          QVERIFY(near(frame.toWorld(frame.toLocal(w)), w));
+          QVERIFY(near(frame.toLocal(n), {0, 0, 1}));
+        }
       }
   }
 };
 
-GONIO_TEST(SphereSceneTest)
-#include "sphere_scene_test.moc"
+GONIO_TEST(CameraTest)
+#include "camera_test.moc"
