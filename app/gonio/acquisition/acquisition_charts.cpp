@@ -83,13 +83,13 @@ void AcquisitionCharts::setCurrent(int sample) {
 }
 
 void AcquisitionCharts::showDirections() {
-  const std::vector<DirectionPair> directions = m_session.directions();
+  const std::vector<DirectionPair> directions = m_session.planner().directions();
   m_hemisphere->setSamples(directions);
   m_chart->setSamples(directions);
 }
 
 void AcquisitionCharts::showSlice() {
-  const auto& basis = m_session.basis();
+  const auto& basis = m_session.planner().basis();
   const HalfDifferenceGrid grid = basis ? basis->mapping.grid : HalfDifferenceGrid();
   m_slice->setMaximum(grid.phiDCount - 1);
   const AcquisitionResultPtr& result = m_session.result();

@@ -15,22 +15,22 @@ AcquisitionFiles::AcquisitionFiles(AcquisitionSession& session, AcquisitionContr
     : QObject(panel), m_session(session), m_controls(controls), m_subject(subject), m_panel(panel) {}
 
 std::vector<std::string> AcquisitionFiles::planComments() const {
-  const PlanSettings& settings = m_session.settings();
-  return {tr("Plan of %n samples, %1", nullptr, int(m_session.samplingPlan().samples.size()))
+  const PlanSettings& settings = m_session.planner().settings();
+  return {tr("Plan of %n samples, %1", nullptr, int(m_session.planner().samplingPlan().samples.size()))
               .arg(m_controls.directions().methodBox().itemText(int(settings.method)))
               .toStdString(),
-          tr("learned from %n materials (%1)", nullptr, m_session.learnedMaterials())
+          tr("learned from %n materials (%1)", nullptr, m_session.planner().learnedMaterials())
               .arg(settings.training.name)
               .toStdString()};
 }
 
 QString AcquisitionFiles::planText() const {
-  return QString::fromStdString(io::planCsv(m_session.samplingPlan(), planComments()));
+  return QString::fromStdString(io::planCsv(m_session.planner().samplingPlan(), planComments()));
 }
 
 void AcquisitionFiles::savePlan(const QString& path) {
   try {
-    io::writePlan(m_session.samplingPlan(), path.toStdString(), planComments());
+    io::writePlan(m_session.planner().samplingPlan(), path.toStdString(), planComments());
     Q_EMIT exported(path);
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot save the plan"), QString::fromUtf8(error.what()));
@@ -51,7 +51,7 @@ void AcquisitionFiles::readPlan(const QString& path) {
 void AcquisitionFiles::paste(const QString& text) {
   try {
     if (text.trimmed().isEmpty()) throw Error(tr("There is no text on the clipboard.").toStdString());
-    m_session.setValues(io::parseValues(text.toStdString(), m_session.samplingPlan()), tr("pasted"));
+    m_session.setValues(io::parseValues(text.toStdString(), m_session.planner().samplingPlan()), tr("pasted"));
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
   }
@@ -59,7 +59,7 @@ void AcquisitionFiles::paste(const QString& text) {
 
 void AcquisitionFiles::readValues(const QString& path) {
   try {
-    m_session.setValues(io::readValues(path.toStdString(), m_session.samplingPlan()), path.section('/', -1));
+    m_session.setValues(io::readValues(path.toStdString(), m_session.planner().samplingPlan()), path.section('/', -1));
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
   }

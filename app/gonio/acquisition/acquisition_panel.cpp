@@ -148,7 +148,7 @@ void AcquisitionPanel::showResultPage() {
 void AcquisitionPanel::refresh() {
   const bool busy = m_session.isBusy();
   m_start->setText(startCancels(m_session, *m_controls) ? tr("Cancel") : tr("&Start"));
-  m_controls->setBusy(busy && !m_session.hasPlan());
+  m_controls->setBusy(busy && !m_session.planner().hasPlan());
   m_progress->setVisible(busy);
   m_progress->setValue(int(std::lround(m_progress->maximum() * m_session.share())));
   m_status->setText(acquisitionStatus(m_session, *m_controls));

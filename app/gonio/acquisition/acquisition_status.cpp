@@ -13,17 +13,19 @@ struct AcquisitionStatusText {
 }  // namespace
 
 bool startCancels(const AcquisitionSession& session, const AcquisitionControls& controls) {
-  return session.isBusy() && (!session.hasPlan() || session.settings() == controls.planSettings());
+  const AcquisitionPlanner& planner = session.planner();
+  return session.isBusy() && (!planner.hasPlan() || planner.settings() == controls.planSettings());
 }
 
 QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionControls& controls) {
+  const AcquisitionPlanner& planner = session.planner();
   using Text = AcquisitionStatusText;
   using Step = AcquisitionSession::Step;
   switch (session.step()) {
     case Step::learning:
       return Text::tr("Learning the training set...");
     case Step::choosing:
-      return Text::tr("Choosing directions: %1 of %2").arg(session.directions().size()).arg(session.settings().samples);
+      return Text::tr("Choosing directions: %1 of %2").arg(planner.directions().size()).arg(planner.settings().samples);
     case Step::reconstructing:
       return Text::tr("Reconstructing...");
     case Step::measuringCurve:
@@ -31,9 +33,9 @@ QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionCo
     case Step::idle:
       break;
   }
-  if (!session.hasPlan()) return Text::tr("Start chooses where to measure.");
-  if (session.settings() != controls.planSettings()) return Text::tr("The settings have changed: start anew.");
-  if (!session.selection().warning.empty()) return QString::fromStdString(session.selection().warning);
+  if (!planner.hasPlan()) return Text::tr("Start chooses where to measure.");
+  if (planner.settings() != controls.planSettings()) return Text::tr("The settings have changed: start anew.");
+  if (!planner.selection().warning.empty()) return QString::fromStdString(planner.selection().warning);
   if (session.isReadingReference()) return Text::tr("Preparing %1...").arg(session.referenceName());
   if (session.values().rgb.empty()) return Text::tr("Save the plan, measure, then paste or open the values.");
   if (session.isReferenceLearned() && session.result())

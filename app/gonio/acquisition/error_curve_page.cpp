@@ -36,7 +36,7 @@ void ErrorCurvePage::showCurve() {
   for (const AcquisitionSession::CurvePoint& point : m_session.curve())
     points.push_back({point.samples, snr ? point.error.renderedSnr : point.error.logError});
   m_curve->setPoints(std::move(points), snr ? tr("rendered SNR [dB]") : tr("log error"), !snr);
-  m_curve->setMarked(int(m_session.samplingPlan().samples.size()));
+  m_curve->setMarked(int(m_session.planner().samplingPlan().samples.size()));
 }
 
 void ErrorCurvePage::refresh() {

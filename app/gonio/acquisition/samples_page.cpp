@@ -77,15 +77,15 @@ void SamplesPage::setCurrent(int sample) {
 }
 
 void SamplesPage::showDirections() {
-  if (m_session.hasPlan())
-    m_model.setPlan(m_session.samplingPlan());
+  if (m_session.planner().hasPlan())
+    m_model.setPlan(m_session.planner().samplingPlan());
   else
-    m_model.setDirections(m_session.directions());
+    m_model.setDirections(m_session.planner().directions());
   m_model.setValues(m_session.values());
 }
 
 void SamplesPage::refresh() {
-  for (QPushButton* one : m_needPlan) one->setEnabled(m_session.hasPlan());
+  for (QPushButton* one : m_needPlan) one->setEnabled(m_session.planner().hasPlan());
   m_openPlan->setEnabled(!startCancels(m_session, m_controls));
 }
 

@@ -15,10 +15,9 @@ namespace gonio::app {
 TrainingRows::TrainingRows(QFormLayout& form)
     : QObject(&form),
       m_box(rowBox(
-          tr("The materials from which it is learned what materials are like.\n"
-             "The whole library tells more than the measured materials alone, and takes about a minute to learn at "
-             "first.\n"
-             "\"What the library shows\": those that its search leaves, also of a folder."))),
+          tr("Training set: the reconstruction uses the principal components of these materials.\n"
+             "The whole library covers more materials than the measured ones alone; it takes about a minute at first.\n"
+             "\"What the library shows\": those that match its search, also of a folder."))),
       m_leaveOut(new QCheckBox(tr("Leave out the measured material"))),
       m_facts(new QLabel) {
   build(form);

@@ -25,7 +25,7 @@ class DocumentFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// @param window the parent of the dialogs. @param preview whose view is saved.
+  /// @param window the parent of the dialogs. @param preview its view is saved.
   DocumentFiles(Document& document, DocumentController& controller, RecentFiles& recent, QSettings& settings,
                 widgets::PreviewWidget& preview, QWidget* window);
 

@@ -107,7 +107,7 @@ class AcquisitionPanelTest : public QObject {
     QVERIFY(editor.button("Cancel"));
     editor.panel.startButton().click();
     QVERIFY(editor.settle());
-    QVERIFY(!editor.panel.session().hasPlan() && editor.button("Start"));
+    QVERIFY(!editor.panel.session().planner().hasPlan() && editor.button("Start"));
     QCOMPARE(editor.panel.charts().hemisphere().samples().size(), std::size_t(0));
   }
 
@@ -121,7 +121,7 @@ class AcquisitionPanelTest : public QObject {
     editor.open(editor.library.subject);
     panel.startButton().click();
     QVERIFY(editor.settle());
-    QVERIFY(panel.session().hasPlan() && !panel.session().result());
+    QVERIFY(panel.session().planner().hasPlan() && !panel.session().result());
     QCOMPARE(panel.status(), "Stopped before the material was reconstructed: start anew.");
     QVERIFY(editor.button("Start") && editor.button("Save Plan...")->isEnabled());
     disconnect(stop);
@@ -161,21 +161,22 @@ class AcquisitionPanelTest : public QObject {
     QSignalSpy exported(&editor.panel, &AcquisitionPanel::exported);
     editor.panel.files().savePlan(path);
     QCOMPARE(exported.count(), 1);
-    QCOMPARE(io::readPlan(path.toStdString()).samples[3].order, editor.panel.session().samplingPlan().samples[3].order);
+    QCOMPARE(io::readPlan(path.toStdString()).samples[3].order,
+             editor.panel.session().planner().samplingPlan().samples[3].order);
     editor.panel.files().savePlan("/nowhere/plan.csv");
     QVERIFY(editor.failure().contains("/nowhere/plan.csv"));
     // Read again, also by another editor: the same cells in the same order.
-    const auto cells = editor.panel.session().selection().cells;
+    const auto cells = editor.panel.session().planner().selection().cells;
     editor.panel.controls().directions().setSamples(5);
     editor.panel.controls().directions().methodBox().setCurrentIndex(4);
     editor.panel.files().readPlan(path);
     QVERIFY(editor.settle());
-    QCOMPARE(editor.panel.session().selection().cells, cells);
+    QCOMPARE(editor.panel.session().planner().selection().cells, cells);
     QCOMPARE(editor.panel.controls().planSettings().samples, 8);
     QVERIFY(editor.panel.session().result() && editor.panel.session().curve().size() == curveCounts(8).size());
     editor.panel.files().readPlan("/nowhere/plan.csv");
     QVERIFY(editor.failure().contains("/nowhere/plan.csv"));
-    QVERIFY(editor.panel.session().hasPlan());
+    QVERIFY(editor.panel.session().planner().hasPlan());
   }
 
   /// What is wrong with a value is told with its line; the values that were there stay.
@@ -183,7 +184,7 @@ class AcquisitionPanelTest : public QObject {
     Editor editor;
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
-    const auto& plan = panel.session().samplingPlan();
+    const auto& plan = panel.session().planner().samplingPlan();
     QString text = QString::fromStdString(io::valuesCsv(plan, panel.session().values()));
     QStringList lines = text.split('\n', Qt::SkipEmptyParts);
     const auto line =
@@ -262,11 +263,11 @@ class AcquisitionPanelTest : public QObject {
     Editor editor;
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
-    const auto cells = panel.session().selection().cells;
+    const auto cells = panel.session().planner().selection().cells;
     const double snr = panel.session().result()->error->renderedSnr;
     panel.measure(editor.library.training.ids[1]);
     QVERIFY(editor.settle());
-    QCOMPARE(panel.session().selection().cells, cells);
+    QCOMPARE(panel.session().planner().selection().cells, cells);
     QVERIFY(panel.session().result()->error->renderedSnr != snr);
     QVERIFY2(panel.status().contains("is in the training set"), qPrintable(panel.status()));
     panel.controls().reconstructionBox().setCurrentIndex(2);
