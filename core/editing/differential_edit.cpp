@@ -80,10 +80,7 @@ void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> 
 class EditedBrdf final : public Brdf {
  public:
   EditedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> edits, double floor)
-      : base_(std::move(base)),
-        table_(dynamic_cast<const TabulatedBrdf*>(base_.get())),
-        edits_(std::move(edits)),
-        floor_(floor) {}
+      : base_(std::move(base)), edits_(std::move(edits)), floor_(floor) {}
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
@@ -93,6 +90,7 @@ class EditedBrdf final : public Brdf {
     }
   }
 
+  bool hasData(const DirectionPair& pair) const override { return base_->hasData(pair); }
   bool isIsotropic() const override { return base_->isIsotropic() && allIsotropic(edits_); }
   bool isReciprocal() const override {
     return base_->isReciprocal() &&
@@ -102,24 +100,14 @@ class EditedBrdf final : public Brdf {
  private:
   void evaluateChunk(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
     base_->evaluate(pairs, values);
-    std::array<bool, chunkSize> hasData;
-    for (std::size_t i = 0; i < pairs.size(); ++i) hasData[i] = values[i] != Rgb(0) || knows(pairs[i]);
+    std::array<bool, chunkSize> known;
+    for (std::size_t i = 0; i < pairs.size(); ++i) known[i] = values[i] != Rgb(0) || base_->hasData(pairs[i]);
     addEdits(edits_, pairs, values, floor_);
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (!hasData[i]) values[i] = Rgb(0);
-  }
-
-  /// Whether the base has data for a pair at which it is 0.
-  bool knows(const DirectionPair& pair) const {
-    if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return false;
-    if (!table_) return true;
-    bool valid = false;
-    table_->lookup(toHalfDifference(pair.wi, pair.wo), TableLookup::trilinear, &valid);
-    return valid;
+      if (!known[i]) values[i] = Rgb(0);
   }
 
   std::shared_ptr<const Brdf> base_;
-  const TabulatedBrdf* table_;  ///< the base where it is a table: it knows where it has data
   std::vector<ActiveEdit> edits_;
   Rgb floor_;  ///< of the values
 };

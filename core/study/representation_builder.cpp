@@ -8,7 +8,7 @@
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
-#include "core/factorization/rivals/nonparametric.h"
+#include "core/factorization/nonparametric.h"
 #include "core/fitting/fit_parameters.h"
 #include "core/io/code_file.h"
 #include "core/io/pdv_file.h"

@@ -13,13 +13,13 @@
 #include "core/io/code_file.h"
 #include "core/io/image_io.h"
 #include "core/io/material.h"
-#include "core/io/npf_file.h"
 #include "core/io/obj_file.h"
 #include "core/io/pdv_file.h"
 #include "core/io/plan_file.h"
 #include "core/io/values_file.h"
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/scene_file.h"
+#include "tests/studies/research/baselines/npf_file.h"
 
 /// What is done with bytes that nobody vouches for. Each reads and uses the result; every outcome but a result that
 /// keeps its promises and a gonio::Error is a bug. Shared by the mutation test and the libFuzzer programs.

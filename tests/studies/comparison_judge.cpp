@@ -23,7 +23,7 @@ ComparisonJudge::ComparisonJudge(const std::filesystem::path& file, std::string 
       table_(io::readMaterial(file).tabulated()),
       comparison_(*table_, picture) {}
 
-ComparisonRecord ComparisonJudge::score(const std::string& model, const factorization::RivalModel& built,
+ComparisonRecord ComparisonJudge::score(const std::string& model, const factorization::ComparedModel& built,
                                         double seconds) const {
   const ComparisonPicture picture = comparison_.render(*built.brdf);
   return {.material = material_,

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "core/factorization/rivals/rivals.h"
 #include "core/rendering/rendered_comparison.h"
 #include "tests/studies/comparison_records.h"
+#include "tests/studies/research/baselines/baselines.h"
 
 namespace gonio::study {
 
@@ -23,7 +23,7 @@ class ComparisonJudge {
   const std::shared_ptr<const TabulatedBrdf>& table() const { return table_; }
 
   /// All but the budget.
-  ComparisonRecord score(const std::string& model, const factorization::RivalModel& built, double seconds) const;
+  ComparisonRecord score(const std::string& model, const factorization::ComparedModel& built, double seconds) const;
 
  private:
   std::string material_, collection_;

@@ -45,49 +45,42 @@ bool sameBits(const TabulatedBrdf& a, const TabulatedBrdf& b) {
          std::memcmp(a.valid().data(), b.valid().data(), a.valid().size_bytes()) == 0;
 }
 
+constexpr models::ParameterSpec levelParameters[] = {{.id = "level",
+                                                      .label = "",
+                                                      .symbol = "",
+                                                      .unit = "",
+                                                      .softMin = 0,
+                                                      .softMax = 1,
+                                                      .hardMin = 0,
+                                                      .hardMax = 1e300,
+                                                      .defaultValue = 0,
+                                                      .description = "",
+                                                      .formula = "",
+                                                      .reference = ""}};
+constexpr models::ModelSpec levelSpec = {
+    .id = "level", .name = "", .description = "", .formula = "", .reference = "", .parameters = levelParameters};
+
 /// f = level, up to values that no float holds.
-class LevelModel final : public models::Model {
- public:
-  const models::ModelSpec& spec() const override {
-    static constexpr models::ParameterSpec parameters[] = {{.id = "level",
-                                                            .label = "",
-                                                            .symbol = "",
-                                                            .unit = "",
-                                                            .softMin = 0,
-                                                            .softMax = 1,
-                                                            .hardMin = 0,
-                                                            .hardMax = 1e300,
-                                                            .defaultValue = 0,
-                                                            .description = "",
-                                                            .formula = "",
-                                                            .reference = ""}};
-    static constexpr models::ModelSpec levelSpec = {
-        .id = "level", .name = "", .description = "", .formula = "", .reference = "", .parameters = parameters};
-    return levelSpec;
-  }
+std::unique_ptr<const Brdf> createLevel(const models::ParameterValues& p) {
+  class Level final : public Brdf {
+   public:
+    explicit Level(const Rgb& level) : level_(level) {}
+    void evaluate(std::span<const DirectionPair>, std::span<Rgb> values) const override {
+      std::fill(values.begin(), values.end(), level_);
+    }
 
- protected:
-  std::unique_ptr<const Brdf> create(const models::ParameterValues& p) const override {
-    class Level final : public Brdf {
-     public:
-      explicit Level(const Rgb& level) : level_(level) {}
-      void evaluate(std::span<const DirectionPair>, std::span<Rgb> values) const override {
-        std::fill(values.begin(), values.end(), level_);
-      }
-
-     private:
-      Rgb level_;
-    };
-    return std::make_unique<const Level>(p.values[0]);
-  }
-};
+   private:
+    Rgb level_;
+  };
+  return std::make_unique<const Level>(p.values[0]);
+}
 
 DifferentialEdit ggxEdit(const models::ParameterValues& fitted, const models::ParameterValues& edited) {
   return {.model = &models::findModel("ggx"), .fitted = fitted, .edited = edited};
 }
 
 DifferentialEdit levelEdit(double fitted, double edited) {
-  static const LevelModel model;
+  static const models::Model model(levelSpec, {.create = createLevel});
   return {.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}};
 }
 
@@ -232,6 +225,11 @@ class DifferentialEditTest : public QObject {
     QCOMPARE(edited->evaluate({0, 0, 1}, {0, 0, 1}).x, 0.0);
     QCOMPARE(edited->evaluate(fromSpherical(2, 0), {0, 0, 1}).x, 0.0);
     QCOMPARE(edited->evaluate(fromSpherical(1.4, 0), fromSpherical(1.4, 0.2)).x, 4.0);
+    QVERIFY(!edited->hasData({{0, 0, 1}, {0, 0, 1}}));
+    // An edit of the edited BRDF knows it as well.
+    const auto editedTwice = applyEdits(edited, std::span(&edit, 1));
+    QCOMPARE(editedTwice->evaluate({0, 0, 1}, {0, 0, 1}).x, 0.0);
+    QCOMPARE(editedTwice->evaluate(fromSpherical(1.4, 0), fromSpherical(1.4, 0.2)).x, 7.0);
   }
 
   void hardCase39OverflowIsCappedAndCounted() {

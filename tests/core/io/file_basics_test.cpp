@@ -12,11 +12,11 @@
 #include "core/io/dictionary_file.h"
 #include "core/io/image_io.h"
 #include "core/io/material.h"
-#include "core/io/npf_file.h"
 #include "core/io/pdv_file.h"
 #include "core/io/sha256.h"
 #include "core/io/training_checkpoint.h"
 #include "tests/core/io/test_files.h"
+#include "tests/studies/research/baselines/npf_file.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;
