@@ -181,7 +181,7 @@ void prepare(MainWindow& window, const Options& options) {
   QObject::connect(
       &window.document(), &Document::stateChanged, &window,
       [&window] {
-        if (window.document().edit() && window.ranking().model().rowCount() == 0 && !window.ranking().isRunning())
+        if (window.document().active<editing::DifferentialEdit>() && window.ranking().model().rowCount() == 0 && !window.ranking().isRunning())
           window.ranking().fitAll();
       },
       Qt::QueuedConnection);

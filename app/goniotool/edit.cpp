@@ -74,7 +74,7 @@ Json clampedJson(const std::vector<models::ClampedParameter>& clamped) {
 
 /// Writes the edited material, or the description of the edit; returns how many values had to be capped.
 std::size_t write(const materials::Material& material, const std::shared_ptr<const TabulatedBrdf>& base,
-                  const editing::DifferentialEdit& edit, const Options& options, const Tool& tool) {
+                  const editing::Edit& edit, const Options& options, const Tool& tool) {
   if (writesDocument(options)) {
     editing::EditDocument document;
     document.sourcePath = material.source.path.string();
@@ -111,11 +111,12 @@ int replayDocument(const Options& options, const Tool& tool) {
   return 0;
 }
 
-void printEdit(const editing::DifferentialEdit& edit, const fitting::FitResult& fitted,
+void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
                const std::vector<models::ClampedParameter>& clamped, std::size_t capped, const Options& options,
                const Tool& tool) {
-  const models::ModelSpec& spec = edit.model->spec();
-  std::string text = options.out + ": " + std::string(spec.name) + "\n" + parametersText(spec, edit.edited);
+  const auto& [model, before, after] = std::get<editing::DifferentialEdit>(edit.content);
+  const models::ModelSpec& spec = model->spec();
+  std::string text = options.out + ": " + std::string(spec.name) + "\n" + parametersText(spec, after);
   for (const models::ClampedParameter& one : clamped)
     text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range, used " +
             number(one.used) + "\n";
@@ -123,8 +124,8 @@ void printEdit(const editing::DifferentialEdit& edit, const fitting::FitResult& 
   if (averaged) text += averagedText();
   print(tool,
         {{"model", spec.id},
-         {"fitted", parametersJson(spec, edit.fitted)},
-         {"edited", parametersJson(spec, edit.edited)},
+         {"fitted", parametersJson(spec, before)},
+         {"edited", parametersJson(spec, after)},
          {"errors", errorsJson(fitted.errors)},
          {"strength", edit.strength},
          {"clamped", clampedJson(clamped)},
@@ -148,9 +149,10 @@ int edit(const Options& options, const Tool& tool) {
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   const fitting::FitResult fitted = fitting::fit(*table, model, {}, tool.control("fitting"));
-  editing::DifferentialEdit edit{&model, fitted.parameters, fitted.parameters, options.strength, true};
-  for (const std::string& assignment : options.set) assign(model.spec(), assignment, edit.edited);
-  const auto clamped = models::clampToHardRange(model.spec(), edit.edited);
+  editing::DifferentialEdit change{&model, fitted.parameters, fitted.parameters};
+  for (const std::string& assignment : options.set) assign(model.spec(), assignment, change.edited);
+  const auto clamped = models::clampToHardRange(model.spec(), change.edited);
+  const editing::Edit edit{change, "", options.strength};
   const std::size_t capped = write(material, table, edit, options, tool);
   printEdit(edit, fitted, clamped, capped, options, tool);
   return 0;

@@ -97,7 +97,7 @@ int fitAll(const Options& options, const materials::Material& material, const To
   study::RankingOptions rankingOptions;
   rankingOptions.fit = options.fitOptions();
   std::vector<study::RankedFit> ranking =
-      study::rankFits(*table, *material.brdf, rankingOptions, tool.control("fitting all models"));
+      study::rankFits({table, material.brdf}, rankingOptions, tool.control("fitting all models"));
   const bool isBySnr = options.sort == bySnr;
   const metrics::BrdfMetric sortMetric = options.sort.empty() || isBySnr ? metric : metrics::metricByName(options.sort);
   sortRanking(ranking, isBySnr ? std::nullopt : std::optional(sortMetric));

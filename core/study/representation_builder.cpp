@@ -8,7 +8,7 @@
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
-#include "core/factorization/rivals/nonparametric.h"
+#include "core/factorization/nonparametric.h"
 #include "core/fitting/fit_parameters.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
@@ -89,7 +89,8 @@ BuiltRepresentation RepresentationBuilder::fit(const Representation& representat
   return {.brdf = model.instantiate(result.parameters),
           .nodes = nullptr,
           .bytes = fitting::fittedParameterCount(model.spec()) * sizeof(float),
-          .encodeSeconds = result.seconds};
+          .encodeSeconds = result.seconds,
+          .fit = result};
 }
 
 BuiltRepresentation RepresentationBuilder::factors(const Representation& representation, const TaskControl& control) {

@@ -40,6 +40,7 @@ struct BuiltRepresentation {
   /// Its values at the nodes of the subject's table, computed when they are asked for (a code is decoded in under 50
   /// ms, other things are sampled). From any thread, also when the builder is gone. @throws Cancelled.
   std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)> tabulated = {};
+  std::optional<fitting::FitResult> fit = {};  ///< of a fit
 };
 
 /// Makes representations of one material. What several budgets share is computed once: factors are nested; fits share

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "core/editing/edit_document.h"
-#include "core/factorization/rivals/npf_file.h"
 #include "core/geometry/mesh_intersector.h"
 #include "core/io/image_io.h"
 #include "core/io/obj_file.h"
@@ -20,6 +19,7 @@
 #include "core/materials/values_file.h"
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/scene_file.h"
+#include "tests/studies/research/baselines/npf_file.h"
 
 /// What is done with bytes that nobody vouches for. Each reads and uses the result; every outcome but a result that
 /// keeps its promises and a gonio::Error is a bug. Shared by the mutation test and the libFuzzer programs.
@@ -128,10 +128,10 @@ inline void readImageBytes(std::span<const std::byte> bytes) {
 inline void readDocumentBytes(std::span<const std::byte> bytes) {
   const auto document = editing::documentFromText(std::string(textOf(bytes)));
   for (const editing::Edit& edit : document.edits) {
-    if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit))
+    if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit.content))
       differential->model->instantiate(differential->edited);
     else
-      factorization::makePdvBrdf(*std::get<editing::FactorEdit>(edit).edited);
+      factorization::makePdvBrdf(*std::get<editing::FactorEdit>(edit.content).edited);
   }
   editing::toJson(document).dump();
 }
@@ -139,7 +139,7 @@ inline void readDocumentBytes(std::span<const std::byte> bytes) {
 /// What was read can be planned. Files that the text names are not opened.
 inline void readSceneBytes(std::span<const std::byte> bytes) {
   const Scene scene = parseScene(std::string(textOf(bytes)), 2);
-  const std::vector<std::shared_ptr<const TracedMaterial>> grey(2, diffuseMaterial(Rgb(0.5)));
+  const std::vector<std::shared_ptr<const RenderMaterial>> grey(2, diffuseMaterial(Rgb(0.5)));
   const EffectPlan plan = planEffects(scene, bindMaterials(scene, grey));
   if (plan.reflections < 0 || !(plan.remainder >= 0) || !(scene.camera.distance > 0))
     throw std::logic_error("a scene without a plan");

@@ -18,7 +18,6 @@
 #include <optional>
 #include <set>
 
-#include "core/acquisition/factor_measurement.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/materials/material.h"
@@ -27,6 +26,7 @@
 #include "core/support/error.h"
 #include "tests/studies/acquisition_records.h"
 #include "tests/studies/comparison_judge.h"
+#include "tests/studies/research/acquisition/factor_measurement.h"
 #include "tests/studies/study_files.h"
 #include "tests/studies/study_main.h"
 
@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int folds = 10;
-constexpr SphereRenderOptions picture{.width = 128, .height = 128, .samples = 16};
+constexpr RenderOptions picture{.width = 128, .height = 128, .samples = 16};
 
 struct Selection {
   const char* id;

@@ -17,13 +17,13 @@ std::string collectionOf(const std::filesystem::path& file) {
 }
 
 ComparisonJudge::ComparisonJudge(const std::filesystem::path& file, std::string collection,
-                                 const SphereRenderOptions& picture)
+                                 const RenderOptions& picture)
     : material_(file.stem()),
       collection_(std::move(collection)),
       table_(materials::readMaterial(file).tabulated()),
       comparison_(*table_, picture) {}
 
-ComparisonRecord ComparisonJudge::score(const std::string& model, const factorization::RivalModel& built,
+ComparisonRecord ComparisonJudge::score(const std::string& model, const factorization::ComparedModel& built,
                                         double seconds) const {
   const ComparisonPicture picture = comparison_.render(*built.brdf);
   return {.material = material_,

@@ -132,12 +132,12 @@ class Trial {
   void run() {
     if (!records_.contains(file_.stem(), bySquares, *std::rbegin(counts))) addEnsemble();
     for (const int count : counts) budgets_.push_back(records_.find(file_.stem(), ours, count)->bytes);
-    using factorization::Rival;
-    const Rival& nonparametric = *std::ranges::find(factorization::rivals(), "nonparametric", &Rival::id);
+    using factorization::Baseline;
+    const Baseline& nonparametric = *std::ranges::find(factorization::baselines(), "nonparametric", &Baseline::id);
     add("components", [&] { return componentModels(fold_.components(), *court().table(), budgets_); });
     add("patches", [&] { return fold_.patches().models(*court().table(), budgets_); });
     add("nonparametric", [&] { return nonparametric.build(*court().table(), budgets_, {}); });
-    add("fit", [&] { return std::vector<RivalModel>(budgets_.size(), bestFit()); });
+    add("fit", [&] { return std::vector<ComparedModel>(budgets_.size(), bestFit()); });
   }
 
  private:
@@ -150,7 +150,7 @@ class Trial {
   const ComparisonJudge& court() {
     if (!court_)
       court_.emplace(file_, collectionOf(file_),
-                     SphereRenderOptions{.width = options_.size, .height = options_.size, .samples = options_.samples});
+                     RenderOptions{.width = options_.size, .height = options_.size, .samples = options_.samples});
     return *court_;
   }
 
@@ -165,10 +165,10 @@ class Trial {
     }
   }
 
-  void add(const std::string& model, const std::function<std::vector<RivalModel>()>& build) {
+  void add(const std::string& model, const std::function<std::vector<ComparedModel>()>& build) {
     if (!wanted(model)) return;
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<RivalModel> models = build();
+    const std::vector<ComparedModel> models = build();
     const double seconds = secondsSince(start);
     ComparisonRecord record;
     for (std::size_t i = 0; i < models.size(); ++i) {
@@ -187,14 +187,14 @@ class Trial {
   }
 
   /// By the rendered SNR, of three common microfacet models: a ranking of all takes a minute a material.
-  RivalModel bestFit() {
+  ComparedModel bestFit() {
     const fitting::FitData data(*court().table(), {});
-    RivalModel best;
+    ComparedModel best;
     double highest = 0;
     for (const models::Model* model : {&models::sgd(), &models::abc(), &models::ggx()}) {
       const fitting::FitResult fit = fitting::fit(data, *model);
-      const RivalModel built{model->instantiate(fit.parameters),
-                             sizeof(float) * fitting::fittedParameterCount(model->spec())};
+      const ComparedModel built{model->instantiate(fit.parameters),
+                                sizeof(float) * fitting::fittedParameterCount(model->spec())};
       const double snr = court().score({}, built, 0).rendered;
       if (best.brdf && !(snr > highest)) continue;
       highest = snr;

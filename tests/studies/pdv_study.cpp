@@ -13,7 +13,6 @@
 #include <functional>
 #include <random>
 
-#include "core/acquisition/factor_measurement.h"
 #include "core/brdf/lobe_mixture.h"
 #include "core/coordinates/half_difference.h"
 #include "core/coordinates/projected_deviation.h"
@@ -25,6 +24,8 @@
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
 #include "core/rendering/rendered_comparison.h"
+#include "tests/studies/research/acquisition/factor_measurement.h"
+#include "tests/studies/research/factorization/printed_pdv_sampler.h"
 
 using namespace gonio;
 

@@ -262,7 +262,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
       resources->setDecodesCodes(onTheCard);
       widgets::PreviewRenderer renderer(resources);
       renderer.initialize();
-      renderer.setSubject({.table = dictionary::decode(*ensemble, code->code), .lobe = {}, .code = code});
+      renderer.setSubject({widgets::EditedTable{dictionary::decode(*ensemble, code->code), {}, code}});
       tests::showSphere(renderer, {});
       renderer.setSize({32, 32});
       renderer.accumulate(4);

@@ -13,11 +13,10 @@ using widgets::MaterialEstimator;
 namespace {
 
 widgets::PreviewSubject ggx(double roughness) {
-  widgets::PreviewSubject subject{.table = nullptr, .lobe = {}};
-  subject.model = &models::findModel("ggx");
-  subject.parameters = models::defaultParameters(subject.model->spec());
-  subject.parameters.values[*subject.model->spec().find("roughness")] = Rgb(roughness);
-  return subject;
+  const models::Model& model = models::findModel("ggx");
+  models::ParameterValues parameters = models::defaultParameters(model.spec());
+  parameters.values[*model.spec().find("roughness")] = Rgb(roughness);
+  return {widgets::ModelAlone{&model, parameters}};
 }
 
 }  // namespace
@@ -49,6 +48,24 @@ class MaterialEstimatorTest : public QObject {
     QCOMPARE(told.count(), 0);
     estimator.request({});  // nothing to estimate
     QVERIFY(!estimator.isBusy());
+  }
+
+  /// What cannot be estimated is told, and the next request gets its chance.
+  void aFailureIsTold() {
+    widgets::PreviewSubject wrong = ggx(0.3);
+    wrong.parameters.values.clear();
+    {
+      MaterialEstimator estimator;
+      estimator.request(wrong);  // destroyed with the failure
+    }
+    MaterialEstimator estimator;
+    QSignalSpy told(&estimator, &MaterialEstimator::estimated), failures(&estimator, &MaterialEstimator::failed);
+    estimator.request(wrong);
+    QTRY_COMPARE(failures.count(), 1);
+    QVERIFY(!failures[0][0].toString().isEmpty() && !estimator.isBusy());
+    estimator.request(ggx(0.3));
+    QTRY_COMPARE(told.count(), 1);
+    QCOMPARE(failures.count(), 1);
   }
 
   /// Destroyed while it works: it waits and tells nothing.

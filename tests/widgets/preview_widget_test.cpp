@@ -7,8 +7,8 @@
 
 #include "core/metrics/image_metrics.h"
 #include "core/models/model.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
-#include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
 #include "tests/support/test_program.h"
 #include "widgets/preview/false_colour_legend.h"
@@ -164,16 +164,14 @@ class PreviewWidgetTest : public QObject {
     edit.edited = edit.fitted;
     edit.edited.values[*model.spec().find("roughness")] = Rgb(0.01);
     const auto rough = bakeTable(*model.instantiate(edit.fitted));
-    SphereScene scene;
-    scene.environment = studioEnvironment();
-    widget_->setMaterial(rough, estimateSamplingLobe(*rough));
-    widget_->setScene(sceneOf(scene));
-    widget_->setEdit(edit);
+    const Scene scene = comparisonScene();
+    widget_->setScene(scene);
+    widget_->setSubject({widgets::EditedTable{rough, {{edit}}}, estimateSamplingLobe(*rough)});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const Image shown = widget_->linearPicture();
-    const auto edited = editing::applyEdits(rough, std::span(&edit, 1));
+    const auto edited = editing::applyEdits(rough, editing::EditList{{edit}});
     const Image reference =
-        renderSphere(*edited, scene, {.width = shown.width, .height = shown.height, .samples = 256, .seed = 3});
+        renderPicture(*edited, scene, {.width = shown.width, .height = shown.height, .samples = 256, .seed = 3});
     const double snr = metrics::signalToNoiseRatio(reference, shown);
     QVERIFY2(snr > 25, qPrintable(QString("%1 dB").arg(snr)));
   }
@@ -182,8 +180,8 @@ class PreviewWidgetTest : public QObject {
   /// more.
   void comparisonOfTwoSubjects() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
-    widget_->setSubject({.table = table_, .lobe = {}}, "Grey");
-    widget_->setOther({.table = black, .lobe = {}}, "Black");
+    widget_->setSubject(widgets::tableSubject(table_), "Grey");
+    widget_->setOther(widgets::tableSubject(black), "Black");
     widget_->setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
     QVERIFY(widget_->isComparing());
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
@@ -203,8 +201,8 @@ class PreviewWidgetTest : public QObject {
 
   /// The bar follows the mouse and the keys, and tells its place.
   void splitBarMoves() {
-    widget_->setSubject({.table = table_, .lobe = {}}, "A");
-    widget_->setOther({.table = table_, .lobe = {}}, "B");
+    widget_->setSubject(widgets::tableSubject(table_), "A");
+    widget_->setOther(widgets::tableSubject(table_), "B");
     widget_->setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
     QSignalSpy moves(widget_.get(), &PreviewWidget::splitMoved);
     widgets::SplitBar* bar = widget_->overlay()->splitBar();
@@ -224,8 +222,8 @@ class PreviewWidgetTest : public QObject {
   /// The legend tells the range that the colours have: 0.18 against black is a difference of at most 0.18 here.
   void differenceFindsItsRange() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
-    widget_->setSubject({.table = table_, .lobe = {}}, "Grey");
-    widget_->setOther({.table = black, .lobe = {}}, "Black");
+    widget_->setSubject(widgets::tableSubject(table_), "Grey");
+    widget_->setOther(widgets::tableSubject(black), "Black");
     widget_->setComparison({.mode = widgets::CompareMode::difference});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     const double found = widget_->differenceRange();
@@ -235,6 +233,57 @@ class PreviewWidgetTest : public QObject {
     widget_->setComparison({.mode = widgets::CompareMode::difference, .range = 0.25});
     widget_->grabPicture();
     QCOMPARE(widget_->differenceRange(), 0.25);
+  }
+
+  /// While shaders are compiled and tables uploaded, the picture before stays, and the status tells why.
+  void thePictureStaysUntilTheNextOneIsDone() {
+    const auto status = [&] {
+      QStringList texts;
+      for (const QLabel* label : widget_->findChildren<QLabel*>()) texts << label->text();
+      return texts.join('\n');
+    };
+    widget_->setMaterial(table_, {});
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);
+    const models::Model& model = models::findModel("cook-torrance");
+    bool toldWhy = false;
+    widget_->setSubject({widgets::ModelAlone{&model, models::defaultParameters(model.spec())}});
+    while (frames.isEmpty()) {
+      QVERIFY(widget_->grabFramebuffer().pixelColor(110, 110).red() > 60);
+      QTest::qWait(1);
+      toldWhy = toldWhy || status().contains("Compiling");
+    }
+    QVERIFY(toldWhy);
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    QVERIFY(!status().contains("Compiling"));
+  }
+
+  /// A shader that does not compile is told, and the next one is drawn.
+  void aFailureIsToldAndNotForEver() {
+    QSignalSpy failures(widget_.get(), &PreviewWidget::failed);
+    const models::Model &ward = models::findModel("ward"), &ggx = models::findModel("ggx");
+    qputenv("GONIO_SHADER_DIR", "/nowhere");
+    widget_->setSubject({widgets::ModelAlone{&ward, models::defaultParameters(ward.spec())}});
+    QTRY_COMPARE_WITH_TIMEOUT(failures.count(), 1, 20000);
+    QVERIFY(failures[0][0].toString().contains("/nowhere"));
+    qunsetenv("GONIO_SHADER_DIR");
+    widget_->setSubject({widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}});
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    QCOMPARE(failures.count(), 1);
+  }
+
+  /// A dock that floats gives the widget another window, and with it another context.
+  void anotherWindowShowsThePictureAgain() {
+    widget_->setMaterial(table_, {});
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
+    QWidget window;
+    window.resize(260, 260);
+    widget_->setParent(&window);
+    widget_->show();
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->grabFramebuffer().pixelColor(widget_->rect().center()).red() > 60, 20000);
+    widget_->setParent(nullptr);
   }
 
   /// Taking the material away shows the empty state again, never a stale picture.

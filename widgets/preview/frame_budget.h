@@ -24,12 +24,9 @@ class FrameBudget {
 
   /// Takes in what a frame cost.
   void record(double pixels, int samples, double milliseconds);
-  /// Forgets: the scene's cost has changed altogether.
-  void reset() { nsPerSample_ = initialNsPerSample; }
 
  private:
-  static constexpr double initialNsPerSample = 15;
-  double nsPerSample_ = initialNsPerSample;
+  double nsPerSample_ = 15;
 };
 
 }  // namespace gonio::widgets

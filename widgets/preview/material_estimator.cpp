@@ -5,10 +5,12 @@
 #include <QtConcurrentRun>
 #include <cmath>
 
+#include "widgets/preview/task_failure.h"
+
 namespace gonio::widgets {
 
 MaterialEstimator::MaterialEstimator(QObject* parent) : QObject(parent) {
-  connect(&m_watcher, &QFutureWatcher<MaterialEstimate>::finished, this, &MaterialEstimator::finish);
+  connect(&m_watcher, &QFutureWatcher<Outcome>::finished, this, &MaterialEstimator::finish);
 }
 
 MaterialEstimator::~MaterialEstimator() { m_watcher.waitForFinished(); }
@@ -30,10 +32,14 @@ void MaterialEstimator::cancel() {
 void MaterialEstimator::start(const PreviewSubject& subject) {
   m_busy = true;
   m_watcher.setFuture(QtConcurrent::run([subject] {
-    const std::shared_ptr<const Brdf> brdf = subjectBrdf(subject);
-    // The lobe of a table as it is has come with it.
-    const SamplingLobe lobe = subject.isMeasured() ? subject.lobe : estimateSamplingLobe(*brdf);
-    return MaterialEstimate{lobe, std::make_shared<const TracedMaterial>(brdf, lobe)};
+    Outcome outcome;
+    outcome.failure = TaskFailure::of([&] {
+      const std::shared_ptr<const Brdf> brdf = subjectBrdf(subject);
+      // The lobe of a table as it is has come with it.
+      const SamplingLobe lobe = subject.isMeasured() ? subject.lobe : estimateSamplingLobe(*brdf);
+      outcome.estimate = {lobe, std::make_shared<const RenderMaterial>(brdf, lobe)};
+    });
+    return outcome;
   }));
 }
 
@@ -44,7 +50,12 @@ void MaterialEstimator::finish() {
     m_next.reset();
     return start(next);
   }
-  if (m_wanted) Q_EMIT estimated(m_watcher.result());
+  if (!m_wanted) return;
+  const Outcome outcome = m_watcher.result();
+  if (outcome.failure.isEmpty())
+    Q_EMIT estimated(outcome.estimate);
+  else
+    Q_EMIT failed(outcome.failure);
 }
 
 bool similarLobes(const SamplingLobe& a, const SamplingLobe& b) {

@@ -5,24 +5,13 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 
-#include "core/rendering/scene_file.h"
-#include "core/support/error.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/split_bar.h"
 
 namespace gonio::widgets {
 
-namespace {
-constexpr int restMs = 120;  // without a change: the picture is at rest
-}  // namespace
-
 PreviewWidget::PreviewWidget(QWidget* parent)
-    : QOpenGLWidget(parent),
-      resources_(std::make_shared<PreviewResources>()),
-      first_(resources_),
-      second_(resources_),
-      display_(resources_),
-      overlay_(new PreviewOverlay(this)) {
+    : QOpenGLWidget(parent), m_overlay(new PreviewOverlay(this)), m_input(new PreviewInput(m_content, *this)) {
   QSurfaceFormat format;
   format.setVersion(4, 1);
   format.setProfile(QSurfaceFormat::CoreProfile);
@@ -32,231 +21,154 @@ PreviewWidget::PreviewWidget(QWidget* parent)
   setMinimumSize(200, 200);
   setAccessibleName(tr("Preview"));
   setAccessibleDescription(tr("The material on a sphere. Drag to orbit, wheel to zoom."));
-  frameTimer_.setSingleShot(true);
-  connect(&frameTimer_, &QTimer::timeout, this, [this] { update(); });
-  connect(&first_.estimator, &MaterialEstimator::estimated, this,
-          [this](const auto& estimate) { adopt(first_, estimate); });
-  connect(&second_.estimator, &MaterialEstimator::estimated, this,
-          [this](const auto& estimate) { adopt(second_, estimate); });
-  for (Side* side : {&first_, &second_}) connect(&side->tracer, &SceneTracer::advanced, this, [this] { update(); });
-  connect(overlay_->splitBar(), &SplitBar::moved, this, [this](double share) {
-    comparison_.split = share;
-    update();
+  connectContent();
+  connect(&m_thread, &PictureThread::drawn, this, &PreviewWidget::adopt);
+  connect(&m_thread, &PictureThread::failed, this, &PreviewWidget::showFailure);
+  connect(&m_thread, &PictureThread::compiling, this, [this] {
+    if (m_content.hasMaterial()) m_overlay->setStatus(tr("Compiling shaders..."));
+  });
+  connect(m_input, &PreviewInput::polarAnglePicked, this, &PreviewWidget::polarAnglePicked);
+  connect(m_overlay->splitBar(), &SplitBar::moved, this, [this](double share) {
+    PreviewComparison comparison = m_content.comparison();
+    comparison.split = share;
+    m_content.setComparison(comparison);
     Q_EMIT splitMoved(share);
   });
-  showScene(openScene(bundledSceneNames().front()));
-  setMaterial(nullptr, {});
-}
-
-PreviewWidget::~PreviewWidget() {
-  if (context()) release();
-}
-
-void PreviewWidget::release() {
-  makeCurrent();
-  first_.picture.release();
-  second_.picture.release();
-  resources_->release();
-  doneCurrent();
-}
-
-void PreviewWidget::setComparison(const PreviewComparison& comparison) {
-  if (comparison == comparison_) return;
-  if (comparison.difference != comparison_.difference || comparison.range != comparison_.range) range_ = 0;
-  comparison_ = comparison;
   showOverlay();
-  for (Side* side : {&first_, &second_}) trace(*side);
-  changed();
 }
 
-bool PreviewWidget::isComparing() const {
-  return comparison_.mode != CompareMode::off && !first_.subject.isEmpty() && !second_.subject.isEmpty();
+PreviewWidget::~PreviewWidget() { m_thread.stop(); }
+
+void PreviewWidget::connectContent() {
+  const auto changed = [this] {
+    m_changed = std::chrono::steady_clock::now();
+    m_failure.clear();
+    showOverlay();
+    requestPicture();
+  };
+  const auto refresh = [this] {
+    m_fresh = m_number + 1;
+    requestPicture();
+  };
+  connect(&m_content, &PreviewContent::changed, this, [this, changed] {
+    m_fresh = m_number + 1;
+    changed();
+  });
+  connect(&m_content, &PreviewContent::comparisonChanged, this, changed);
+  connect(&m_content, &PreviewContent::refined, this, refresh);
+  connect(&m_content, &PreviewContent::sceneChanged, this, &PreviewWidget::sceneChanged);
+  connect(&m_content, &PreviewContent::planChanged, this, &PreviewWidget::planChanged);
+  connect(&m_content, &PreviewContent::failed, this, &PreviewWidget::showFailure);
+}
+
+void PreviewWidget::setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe) {
+  setSubject(tableSubject(std::move(table), lobe));
 }
 
 void PreviewWidget::setFlickering(bool flickering) {
-  flickering_ = flickering && isComparing() && comparison_.mode != CompareMode::twoUp;
+  m_flickering = flickering && isComparing() && comparison().mode != CompareMode::twoUp;
   showOverlay();
-  update();
+  requestPicture();
 }
 
 void PreviewWidget::setExposure(double stops) {
-  settings_.exposure = stops;
-  update();
+  m_settings.exposure = stops;
+  requestPicture();
 }
 
 void PreviewWidget::setToneMap(ToneMap toneMap) {
-  settings_.toneMap = toneMap;
-  update();
+  m_settings.toneMap = toneMap;
+  requestPicture();
 }
 
-void PreviewWidget::setOverlayVisible(bool visible) { overlay_->setStatusWanted(visible); }
+void PreviewWidget::setOverlayVisible(bool visible) { m_overlay->setStatusWanted(visible); }
 
-bool PreviewWidget::overlayVisible() const { return overlay_->statusWanted(); }
-
-void PreviewWidget::setPicking(bool picking) {
-  picking_ = picking;
-  setCursor(picking ? Qt::CrossCursor : Qt::ArrowCursor);
-}
-
-bool PreviewWidget::needsFrames(const Side& side) const {
-  if (isTraced()) return false;
-  return side.picture.size() != pictureSize() || side.picture.samples() < wantedSamples();
-}
-
-bool PreviewWidget::converged() const {
-  const auto done = [this](const Side& side) {
-    if (isTraced()) return side.shown && side.shown->samples >= wantedSamples() && !side.estimator.isBusy();
-    return !needsFrames(side) && !side.estimator.isBusy();
-  };
-  return hasMaterial() && done(first_) && (!isComparing() || done(second_));
-}
-
-QImage PreviewWidget::grabPicture() { return grabFramebuffer(); }
-
-Image PreviewWidget::linearPicture() {
-  makeCurrent();
-  Image picture = first_.picture.readPicture();
-  doneCurrent();
-  return picture;
-}
-
-int PreviewWidget::wantedSamples() const {
-  // Light without a size that is reflected once has no noise: its samples smooth the edge alone.
-  const EffectPlan& simulated = first_.plan;
-  const bool noisy = simulated.simulates(Effect::environmentLight) || simulated.simulates(Effect::areaLightSampling) ||
-                     simulated.reflections > 1;
-  return noisy ? 512 : 64;
-}
+bool PreviewWidget::overlayVisible() const { return m_overlay->statusWanted(); }
 
 QSize PreviewWidget::pixelSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1}); }
 
-QSize PreviewWidget::pictureSize() const {
-  const QSize all = pixelSize();
-  const bool halved = isComparing() && comparison_.mode == CompareMode::twoUp;
-  return halved ? QSize(std::max(1, all.width() / 2), all.height()) : all;
+void PreviewWidget::requestPicture() {
+  PictureRequest request = m_content.request();
+  request.number = ++m_number;
+  request.display = m_settings;
+  request.flickering = m_flickering && request.comparing;
+  request.changed = m_changed;
+  m_thread.request(request);
 }
 
-void PreviewWidget::changed() {
-  sinceChange_.start();
+bool PreviewWidget::converged() const {
+  if (!hasMaterial() || m_content.isBusy() || m_state.number < m_fresh) return false;
+  const auto done = [this](const PictureState::Side& side) {
+    return side.size == m_content.pictureSize() && side.samples >= m_content.wantedSamples();
+  };
+  return done(m_state.sides[0]) && (!isComparing() || done(m_state.sides[1]));
+}
+
+QImage PreviewWidget::grabPicture() {
+  if (!context()) grabFramebuffer();  // starts OpenGL
+  if (const PictureState state = m_thread.drawNow(); state.number > 0) adopt(state);
+  return grabFramebuffer();
+}
+
+void PreviewWidget::adopt(const PictureState& state) {
+  m_state = state;
+  if (isComparing() && comparison().mode == CompareMode::difference && state.range > 0)
+    m_overlay->setRange(comparison().difference, state.range);
+  if (state.isNew && hasMaterial()) {
+    const double milliseconds = isTraced() ? m_content.first().tracer().millisecondsOfSample() : state.milliseconds;
+    showStatus(milliseconds);
+    Q_EMIT frameRendered(milliseconds, state.sides[0].samples);
+  }
   update();
 }
 
-void PreviewWidget::restart() {
-  for (Side* side : {&first_, &second_}) {
-    side->picture.restart();
-    trace(*side);
-  }
-  changed();
-}
-
-void PreviewWidget::fail(const QString& message) {
-  if (failure_ == message) return;
-  failure_ = message;
-  overlay_->setHint(message);
+void PreviewWidget::showFailure(const QString& message) {
+  if (m_failure == message) return;
+  m_failure = message;
+  m_overlay->setHint(message);
   Q_EMIT failed(message);
 }
 
 void PreviewWidget::initializeGL() {
   // Reparenting (a dock that floats) destroys the context and makes another: everything is uploaded again.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &PreviewWidget::release);
-  try {
-    first_.picture.initialize();
-    second_.picture.initialize();
-    display_.initialize();
-  } catch (const Error& error) {
-    fail(QString::fromUtf8(error.what()));
-  }
-}
-
-void PreviewWidget::renderFrame() {
-  const bool resting = !sinceChange_.isValid() || sinceChange_.elapsed() >= restMs;
-  const bool firstNeeds = needsFrames(first_), secondNeeds = isComparing() && needsFrames(second_);
-  const double fullPixels = double(pictureSize().width()) * pictureSize().height() * (firstNeeds + secondNeeds);
-  const int accumulated = std::min(firstNeeds ? first_.picture.samples() : wantedSamples(),
-                                   secondNeeds ? second_.picture.samples() : wantedSamples());
-  const FrameBudget::Frame frame = budget_.next(fullPixels, accumulated, wantedSamples(), resting);
-  QElapsedTimer timer;
-  timer.start();
-  for (Side* side : {&first_, &second_}) {
-    if (!(side == &first_ ? firstNeeds : secondNeeds)) continue;
-    side->picture.setSize(frame.scale == 1 ? pictureSize() : pictureSize() / 2);
-    side->picture.accumulate(frame.samples);
-  }
-  const double milliseconds = double(timer.nsecsElapsed()) * 1e-6;
-  budget_.record(fullPixels * frame.scale * frame.scale, frame.samples, milliseconds);
-  updateRange();
-  updateStatus(milliseconds);
-  Q_EMIT frameRendered(milliseconds, first_.picture.samples());
-  // A frame at half the resolution stands until the hand rests; others are refined at once.
-  if (needsFrames(first_) || (isComparing() && needsFrames(second_))) frameTimer_.start(frame.scale < 1 ? restMs : 0);
-}
-
-/// Takes over what the tracers have reached.
-void PreviewWidget::showTraced() {
-  for (Side* side : {&first_, &second_}) {
-    if (side->tracer.film() == side->shown || !side->tracer.film()) continue;
-    side->shown = side->tracer.film();
-    side->picture.showTraced(*side->shown);
-    if (side != &first_) continue;
-    updateStatus(side->tracer.millisecondsOfSample());
-    Q_EMIT frameRendered(side->tracer.millisecondsOfSample(), side->shown->samples);
-  }
-  updateRange();
-}
-
-void PreviewWidget::updateRange() {
-  if (!isComparing() || comparison_.mode != CompareMode::difference) return;
-  const int samples = std::min(first_.picture.samples(), second_.picture.samples());
-  if (comparison_.range > 0) {
-    range_ = comparison_.range;
-  } else {
-    // Noise makes a range too wide: it is found again at 4 times as many samples, and at last.
-    const bool due =
-        range_ == 0 || samples >= 4 * rangeSamples_ || (samples >= wantedSamples() && rangeSamples_ < samples);
-    if (samples < rangeSamples_) rangeSamples_ = samples;
-    if (!due || first_.picture.size() != second_.picture.size() || samples == 0) return;
-    range_ = automaticRange(
-        pictureDifferences(first_.picture.readPicture(), second_.picture.readPicture(), comparison_.difference));
-    rangeSamples_ = samples;
-  }
-  overlay_->setRange(comparison_.difference, range_);
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, &m_thread, &PictureThread::stop);
+  if (!m_gl.initializeOpenGLFunctions()) return showFailure(tr("The graphics driver does not offer OpenGL 4.1 core."));
+  m_state = {};
+  m_thread.start(*context());
 }
 
 void PreviewWidget::paintGL() {
-  if (!failure_.isEmpty()) return;
-  try {
-    if (isTraced()) showTraced();
-    if (hasMaterial() && (needsFrames(first_) || (isComparing() && needsFrames(second_)))) renderFrame();
-    if (range_ == 0) updateRange();
-    context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-    if (isComparing() && !flickering_)
-      display_.present(pixelSize(), settings_, comparison_, std::max(range_, 1e-9), first_.picture, second_.picture);
-    else
-      display_.present(pixelSize(), settings_, flickering_ ? second_.picture : first_.picture);
-  } catch (const Error& error) {
-    fail(QString::fromUtf8(error.what()));
-  }
+  if (m_thread.show(m_gl, defaultFramebufferObject(), pixelSize())) return;
+  const QColor& background = m_settings.backgroundEdge;
+  context()->functions()->glClearColor(background.redF(), background.greenF(), background.blueF(), 1);
+  context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
 }
 
-void PreviewWidget::resizeGL(int, int) { restart(); }
+void PreviewWidget::resizeGL(int, int) { m_content.setViewport(pixelSize()); }
 
 void PreviewWidget::showOverlay() {
-  PreviewComparison shown = comparison_;
+  PreviewComparison shown = comparison();
   if (!isComparing()) shown.mode = CompareMode::off;
-  overlay_->setComparison(shown, {first_.name, second_.name}, flickering_ && isComparing());
+  m_overlay->setComparison(shown, {m_content.first().name(), m_content.second().name()}, m_flickering && isComparing());
+  if (!m_failure.isEmpty()) return;
+  m_overlay->setHint(hasMaterial() ? QString()
+                                   : tr("Open a measured material (Ctrl+O), drop a file here,\n"
+                                        "or double-click one in the library."));
+  if (!hasMaterial()) m_overlay->setStatus({});
 }
 
-void PreviewWidget::updateStatus(double milliseconds) {
-  const QString curve = QString::fromUtf8(toneMapName(settings_.toneMap).data());
-  const int followed = isTraced() ? first_.plan.reflections : SceneUniforms::mostReflections;
-  const QString subject = first_.name.isEmpty() ? QString() : tr("%1 | ").arg(first_.name);
-  overlay_->setStatus(tr("%1%2 | exposure %3 | %4 | %5 ms%6 | %7\n%8")
-                          .arg(subject, QString::fromStdString(scene_.name))
-                          .arg(settings_.exposure, 0, 'f', 1)
-                          .arg(curve)
-                          .arg(milliseconds, 0, 'f', 1)
-                          .arg(isTraced() ? tr(" a sample, on the CPU") : QString())
-                          .arg(samplesText(first_.picture.samples()), effectsText(first_.plan, followed)));
+void PreviewWidget::showStatus(double milliseconds) {
+  const QString curve = QString::fromUtf8(toneMapName(m_settings.toneMap).data());
+  const int followed = isTraced() ? plan().reflections : SceneUniforms::mostReflections;
+  const QString& name = m_content.first().name();
+  m_overlay->setStatus(tr("%1%2 | exposure %3 | %4 | %5 ms%6 | %7\n%8")
+                           .arg(name.isEmpty() ? QString() : tr("%1 | ").arg(name))
+                           .arg(QString::fromStdString(scene().name))
+                           .arg(m_settings.exposure, 0, 'f', 1)
+                           .arg(curve)
+                           .arg(milliseconds, 0, 'f', 1)
+                           .arg(isTraced() ? tr(" a sample, on the CPU") : QString())
+                           .arg(samplesText(m_state.sides[0].samples), effectsText(plan(), followed)));
 }
 
 }  // namespace gonio::widgets

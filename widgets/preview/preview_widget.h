@@ -2,16 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QElapsedTimer>
 #include <QOpenGLWidget>
-#include <QTimer>
-#include <memory>
-#include <optional>
 
-#include "widgets/preview/frame_budget.h"
-#include "widgets/preview/gl/preview_display.h"
-#include "widgets/preview/material_estimator.h"
-#include "widgets/preview/scene_tracer.h"
+#include "widgets/preview/picture_thread.h"
+#include "widgets/preview/preview_content.h"
+#include "widgets/preview/preview_input.h"
 
 namespace gonio::widgets {
 
@@ -19,10 +14,9 @@ class PreviewOverlay;
 
 /// The preview viewport: a material in a scene, converging while nothing changes, restarting when something does; or
 /// two subjects against each other, in one scene. Only the effects that the scene calls for are simulated. Scenes of
-/// spheres and rectangles are drawn by the shader, others traced on the CPU.
-/// Left drag orbits (with one distant light alone: moves the light), middle or right drag orbits always, wheel zooms,
-/// Shift + right drag turns the environment, Ctrl + left (or left alone while picking) picks the angle of the viewer at
-/// a point, F frames, R resets the view.
+/// spheres and rectangles are drawn by the shader, others traced on the CPU; both in other threads: the widget shows
+/// the newest finished picture (PictureThread), with facts about it (PreviewOverlay). What is shown stands in its
+/// content(), what the hand does to it in its input().
 class PreviewWidget : public QOpenGLWidget {
   Q_OBJECT
 
@@ -30,74 +24,62 @@ class PreviewWidget : public QOpenGLWidget {
   explicit PreviewWidget(QWidget* parent = nullptr);
   ~PreviewWidget() override;
 
+  PreviewContent& content() { return m_content; }
+  const PreviewContent& content() const { return m_content; }
+  PreviewInput& input() { return *m_input; }
+  PreviewOverlay* overlay() const { return m_overlay; }
+
   /// The first subject: a table without an edit. A null table shows the empty state with a hint.
   void setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe);
-  /// Live: changes uniforms of the first subject, no table is rebuilt.
-  void setEdit(std::optional<editing::DifferentialEdit> edit);
-  /// The first subject. Its lobe is that of the table; what an edit or a model alone needs is estimated in the
-  /// background. A subject that is as before does not restart its picture.
-  void setSubject(const PreviewSubject& subject, const QString& name = {});
-  /// The second subject of comparisons. It costs nothing while it is empty or the mode is off.
-  void setOther(const PreviewSubject& subject, const QString& name);
-  void setComparison(const PreviewComparison& comparison);
-  const PreviewComparison& comparison() const { return comparison_; }
-  /// Whether two subjects are shown.
-  bool isComparing() const;
-  /// The difference that has the last colour now.
-  double differenceRange() const { return range_; }
+  void setSubject(const PreviewSubject& subject, const QString& name = {}) { m_content.setSubject(subject, name); }
+  void setOther(const PreviewSubject& subject, const QString& name) { m_content.setOther(subject, name); }
+  void setComparison(const PreviewComparison& comparison) { m_content.setComparison(comparison); }
+  const PreviewComparison& comparison() const { return m_content.comparison(); }
+  bool isComparing() const { return m_content.isComparing(); }
+  void showScene(const Scene& scene) { m_content.showScene(scene); }
+  void setScene(const Scene& scene) { m_content.setScene(scene); }
+  void setView(const OrbitCamera& camera, double environmentRotation) {
+    m_content.setView(camera, environmentRotation);
+  }
+  const Scene& scene() const { return m_content.scene(); }
+  void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
+    m_content.setEnvironment(environment);
+  }
+  void setOthers(const RenderMaterials& others) { m_content.setOthers(others); }
+  const RenderMaterials& others() const { return m_content.others(); }
+  void setOverrides(const EffectOverrides& overrides) { m_content.setOverrides(overrides); }
+  const EffectOverrides& overrides() const { return m_content.overrides(); }
+  const EffectPlan& plan() const { return m_content.plan(); }
+  bool isTraced() const { return m_content.isTraced(); }
+  const std::shared_ptr<const RenderMaterial>& material() const { return m_content.first().material(); }
+  bool hasMaterial() const { return m_content.hasMaterial(); }
+  void setPicking(bool picking) { m_input->setPicking(picking); }
+  void frameObject() { m_input->frameObject(); }
+  void resetView() { m_input->resetView(); }
 
-  /// Another scene, whose view resetView() comes back to.
-  void showScene(const Scene& scene);
-  /// The scene seen or lit otherwise.
-  void setScene(const Scene& scene);
-  /// The scene from elsewhere: cheaper than setScene(), since the plan stays but for the lamps that the camera sees.
-  void setView(const OrbitCamera& camera, double environmentRotation);
-  const Scene& scene() const { return scene_; }
-  /// Puts an environment into the scene; null: a distant light in its place.
-  void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
-  /// What the scene's other places show: number i is others[i - 1]; the subject itself where that is null or missing.
-  void setOthers(const TracedMaterials& others);
-  const TracedMaterials& others() const { return others_; }
-  /// Effects that the user forces on or off.
-  void setOverrides(const EffectOverrides& overrides);
-  const EffectOverrides& overrides() const { return overrides_; }
-  /// Of the first subject; for a grey surface until its material is known.
-  const EffectPlan& plan() const { return first_.plan; }
-  /// Whether the scene is traced on the CPU: the shader knows neither meshes nor several materials.
-  bool isTraced() const;
-  /// The first subject as rendering takes it; null while it is not known.
-  const std::shared_ptr<const TracedMaterial>& material() const { return first_.material; }
   void setExposure(double stops);
-  double exposure() const { return settings_.exposure; }
+  double exposure() const { return m_settings.exposure; }
   void setToneMap(ToneMap toneMap);
-  ToneMap toneMap() const { return settings_.toneMap; }
+  ToneMap toneMap() const { return m_settings.toneMap; }
   void setOverlayVisible(bool visible);
   bool overlayVisible() const;
-  PreviewOverlay* overlay() const { return overlay_; }
-  /// While picking, a left click or drag picks as Ctrl + left does.
-  void setPicking(bool picking);
-
-  /// The picture as shown, without overlay, at the quality reached so far.
-  QImage grabPicture();
-  /// The linear radiance of the first subject as it has converged so far.
-  Image linearPicture();
-  bool hasMaterial() const { return first_.picture.hasMaterial(); }
-  /// Whether the picture has all the samples that it will get.
-  bool converged() const;
-
- public Q_SLOTS:
-  void frameObject();
-  void resetView();
   /// In a comparison: shows the second subject while it is on.
   void setFlickering(bool flickering);
 
+  /// The picture as shown, without overlay, at the quality reached so far. Waits for a frame of it.
+  QImage grabPicture();
+  /// The linear radiance of the first subject as it has converged so far. Waits for the frame that is being drawn.
+  Image linearPicture() { return m_thread.readFirst(); }
+  /// The difference that has the last colour now; 0: not found yet.
+  double differenceRange() const { return m_state.range; }
+  /// Whether the picture has all the samples that it will get.
+  bool converged() const;
+
  Q_SIGNALS:
   void sceneChanged(const gonio::Scene& scene);
-  /// The plan of the first subject is another, or its material is known now.
   void planChanged(const gonio::EffectPlan& plan);
   void frameRendered(double milliseconds, int samplesPerPixel);
   void failed(const QString& message);
-  /// The user points at the sphere where the viewer stands at this polar angle (rad, [0, pi/2]).
   void polarAnglePicked(double theta);
   /// By the user, on the picture.
   void splitMoved(double share);
@@ -106,67 +88,28 @@ class PreviewWidget : public QOpenGLWidget {
   void initializeGL() override;
   void paintGL() override;
   void resizeGL(int width, int height) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  struct Side {
-    explicit Side(const std::shared_ptr<PreviewResources>& resources) : picture(resources) {}
-    PreviewRenderer picture;
-    PreviewSubject subject;
-    QString name;
-    MaterialEstimator estimator;
-    std::shared_ptr<const TracedMaterial> material;
-    EffectPlan plan;
-    SceneTracer tracer;
-    std::shared_ptr<const Film> shown;  ///< of the tracer, as the picture has it
-  };
-  struct PicturePosition {
-    double x, y, aspect;  ///< x, y in [-1, 1], y up
-  };
-  void changeSubject(Side& side, const PreviewSubject& subject, const QString& name);
-  void adopt(Side& side, const MaterialEstimate& estimate);
-  void plan(Side& side);
-  void adoptPlan(Side& side, const EffectPlan& plan);
-  void trace(Side& side);
-  void showSceneChange();
-  void showTraced();
-  void renderFrame();
-  void updateRange();
-  void restart();
-  void release();
-  void changed();
+  void connectContent();
+  void requestPicture();
+  void adopt(const PictureState& state);
   void showOverlay();
-  void updateStatus(double milliseconds);
-  void dragLight(const QPointF& position);
-  bool pick(const QMouseEvent& event);
-  PicturePosition picturePosition(const QPointF& position) const;
-  bool needsFrames(const Side& side) const;
+  void showStatus(double milliseconds);
+  void showFailure(const QString& message);
   QSize pixelSize() const;
-  QSize pictureSize() const;
-  int wantedSamples() const;
-  void fail(const QString& message);
 
-  std::shared_ptr<PreviewResources> resources_;
-  Side first_, second_;
-  PreviewDisplay display_;
-  DisplaySettings settings_;
-  FrameBudget budget_;
-  Scene scene_, home_;
-  EffectOverrides overrides_;
-  TracedMaterials others_;
-  PreviewComparison comparison_;
-  double range_ = 0;      ///< 0: not found yet
-  int rangeSamples_ = 0;  ///< at which the range was found
-  bool flickering_ = false;
-  bool picking_ = false;
-  QString failure_;
-  QPointF lastPosition_;
-  QElapsedTimer sinceChange_;
-  QTimer frameTimer_;
-  PreviewOverlay* overlay_;
+  PreviewContent m_content;
+  PictureThread m_thread;
+  PictureState m_state;  ///< of the picture that is shown
+  int m_number = 0;      ///< of the newest request
+  int m_fresh = 0;       ///< the first request of the pictures as they are wanted now
+  std::chrono::steady_clock::time_point m_changed;
+  DisplaySettings m_settings;
+  bool m_flickering = false;
+  QString m_failure;
+  QOpenGLFunctions_4_1_Core m_gl;
+  PreviewOverlay* m_overlay;
+  PreviewInput* m_input;
 };
 
 }  // namespace gonio::widgets

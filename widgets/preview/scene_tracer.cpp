@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "widgets/preview/task_failure.h"
+
 namespace gonio::widgets {
 
 namespace {
@@ -43,23 +45,30 @@ SceneTracer::~SceneTracer() {
 void SceneTracer::stop() {
   m_stop.request_stop();
   ++m_request;
+  m_isDone = false;
 }
 
-void SceneTracer::trace(const Scene& scene, const TracedMaterials& lookedAt, const EffectPlan& plan, const QSize& size,
-                        int samples) {
+void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials, const EffectPlan& plan,
+                        const QSize& size, int samples) {
   stop();
   m_stop = std::stop_source();
+  m_samples = samples;
   const Told tell = [this, request = m_request](std::shared_ptr<const Film> film, double milliseconds) {
     QMetaObject::invokeMethod(
         this, [this, request, film, milliseconds] { adopt(request, film, milliseconds); }, Qt::QueuedConnection);
   };
+  const auto tellFailure = [this, request = m_request](const QString& failure) {
+    const auto tellOne = [this, request, failure] {
+      if (request == m_request) Q_EMIT failed(failure);
+    };
+    QMetaObject::invokeMethod(this, tellOne, Qt::QueuedConnection);
+  };
   m_future = QtConcurrent::run([=, before = m_future, control = TaskControl{m_stop.get_token(), {}}]() mutable {
     before.waitForFinished();  // it was told to stop: two at once would take each other's cores
-    try {
-      traceProgressively(PathTracer(scene, bindMaterials(scene, lookedAt), plan), size, samples, control, tell);
-    } catch (const Cancelled&) {
-      return;  // another picture is wanted
-    }
+    const QString failure = TaskFailure::of([&] {
+      traceProgressively(PathTracer(scene, bindMaterials(scene, slotMaterials), plan), size, samples, control, tell);
+    });
+    if (!failure.isEmpty()) tellFailure(failure);
   });
 }
 
@@ -67,6 +76,7 @@ void SceneTracer::adopt(int request, std::shared_ptr<const Film> film, double mi
   if (request != m_request) return;
   m_film = std::move(film);
   m_milliseconds = milliseconds;
+  m_isDone = m_film->samples >= m_samples;
   Q_EMIT advanced();
 }
 

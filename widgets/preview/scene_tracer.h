@@ -20,11 +20,13 @@ class SceneTracer : public QObject {
   explicit SceneTracer(QObject* parent = nullptr);
   ~SceneTracer() override;
 
-  /// @param lookedAt the materials that the scene looks at. The picture before stays until the first new one is there.
-  void trace(const Scene& scene, const TracedMaterials& lookedAt, const EffectPlan& plan, const QSize& size,
+  /// @param slotMaterials of the scene's slots. The picture before stays until the first new one is there.
+  void trace(const Scene& scene, const RenderMaterials& slotMaterials, const EffectPlan& plan, const QSize& size,
              int samples);
   void stop();
 
+  /// Whether the picture that was last asked for is there with all its samples.
+  bool isDone() const { return m_isDone; }
   /// The picture reached so far; null before the first. Smaller than asked for while it is coarse.
   const std::shared_ptr<const Film>& film() const { return m_film; }
   /// Of the last pass, a sample a pixel at full size.
@@ -32,6 +34,8 @@ class SceneTracer : public QObject {
 
  Q_SIGNALS:
   void advanced();
+  /// The newest request came to nothing.
+  void failed(const QString& message);
 
  private:
   void adopt(int request, std::shared_ptr<const Film> film, double milliseconds);
@@ -40,7 +44,8 @@ class SceneTracer : public QObject {
   std::stop_source m_stop;
   QFuture<void> m_future;
   double m_milliseconds = 0;
-  int m_request = 0;
+  int m_request = 0, m_samples = 0;
+  bool m_isDone = false;
 };
 
 }  // namespace gonio::widgets

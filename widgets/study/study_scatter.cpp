@@ -17,7 +17,7 @@ namespace gonio::widgets {
 
 namespace {
 
-constexpr double markerSize = 8, ringSize = 17, currentSize = 13;
+constexpr double fitMarkerSize = 8, fitRingSize = 17, currentSize = 13;
 /// How near the pointer has to be, px.
 constexpr double reach = 12;
 
@@ -141,8 +141,8 @@ void StudyScatter::refresh() {
   addFront(style);
   addSeries(style);
   if (hasFocus()) addMark(m_current, {}, QPen(style.accent, 2, Qt::DotLine), currentSize, false);
-  addMark(m_shown, tr("shown"), QPen(style.accent, 2), ringSize, false);
-  addMark(m_best, tr("best"), QPen(style.text, 1.5, Qt::DashLine), ringSize + 4, true);
+  addMark(m_shown, tr("shown"), QPen(style.accent, 2), fitRingSize, false);
+  addMark(m_best, tr("best"), QPen(style.text, 1.5, Qt::DashLine), fitRingSize + 4, true);
   m_hint->setVisible(m_records.empty());
   m_chart->legend->setVisible(!m_records.empty());
   m_chart->replot(QCustomPlot::rpQueuedReplot);
@@ -173,7 +173,7 @@ void StudyScatter::addSeries(const PlotStyle& style) {
       // Models are no budgets of one another.
       if (representation.family == study::RepresentationFamily::fit) curve->setLineStyle(QCPCurve::lsNone);
       curve->setScatterStyle(QCPScatterStyle(shapeOf(look.marker), QPen(colour, 1.5),
-                                             look.hollow ? QBrush(style.background) : QBrush(colour), markerSize));
+                                             look.hollow ? QBrush(style.background) : QBrush(colour), fitMarkerSize));
     }
     if (const auto at = share(i)) curve->addData(i, at->x(), at->y());
   }

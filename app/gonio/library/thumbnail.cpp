@@ -9,7 +9,7 @@
 
 #include "core/materials/bundled_library.h"
 #include "core/materials/material.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/tone_map.h"
 
 namespace gonio::app {
@@ -54,13 +54,11 @@ QImage displayedImage(const Image& picture) {
 }
 
 QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control) {
-  SphereScene scene = comparisonScene();
-  scene.showEnvironment = false;
-  SphereRenderOptions options;
+  RenderOptions options;
   options.width = options.height = pixels;
   options.samples = samples;
   options.lobe = estimateSamplingLobe(brdf);
-  const Image picture = renderSphere(brdf, scene, options, control);
+  const Image picture = renderPicture(brdf, comparisonScene(), options, control);
   QImage image = displayedImage(picture);
   image.setText("roughness", QString::number(options.lobe->roughness));
   image.setText("hue", QString::number(meanHue(image)));

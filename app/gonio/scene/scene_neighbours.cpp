@@ -36,19 +36,19 @@ SceneNeighbours::SceneNeighbours(Document& document, BackgroundTasks& tasks, QWi
 }
 
 void SceneNeighbours::showScene(const Scene& scene) {
-  const int shown = std::min(count, lookedAtCount(scene) - 1);
+  const int shown = std::min(count, materialSlotCount(scene) - 1);
   for (int place = 0; place < count; ++place) m_places[std::size_t(place)].well->setVisible(place < shown);
   setVisible(shown > 0);
 }
 
-TracedMaterials SceneNeighbours::materials() const {
-  TracedMaterials materials;
+RenderMaterials SceneNeighbours::materials() const {
+  RenderMaterials materials;
   for (const Place& place : m_places) materials.push_back(place.neighbour ? place.neighbour->traced : nullptr);
   return materials;
 }
 
 SceneNeighbours::Neighbour SceneNeighbours::traced(BlendEnd end) {
-  auto material = std::make_shared<const TracedMaterial>(end.material.table);
+  auto material = std::make_shared<const RenderMaterial>(end.material.table);
   return {std::move(end), std::move(material)};
 }
 

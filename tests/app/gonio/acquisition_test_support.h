@@ -12,7 +12,7 @@ namespace gonio::app::test {
 
 inline constexpr int patienceMilliseconds = 120000;
 
-inline SphereRenderOptions smallPicture() { return {.width = 24, .height = 24, .samples = 4, .lobe = {}}; }
+inline RenderOptions smallPicture() { return {.width = 24, .height = 24, .samples = 4, .lobe = {}}; }
 
 /// A small training set as files, beside a material that is none of it.
 struct SmallLibrary {

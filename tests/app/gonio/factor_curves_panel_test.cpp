@@ -8,6 +8,7 @@
 
 #include "core/factorization/pdv_operations.h"
 #include "core/materials/pdv_file.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/factor_curves_test_support.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
@@ -48,7 +49,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
     const auto found = factorization::factorizePdv(*m_document.material()->table, options);
     other.original = std::make_shared<const PdvFactors>(found.factors);
     other.edited = std::make_shared<const PdvFactors>(factorization::widenF2(found.factors, 1.5));
-    m_document.setFactors(other, "other transform");
+    replaceFactors(m_document, other, "other transform");
     QVERIFY(editor(FactorAxis::theta).axis().valueLabel.contains("√ρ"));
     QTRY_VERIFY_WITH_TIMEOUT(m_panel->isSettled(), patienceMilliseconds);
     QString text;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 #include "core/io/image_io.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/parameters_json.h"
@@ -197,7 +197,7 @@ class GoniotoolTest : public QObject {
     const auto parameters = [&](const char* key) {
       return models::parametersFromJson(ggx.spec(), result.json[key], key);
     };
-    const editing::DifferentialEdit edit{&ggx, parameters("fitted"), parameters("edited"), 0.5, true};
+    const editing::Edit edit{editing::DifferentialEdit{&ggx, parameters("fitted"), parameters("edited")}, "", 0.5};
     const auto expected = editing::bakeEdits(readTable(plastic_), std::span(&edit, 1));
     materials::writeMaterial(*expected, folder_.path("expected.binary").toStdString());
     QCOMPARE(bytesOf(out), bytesOf(folder_.path("expected.binary")));

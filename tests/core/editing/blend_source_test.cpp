@@ -100,7 +100,7 @@ class BlendSourceTest : public QObject {
     auto outer = std::make_shared<BlendSource>();
     outer->weights = {0.5, 0.5};
     outer->materials = {blendDocument(), fileDocument("dark.binary")};
-    outer->materials[1].edits = {edit};
+    outer->materials[1].edits = {{edit}};
     document.blend = outer;
     document.sourceSha256 = blendSha256(*outer);
     const EditDocument again = documentFromJson(toJson(document));

@@ -7,7 +7,6 @@
 #include <functional>
 
 #include "core/editing/edit_document.h"
-#include "core/factorization/rivals/npf_file.h"
 #include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
 #include "core/io/sha256.h"
@@ -17,6 +16,7 @@
 #include "core/materials/pdv_file.h"
 #include "core/materials/training_checkpoint.h"
 #include "tests/core/io/test_files.h"
+#include "tests/studies/research/baselines/npf_file.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;

@@ -56,7 +56,10 @@ void PreviewResources::release() {
 QOpenGLShaderProgram& PreviewResources::program(const QString& fragment, const QStringList& definitions,
                                                 const QStringList& preamble) {
   auto& program = programs_[fragment + ' ' + definitions.join(' ')];
-  if (!program) program = link(assembleShader(fragment, definitions, preamble), fragment);
+  if (!program) {
+    if (compileListener_) compileListener_();
+    program = link(assembleShader(fragment, definitions, preamble), fragment);
+  }
   return *program;
 }
 

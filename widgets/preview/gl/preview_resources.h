@@ -4,6 +4,7 @@
 
 #include <QOpenGLFunctions_4_1_Core>
 #include <QOpenGLShaderProgram>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -58,6 +59,8 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   /// @throws Error with the compiler's log.
   QOpenGLShaderProgram& program(const QString& fragment, const QStringList& definitions = {},
                                 const QStringList& preamble = {});
+  /// Called before a program is compiled: that takes up to a second.
+  void setCompileListener(std::function<void()> listener) { compileListener_ = std::move(listener); }
   /// Draws the bound program over the viewport.
   void drawFullscreen();
 
@@ -80,6 +83,7 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   bool decode(const EnsembleCode& code, GLuint& texture);
 
   CodeDecoder decoder_;
+  std::function<void()> compileListener_;
   bool initialized_ = false, decodesCodes_ = false;
   GLuint vertexArray_ = 0, environmentTexture_ = 0, lightPoolTexture_ = 0, lightPoolRadianceTexture_ = 0;
   GLuint colourMaps_[2] = {0, 0};

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/picture_drawer.h"
+
+#include <algorithm>
+
+namespace gonio::widgets {
+
+namespace {
+constexpr std::chrono::milliseconds rest{120};  // without a change: the picture is at rest
+}  // namespace
+
+PictureDrawer::PictureDrawer()
+    : resources_(std::make_shared<PreviewResources>()),
+      sides_{Side(resources_), Side(resources_)},
+      display_(resources_) {}
+
+void PictureDrawer::initialize() {
+  for (Side& side : sides_) side.picture.initialize();
+  display_.initialize();
+}
+
+void PictureDrawer::release() {
+  for (Side& side : sides_) side.picture.release();
+  resources_->release();
+}
+
+void PictureDrawer::setCompileListener(std::function<void()> listener) {
+  resources_->setCompileListener(std::move(listener));
+}
+
+void PictureDrawer::take(const PictureRequest& request) {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    Side& side = sides_[i];
+    const PictureRequest::Side& wanted = request.sides[i];
+    // A film stays until the one of the new subject comes.
+    const bool keepsFilm = request.traced && !wanted.subject.isEmpty();
+    if (wanted.subjectNumber != side.subjectNumber && !keepsFilm) {
+      side.picture.setSubject(wanted.subject);
+      side.subjectNumber = wanted.subjectNumber;
+    }
+    if (request.traced != traced_) {
+      side.picture.restart();
+      side.film.reset();
+    }
+    if (!request.traced) side.picture.setScene(request.scene, wanted.plan);
+  }
+  traced_ = request.traced;
+  if (request.comparison.difference != comparison_.difference || request.comparison.range != comparison_.range)
+    range_ = 0;
+  comparison_ = request.comparison;
+}
+
+PictureState PictureDrawer::addFrame(const PictureRequest& request) {
+  take(request);
+  PictureState state{.number = request.number};
+  if (request.traced)
+    takeFilms(request, state);
+  else
+    addSamples(request, state);
+  updateRange(request);
+  state.range = range_;
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    state.sides[i] = {sides_[i].picture.size(), sides_[i].picture.samples()};
+  return state;
+}
+
+void PictureDrawer::takeFilms(const PictureRequest& request, PictureState& state) {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const std::shared_ptr<const Film>& film = request.sides[i].film;
+    if (film == sides_[i].film || !film) continue;
+    sides_[i].film = film;
+    sides_[i].picture.showTraced(*film);
+    if (i == 0) state.isNew = true;
+  }
+}
+
+bool PictureDrawer::needsSamples(const PictureRequest& request, std::size_t side) const {
+  if (request.traced || request.sides[0].subject.isEmpty() || (side == 1 && !request.comparing)) return false;
+  const PreviewRenderer& picture = sides_[side].picture;
+  return picture.size() != request.picture || picture.samples() < request.wantedSamples;
+}
+
+void PictureDrawer::addSamples(const PictureRequest& request, PictureState& state) {
+  const std::array needs{needsSamples(request, 0), needsSamples(request, 1)};
+  if (!needs[0] && !needs[1]) return;
+  const bool resting = std::chrono::steady_clock::now() - request.changed >= rest;
+  const double pixels = double(request.picture.width()) * request.picture.height() * (needs[0] + needs[1]);
+  const int wanted = request.wantedSamples;
+  const int accumulated =
+      std::min(needs[0] ? sides_[0].picture.samples() : wanted, needs[1] ? sides_[1].picture.samples() : wanted);
+  const FrameBudget::Frame frame = budget_.next(pixels, accumulated, wanted, resting);
+  coarse_ = frame.scale < 1;
+  const auto start = std::chrono::steady_clock::now();
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    if (!needs[i]) continue;
+    sides_[i].picture.setSize(coarse_ ? request.picture / 2 : request.picture);
+    sides_[i].picture.accumulate(frame.samples);
+  }
+  state.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  state.isNew = needs[0];
+  budget_.record(pixels * frame.scale * frame.scale, frame.samples, state.milliseconds);
+}
+
+std::optional<int> PictureDrawer::nextFrame(const PictureRequest& request) const {
+  if (!needsSamples(request, 0) && !needsSamples(request, 1)) return std::nullopt;
+  // A frame at half the resolution stands until the hand rests; others are refined at once.
+  return coarse_ ? int(rest.count()) : 0;
+}
+
+void PictureDrawer::updateRange(const PictureRequest& request) {
+  if (!request.comparing || request.comparison.mode != CompareMode::difference) return;
+  if (request.comparison.range > 0) {
+    range_ = request.comparison.range;
+    return;
+  }
+  PreviewRenderer &first = sides_[0].picture, &second = sides_[1].picture;
+  const int samples = std::min(first.samples(), second.samples());
+  // Noise makes a range too wide: it is found again at 4 times as many samples, and at last.
+  const bool due =
+      range_ == 0 || samples >= 4 * rangeSamples_ || (samples >= request.wantedSamples && rangeSamples_ < samples);
+  if (samples < rangeSamples_) rangeSamples_ = samples;
+  if (!due || first.size() != second.size() || samples == 0) return;
+  range_ = automaticRange(pictureDifferences(first.readPicture(), second.readPicture(), request.comparison.difference));
+  rangeSamples_ = samples;
+}
+
+void PictureDrawer::present(const PictureRequest& request) {
+  if (request.comparing && !request.flickering)
+    display_.present(request.viewport, request.display, request.comparison, std::max(range_, 1e-9), sides_[0].picture,
+                     sides_[1].picture);
+  else
+    display_.present(request.viewport, request.display, sides_[request.flickering ? 1 : 0].picture);
+}
+
+}  // namespace gonio::widgets

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/picture_thread.h"
+
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QTimer>
+#include <mutex>
+
+#include "widgets/preview/picture_drawer.h"
+#include "widgets/preview/task_failure.h"
+
+namespace gonio::widgets {
+
+/// What lives in the thread. Its public functions may be called from there alone, but for request().
+class PictureThread::Worker : public QObject {
+ public:
+  Worker(PictureThread& thread, QOpenGLContext& shared, const QOffscreenSurface& surface, PictureExchange& exchange)
+      : m_owner(thread), m_surface(surface), m_exchange(exchange), m_context(new QOpenGLContext(this)), m_timer(this) {
+    m_context->setFormat(shared.format());
+    m_context->setShareContext(&shared);
+    m_context->create();
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+      if (const std::optional<PictureState> state = draw())
+        tell([state = *state](PictureThread& owner) { Q_EMIT owner.drawn(state); });
+    });
+  }
+
+  void initialize() {
+    m_drawer.setCompileListener([this] { tell([](PictureThread& owner) { Q_EMIT owner.compiling(); }); });
+    m_broken = TaskFailure::of([this] {
+      makeCurrent();
+      if (!m_gl.initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
+      m_drawer.initialize();
+    });
+    m_works = m_broken.isEmpty();
+  }
+
+  void release() {
+    m_timer.stop();
+    if (!m_works) return;
+    guarded([this] {
+      makeCurrent();
+      m_drawer.release();
+      m_exchange.release(m_gl);
+    });
+    m_context->doneCurrent();
+    m_works = false;
+  }
+
+  void request(std::shared_ptr<const PictureRequest> request) {
+    const std::lock_guard lock(m_mutex);
+    m_request = std::move(request);
+    QMetaObject::invokeMethod(
+        this, [this] { m_timer.start(0); }, Qt::QueuedConnection);
+  }
+
+  std::optional<PictureState> draw() {
+    const std::shared_ptr<const PictureRequest> request = newest();
+    if (!request) return std::nullopt;
+    if (!m_works) tell([broken = m_broken](PictureThread& owner) { Q_EMIT owner.failed(broken); });
+    if (!m_works) return std::nullopt;
+    std::optional<PictureState> state;
+    guarded([&] {
+      makeCurrent();
+      PictureState reached = m_drawer.addFrame(*request);
+      m_exchange.begin(m_gl, request->viewport);
+      m_drawer.present(*request);
+      m_exchange.publish(m_gl);
+      state = reached;
+      if (const std::optional<int> wait = m_drawer.nextFrame(*request)) m_timer.start(*wait);
+    });
+    return state;
+  }
+
+  Image readFirst() {
+    Image picture(1, 1);
+    if (m_works)
+      guarded([&] {
+        makeCurrent();
+        picture = m_drawer.readFirst();
+      });
+    return picture;
+  }
+
+ private:
+  std::shared_ptr<const PictureRequest> newest() {
+    const std::lock_guard lock(m_mutex);
+    return m_request;
+  }
+  void makeCurrent() {
+    if (!m_context->makeCurrent(const_cast<QOffscreenSurface*>(&m_surface)))
+      throw Error("the graphics driver gives no second OpenGL context");
+  }
+  /// A failure is told; the next request gets its chance.
+  template <typename Work>
+  void guarded(const Work& work) {
+    const QString failure = TaskFailure::of(work);
+    if (!failure.isEmpty()) tell([failure](PictureThread& owner) { Q_EMIT owner.failed(failure); });
+  }
+  template <typename Say>
+  void tell(const Say& say) {
+    QMetaObject::invokeMethod(
+        &m_owner, [&owner = m_owner, say] { say(owner); }, Qt::QueuedConnection);
+  }
+
+  PictureThread& m_owner;
+  const QOffscreenSurface& m_surface;
+  PictureExchange& m_exchange;
+  QOpenGLContext* m_context;
+  QOpenGLFunctions_4_1_Core m_gl;
+  PictureDrawer m_drawer;
+  QTimer m_timer;
+  std::mutex m_mutex;
+  std::shared_ptr<const PictureRequest> m_request;
+  bool m_works = false;
+  QString m_broken;  ///< why it does not
+};
+
+PictureThread::PictureThread(QObject* parent) : QObject(parent) { m_thread.setObjectName("preview"); }
+
+PictureThread::~PictureThread() { stop(); }
+
+void PictureThread::start(QOpenGLContext& shared) {
+  stop();
+  m_surface = std::make_unique<QOffscreenSurface>();
+  m_surface->setFormat(shared.format());
+  m_surface->create();
+  m_exchange = std::make_unique<PictureExchange>();
+  m_worker = std::make_unique<Worker>(*this, shared, *m_surface, *m_exchange);
+  if (QOpenGLContext::supportsThreadedOpenGL()) {
+    m_worker->moveToThread(&m_thread);
+    m_thread.start();
+  }
+  QMetaObject::invokeMethod(
+      m_worker.get(), [worker = m_worker.get()] { worker->initialize(); }, Qt::QueuedConnection);
+  if (m_request) m_worker->request(m_request);
+}
+
+void PictureThread::stop() {
+  if (!m_worker) return;
+  inThread([this] { m_worker->release(); });
+  m_thread.quit();
+  m_thread.wait();
+  m_worker.reset();
+  m_exchange.reset();
+  m_surface.reset();
+}
+
+void PictureThread::inThread(const std::function<void()>& work) {
+  const bool here = m_worker->thread() == QThread::currentThread();
+  QMetaObject::invokeMethod(m_worker.get(), work, here ? Qt::DirectConnection : Qt::BlockingQueuedConnection);
+}
+
+void PictureThread::request(const PictureRequest& request) {
+  m_request = std::make_shared<const PictureRequest>(request);
+  if (m_worker) m_worker->request(m_request);
+}
+
+PictureState PictureThread::drawNow() {
+  std::optional<PictureState> state;
+  if (m_worker) inThread([&] { state = m_worker->draw(); });
+  return state.value_or(PictureState{});
+}
+
+Image PictureThread::readFirst() {
+  Image picture(1, 1);
+  if (m_worker) inThread([&] { picture = m_worker->readFirst(); });
+  return picture;
+}
+
+bool PictureThread::show(QOpenGLFunctions_4_1_Core& gl, GLuint framebuffer, const QSize& viewport) {
+  return m_exchange && m_exchange->show(gl, framebuffer, viewport);
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_picture_thread.cpp"

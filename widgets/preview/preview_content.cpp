@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/preview_content.h"
+
+#include <algorithm>
+
+#include "core/rendering/scene_file.h"
+
+namespace gonio::widgets {
+
+PreviewContent::PreviewContent(QObject* parent) : QObject(parent) {
+  connectSide(m_first);
+  connectSide(m_second);
+  showScene(openScene(bundledSceneNames().front()));
+}
+
+void PreviewContent::connectSide(PreviewSide& side) {
+  connect(&side, &PreviewSide::failed, this, &PreviewContent::failed);
+  connect(&side.tracer(), &SceneTracer::advanced, this, &PreviewContent::refined);
+  connect(&side, &PreviewSide::estimated, this, [this, &side] {
+    plan(side);
+    trace(side);
+    if (&side == &m_first) Q_EMIT planChanged(side.plan());
+    Q_EMIT refined();
+  });
+}
+
+void PreviewContent::setSubject(const PreviewSubject& subject, const QString& name) { show(m_first, subject, name); }
+
+void PreviewContent::setOther(const PreviewSubject& subject, const QString& name) { show(m_second, subject, name); }
+
+void PreviewContent::show(PreviewSide& side, const PreviewSubject& subject, const QString& name) {
+  const bool renamed = name != side.name();
+  side.setName(name);
+  if (side.setSubject(subject))
+    Q_EMIT changed();
+  else if (renamed)
+    Q_EMIT comparisonChanged();
+}
+
+void PreviewContent::setComparison(const PreviewComparison& comparison) {
+  if (comparison == m_comparison) return;
+  m_comparison = comparison;
+  traceBoth();
+  Q_EMIT comparisonChanged();
+}
+
+bool PreviewContent::isComparing() const {
+  return m_comparison.mode != CompareMode::off && !m_first.subject().isEmpty() && !m_second.subject().isEmpty();
+}
+
+/// What the side's picture simulates.
+void PreviewContent::plan(PreviewSide& side) {
+  static const std::shared_ptr<const RenderMaterial> grey = diffuseMaterial(Rgb(0.5));
+  adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, m_others));
+}
+
+void PreviewContent::adoptPlan(PreviewSide& side, const EffectPlan& plan) {
+  const bool another = !(plan == side.plan());
+  side.setPlan(plan);
+  if (another && &side == &m_first) Q_EMIT planChanged(plan);
+}
+
+void PreviewContent::trace(PreviewSide& side) {
+  if (!isTraced() || !side.material() || side.subject().isEmpty()) return side.tracer().stop();
+  if (&side == &m_second && !isComparing()) return;
+  side.tracer().trace(m_scene, materialsInSlots(m_scene, side.material(), m_others), side.plan(), pictureSize(),
+                      wantedSamples());
+}
+
+void PreviewContent::traceBoth() {
+  trace(m_first);
+  trace(m_second);
+}
+
+void PreviewContent::showScene(const Scene& scene) {
+  m_home = scene;
+  setScene(scene);
+}
+
+void PreviewContent::setScene(const Scene& scene) {
+  m_scene = scene;
+  for (PreviewSide* side : {&m_first, &m_second}) plan(*side);
+  tellSceneChange();
+}
+
+void PreviewContent::setView(const OrbitCamera& camera, double environmentRotation) {
+  m_scene.camera = camera;
+  m_scene.environmentRotation = environmentRotation;
+  for (PreviewSide* side : {&m_first, &m_second}) {
+    EffectPlan plan = side->plan();
+    updateForCamera(plan, m_scene, m_overrides);
+    adoptPlan(*side, plan);
+  }
+  tellSceneChange();
+}
+
+void PreviewContent::tellSceneChange() {
+  traceBoth();
+  Q_EMIT changed();
+  Q_EMIT sceneChanged(m_scene);
+}
+
+void PreviewContent::setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
+  Scene scene = m_scene;
+  scene.environment = environment;
+  const std::vector<DirectionalLight>& own = m_home.directionalLights;
+  if (!environment)
+    scene.directionalLights = own.empty() ? std::vector{DirectionalLight{}} : own;
+  else
+    scene.directionalLights = m_home.environment ? own : std::vector<DirectionalLight>{};
+  setScene(scene);
+}
+
+bool PreviewContent::isTraced() const {
+  if (!SceneUniforms::canDraw(m_scene)) return true;
+  const auto shown = std::min(m_others.size(), std::size_t(std::max(1, materialSlotCount(m_scene)) - 1));
+  return std::any_of(m_others.begin(), m_others.begin() + std::ptrdiff_t(shown),
+                     [](const auto& material) { return material != nullptr; });
+}
+
+void PreviewContent::setOthers(const RenderMaterials& others) {
+  if (others == m_others) return;
+  m_others = others;
+  setScene(m_scene);
+}
+
+void PreviewContent::setOverrides(const EffectOverrides& overrides) {
+  if (overrides == m_overrides) return;
+  m_overrides = overrides;
+  setScene(m_scene);
+}
+
+void PreviewContent::setViewport(const QSize& pixels) {
+  if (pixels == m_viewport) return;
+  m_viewport = pixels;
+  traceBoth();
+  Q_EMIT changed();
+}
+
+QSize PreviewContent::pictureSize() const {
+  const bool halved = isComparing() && m_comparison.mode == CompareMode::twoUp;
+  return halved ? QSize(std::max(1, m_viewport.width() / 2), m_viewport.height()) : m_viewport;
+}
+
+int PreviewContent::wantedSamples() const {
+  // Light without a size that is reflected once has no noise: its samples smooth the edge alone.
+  const EffectPlan& simulated = m_first.plan();
+  const bool noisy = simulated.simulates(Effect::environmentLight) || simulated.simulates(Effect::areaLightSampling) ||
+                     simulated.reflections > 1;
+  return noisy ? 512 : 64;
+}
+
+bool PreviewContent::isBusy() const {
+  const auto busy = [this](const PreviewSide& side) {
+    return side.isEstimating() || (isTraced() && !side.tracer().isDone());
+  };
+  return busy(m_first) || (isComparing() && busy(m_second));
+}
+
+PictureRequest PreviewContent::request() const {
+  return {.sides = {m_first.request(), m_second.request()},
+          .scene = m_scene,
+          .traced = isTraced(),
+          .comparing = isComparing(),
+          .comparison = m_comparison,
+          .display = {},
+          .viewport = m_viewport,
+          .picture = pictureSize(),
+          .wantedSamples = wantedSamples(),
+          .changed = {}};
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_preview_content.cpp"

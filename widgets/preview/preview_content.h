@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "widgets/preview/preview_side.h"
+
+namespace gonio::widgets {
+
+/// What the preview shows: a subject, or two against each other, in one scene. Plans the effects that the scene calls
+/// for, and has traced what the shader cannot draw. Knows neither OpenGL nor the widget.
+class PreviewContent : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PreviewContent(QObject* parent = nullptr);
+
+  /// The first subject. Its lobe is that of the table; what an edit or a model alone needs is estimated in the
+  /// background. A subject that is as before does not restart its picture.
+  void setSubject(const PreviewSubject& subject, const QString& name = {});
+  /// The second subject of comparisons. It costs nothing while it is empty or the mode is off.
+  void setOther(const PreviewSubject& subject, const QString& name);
+  void setComparison(const PreviewComparison& comparison);
+  const PreviewComparison& comparison() const { return m_comparison; }
+  /// Whether two subjects are shown.
+  bool isComparing() const;
+  const PreviewSide& first() const { return m_first; }
+  const PreviewSide& second() const { return m_second; }
+  bool hasMaterial() const { return !m_first.subject().isEmpty(); }
+
+  /// Another scene, which becomes the home().
+  void showScene(const Scene& scene);
+  /// The scene seen or lit otherwise.
+  void setScene(const Scene& scene);
+  /// The scene from elsewhere: cheaper than setScene(), since the plan stays but for the lamps that the camera sees.
+  void setView(const OrbitCamera& camera, double environmentRotation);
+  const Scene& scene() const { return m_scene; }
+  /// What the view is reset to.
+  const Scene& home() const { return m_home; }
+  /// Puts an environment into the scene; null: a distant light in its place.
+  void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
+  /// What the scene's other places show: number i is others[i - 1]; the subject itself where that is null or missing.
+  void setOthers(const RenderMaterials& others);
+  const RenderMaterials& others() const { return m_others; }
+  /// Effects that the user forces on or off.
+  void setOverrides(const EffectOverrides& overrides);
+  const EffectOverrides& overrides() const { return m_overrides; }
+  /// Of the first subject; for a grey surface until its material is known.
+  const EffectPlan& plan() const { return m_first.plan(); }
+  /// Whether the scene is traced on the CPU: the shader knows neither meshes nor several materials.
+  bool isTraced() const;
+
+  /// Of the whole viewport, in pixels.
+  void setViewport(const QSize& pixels);
+  const QSize& viewport() const { return m_viewport; }
+  /// Of one side.
+  QSize pictureSize() const;
+  int wantedSamples() const;
+  /// Whether something about it is still being found out, or traced.
+  bool isBusy() const;
+  /// All of it, as the drawing takes it.
+  PictureRequest request() const;
+
+ Q_SIGNALS:
+  /// By the user's hand.
+  void changed();
+  /// From the background: a subject is known better, or traced further.
+  void refined();
+  /// The pictures are compared otherwise, or have other names; they themselves are as before.
+  void comparisonChanged();
+  void sceneChanged(const gonio::Scene& scene);
+  /// The plan of the first subject is another, or its material is known now.
+  void planChanged(const gonio::EffectPlan& plan);
+  void failed(const QString& message);
+
+ private:
+  void show(PreviewSide& side, const PreviewSubject& subject, const QString& name);
+  void connectSide(PreviewSide& side);
+  void plan(PreviewSide& side);
+  void adoptPlan(PreviewSide& side, const EffectPlan& plan);
+  void trace(PreviewSide& side);
+  void traceBoth();
+  void tellSceneChange();
+
+  PreviewSide m_first, m_second;
+  PreviewComparison m_comparison;
+  Scene m_scene, m_home;
+  EffectOverrides m_overrides;
+  RenderMaterials m_others;
+  QSize m_viewport{1, 1};
+};
+
+}  // namespace gonio::widgets
