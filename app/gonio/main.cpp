@@ -9,6 +9,7 @@
 #include <QTimer>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_curves_panel.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
@@ -51,7 +52,9 @@ Options readOptions(const QApplication& application) {
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument(
-      "file", QObject::tr("Measured materials (.binary, .bsdf, .pdv) or documents (.gonio) to open."), "[FILE ...]");
+      "file",
+      QObject::tr("Materials (%1) or documents (*%2) to open.").arg(materialFilePatterns().join(' '), documentSuffix()),
+      "[FILE ...]");
   const auto hidden = [&parser](const char* name, const char* value) {
     QCommandLineOption option(name, {}, value);
     option.setFlags(QCommandLineOption::HiddenFromHelp);
@@ -178,7 +181,7 @@ void prepare(MainWindow& window, const Options& options) {
   QObject::connect(
       &window.document(), &Document::stateChanged, &window,
       [&window] {
-        if (window.document().edit() && window.ranking().model().rowCount() == 0 && !window.ranking().isRunning())
+        if (window.document().active<editing::DifferentialEdit>() && window.ranking().model().rowCount() == 0 && !window.ranking().isRunning())
           window.ranking().fitAll();
       },
       Qt::QueuedConnection);

@@ -5,8 +5,8 @@
 #include <chrono>
 
 #include "app/goniotool/training_files.h"
-#include "core/io/bundled_library.h"
 #include "core/io/sha256.h"
+#include "core/materials/bundled_library.h"
 #include "core/support/naming_file.h"
 
 namespace gonio::tool {
@@ -15,18 +15,19 @@ namespace {
 
 std::vector<std::string> bundledMaterials() {
   std::vector<std::string> paths;
-  for (const io::LibraryEntry& entry : io::bundledLibrary()) paths.push_back(std::string(io::libraryScheme) + entry.id);
+  for (const materials::LibraryEntry& entry : materials::bundledLibrary())
+    paths.push_back(std::string(materials::libraryScheme) + entry.id);
   return paths;
 }
 
 }  // namespace
 
-std::shared_ptr<const io::BasisFile> learnBasis(const std::vector<std::string>& sources,
-                                                const std::vector<std::string>& excluded, int mostComponents,
-                                                const Tool& tool, double& seconds) {
+std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::string>& sources,
+                                                       const std::vector<std::string>& excluded, int mostComponents,
+                                                       const Tool& tool, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
   const auto materials = trainingMaterials(trainingFiles(sources.empty() ? bundledMaterials() : sources, excluded));
-  auto basis = std::make_shared<io::BasisFile>();
+  auto basis = std::make_shared<materials::BasisFile>();
   basis->components = dictionary::learnPrincipalComponents(
       materials.names.size(), materials.load, {.mostComponents = mostComponents},
       tool.control("learning from " + std::to_string(materials.names.size()) + " materials"));
@@ -36,7 +37,7 @@ std::shared_ptr<const io::BasisFile> learnBasis(const std::vector<std::string>& 
 }
 
 std::filesystem::path basisBeside(const std::string& plan) {
-  return std::filesystem::path(plan).replace_extension(".basis");
+  return std::filesystem::path(plan).replace_extension(materials::basisSuffix);
 }
 
 std::string basisDigest(const std::filesystem::path& basis) {

@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "app/goniotool/tool.h"
-#include "core/io/basis_file.h"
+#include "core/materials/basis_file.h"
 
 namespace gonio::tool {
 
 /// The principal components of materials as trainingFiles() finds them; of none, of the bundled library.
 /// @param seconds how long the learning took, reading included.
-std::shared_ptr<const io::BasisFile> learnBasis(const std::vector<std::string>& sources,
-                                                const std::vector<std::string>& excluded, int mostComponents,
-                                                const Tool& tool, double& seconds);
+std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::string>& sources,
+                                                       const std::vector<std::string>& excluded, int mostComponents,
+                                                       const Tool& tool, double& seconds);
 
 /// Where the basis of a plan lies: beside it, PLAN.csv has PLAN.basis.
 std::filesystem::path basisBeside(const std::string& plan);

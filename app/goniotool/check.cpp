@@ -12,7 +12,7 @@ namespace gonio::tool {
 namespace {
 
 int check(const std::string& file, const Tool& tool) {
-  const io::Material material = openMaterial(file, tool.control("reading"));
+  const materials::Material material = openMaterial(file, tool.control("reading"));
   const std::vector<metrics::PlausibilityCheck> checks = metrics::checkPlausibility(*material.brdf);
   Json list = Json::array();
   std::string text, failures;

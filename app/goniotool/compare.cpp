@@ -19,8 +19,8 @@ struct Options {
   PictureOptions picture;  ///< size and samples; the scene is that of every comparison
 };
 
-void writeComparison(const Image& reference, const Image& test, const io::Material& a, const io::Material& b,
-                     const std::string& out) {
+void writeComparison(const Image& reference, const Image& test, const materials::Material& a,
+                     const materials::Material& b, const std::string& out) {
   const DisplayPicture picture = comparisonPicture(reference, test, a.name, b.name, 0, ToneMap::clamp);
   io::writePng(picture.bytes, picture.width, picture.height, out);
 }
@@ -28,8 +28,8 @@ void writeComparison(const Image& reference, const Image& test, const io::Materi
 int compare(const Options& options, const Tool& tool) {
   if (!options.image.empty()) checkPicture(options.image, false);
   options.picture.renderOptions();  // tells a wrong size before the work
-  const io::Material a = openMaterial(options.reference, tool.control("reading the first"));
-  const io::Material b = openMaterial(options.test, tool.control("reading the second"));
+  const materials::Material a = openMaterial(options.reference, tool.control("reading the first"));
+  const materials::Material b = openMaterial(options.test, tool.control("reading the second"));
   const auto table = a.tabulated(tool.control("tabulating"));
   // The cells of a table are isotropic: what is not is compared by its mean over the azimuths.
   const std::shared_ptr<const Brdf> other =

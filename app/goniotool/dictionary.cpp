@@ -9,8 +9,8 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "app/goniotool/training_files.h"
-#include "core/io/dictionary_file.h"
-#include "core/io/training_checkpoint.h"
+#include "core/materials/dictionary_file.h"
+#include "core/materials/training_checkpoint.h"
 
 namespace gonio::tool {
 
@@ -42,7 +42,7 @@ TrainingResult trainWithCheckpoints(const Options& options, const TrainingMateri
   const std::string training = describe(options, materials);
   std::optional<TrainingState> resumed;
   if (!options.checkpoint.empty() && std::filesystem::exists(options.checkpoint))
-    resumed = io::readCheckpoint(training, options.checkpoint);
+    resumed = materials::readCheckpoint(training, options.checkpoint);
   auto written = std::chrono::steady_clock::now();
   const StopOnInterrupt interrupt;
   TaskControl control = tool.control("learning from " + std::to_string(materials.names.size()) + " materials");
@@ -51,7 +51,7 @@ TrainingResult trainWithCheckpoints(const Options& options, const TrainingMateri
     if (options.checkpoint.empty()) return;
     const auto now = std::chrono::steady_clock::now();
     if (now - written < std::chrono::seconds(20)) return;
-    io::writeCheckpoint(state, training, options.checkpoint);
+    materials::writeCheckpoint(state, training, options.checkpoint);
     written = now;
   });
 }
@@ -59,7 +59,7 @@ TrainingResult trainWithCheckpoints(const Options& options, const TrainingMateri
 int train(const Options& options, const Tool& tool) {
   const TrainingMaterials materials = trainingMaterials(trainingFiles(options.sources, options.excluded));
   const TrainingResult result = trainWithCheckpoints(options, materials, tool);
-  io::writeDictionary(result.ensemble, options.out);
+  materials::writeDictionary(result.ensemble, options.out);
   Json ensembles = Json::array();
   std::string text;
   for (std::size_t e = 0; e < result.state.errors.size(); ++e) {
@@ -101,7 +101,7 @@ int train(const Options& options, const Tool& tool) {
 }
 
 int info(const std::string& path, const Tool& tool) {
-  const auto named = io::readDictionary(path);
+  const auto named = materials::readDictionary(path);
   const Ensemble& ensemble = named->ensemble;
   std::vector<int> sparsities;
   std::string text;
@@ -125,7 +125,7 @@ void addTrain(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<Options>();
   TrainingOptions& training = options->training;
   CLI::App* command = app.add_subcommand("train", "Learns an ensemble of dictionaries from materials");
-  command->add_option("SOURCE", options->sources, "Folders of .binary and .bsdf files, or files")->required();
+  command->add_option("SOURCE", options->sources, trainingHelp())->required();
   command->add_option("--out", options->out, "The dictionary (.dictionary)")->required();
   command->add_option("--exclude", options->excluded, "Names of materials to leave out")->delimiter(',');
   command->add_option("--dictionaries", training.dictionaries, "Of each sparsity (8)")->check(CLI::Range(1, 64));

@@ -20,8 +20,8 @@ struct DirectionTable {
   std::vector<DirectionPair> pairs() const;
 };
 
-/// Reads a CSV of columns theta_i, phi_i, theta_o, phi_o: a first line with their names (in any order, others beside
-/// them are ignored), or numbers in this order at once. Empty lines and lines that start with # are skipped.
+/// Reads a CSV (core/io/csv_text.h) of columns theta_i, phi_i, theta_o, phi_o: a first line with their names (in any
+/// order, others beside them are ignored), or numbers in this order at once.
 /// @throws Error naming the file, the line, what was found and what was expected.
 DirectionTable readDirections(const std::filesystem::path& path);
 

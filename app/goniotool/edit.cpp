@@ -19,7 +19,7 @@ struct Options {
   double strength = 1;
 };
 
-bool writesDocument(const Options& options) { return std::filesystem::path(options.out).extension() == ".gonio"; }
+bool writesDocument(const Options& options) { return editing::isDocumentName(options.out); }
 
 /// One or three numbers, separated by commas.
 Rgb parseValue(const std::string& text, const std::string& assignment) {
@@ -73,8 +73,8 @@ Json clampedJson(const std::vector<models::ClampedParameter>& clamped) {
 }
 
 /// Writes the edited material, or the description of the edit; returns how many values had to be capped.
-std::size_t write(const io::Material& material, const std::shared_ptr<const TabulatedBrdf>& base,
-                  const editing::DifferentialEdit& edit, const Options& options, const Tool& tool) {
+std::size_t write(const materials::Material& material, const std::shared_ptr<const TabulatedBrdf>& base,
+                  const editing::Edit& edit, const Options& options, const Tool& tool) {
   if (writesDocument(options)) {
     editing::EditDocument document;
     document.sourcePath = material.source.path.string();
@@ -86,9 +86,9 @@ std::size_t write(const io::Material& material, const std::shared_ptr<const Tabu
   std::size_t capped = 0;
   const auto baked = editing::bakeEdits(base, std::span(&edit, 1), tool.control("baking"), &capped);
   if (baked == base && material.table)
-    writeMaterial(material, options.out);
+    materials::writeMaterial(material, options.out);
   else
-    writeMaterial(*baked, options.out);
+    materials::writeMaterial(*baked, options.out);
   return capped;
 }
 
@@ -101,7 +101,7 @@ std::string averagedText() {
 int replayDocument(const Options& options, const Tool& tool) {
   if (!options.model.empty() || !options.set.empty())
     throw UsageError("edit: " + options.material + " is a document: it is replayed, without --model and --set");
-  writeMaterial(openMaterial(options.material, tool.control("replaying")), options.out);
+  materials::writeMaterial(openMaterial(options.material, tool.control("replaying")), options.out);
   const auto edits = editing::readDocument(options.material).edits;
   const bool averaged =
       std::any_of(edits.begin(), edits.end(), [](const auto& edit) { return editing::isAnisotropic(edit); });
@@ -111,11 +111,12 @@ int replayDocument(const Options& options, const Tool& tool) {
   return 0;
 }
 
-void printEdit(const editing::DifferentialEdit& edit, const fitting::FitResult& fitted,
+void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
                const std::vector<models::ClampedParameter>& clamped, std::size_t capped, const Options& options,
                const Tool& tool) {
-  const models::ModelSpec& spec = edit.model->spec();
-  std::string text = options.out + ": " + std::string(spec.name) + "\n" + parametersText(spec, edit.edited);
+  const auto& [model, before, after] = std::get<editing::DifferentialEdit>(edit.content);
+  const models::ModelSpec& spec = model->spec();
+  std::string text = options.out + ": " + std::string(spec.name) + "\n" + parametersText(spec, after);
   for (const models::ClampedParameter& one : clamped)
     text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range, used " +
             number(one.used) + "\n";
@@ -123,8 +124,8 @@ void printEdit(const editing::DifferentialEdit& edit, const fitting::FitResult& 
   if (averaged) text += averagedText();
   print(tool,
         {{"model", spec.id},
-         {"fitted", parametersJson(spec, edit.fitted)},
-         {"edited", parametersJson(spec, edit.edited)},
+         {"fitted", parametersJson(spec, before)},
+         {"edited", parametersJson(spec, after)},
          {"errors", errorsJson(fitted.errors)},
          {"strength", edit.strength},
          {"clamped", clampedJson(clamped)},
@@ -137,7 +138,7 @@ void printEdit(const editing::DifferentialEdit& edit, const fitting::FitResult& 
 
 int edit(const Options& options, const Tool& tool) {
   const bool fromDocument = isDocument(options.material);
-  if (!writesDocument(options) || fromDocument) checkOutput(options.out);
+  if (!writesDocument(options) || fromDocument) materials::writableFormat(options.out);
   if (fromDocument) return replayDocument(options, tool);
   if (options.model.empty()) throw UsageError("edit: --model tells what is fitted and edited");
   const models::Model& model = models::findModel(options.model);
@@ -145,12 +146,13 @@ int edit(const Options& options, const Tool& tool) {
   models::ParameterValues probe = models::defaultParameters(model.spec());
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, probe);
 
-  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   const fitting::FitResult fitted = fitting::fit(*table, model, {}, tool.control("fitting"));
-  editing::DifferentialEdit edit{&model, fitted.parameters, fitted.parameters, options.strength, true};
-  for (const std::string& assignment : options.set) assign(model.spec(), assignment, edit.edited);
-  const auto clamped = models::clampToHardRange(model.spec(), edit.edited);
+  editing::DifferentialEdit change{&model, fitted.parameters, fitted.parameters};
+  for (const std::string& assignment : options.set) assign(model.spec(), assignment, change.edited);
+  const auto clamped = models::clampToHardRange(model.spec(), change.edited);
+  const editing::Edit edit{change, "", options.strength};
   const std::size_t capped = write(material, table, edit, options, tool);
   printEdit(edit, fitted, clamped, capped, options, tool);
   return 0;
@@ -167,7 +169,10 @@ void addEdit(CLI::App& app, Tool& tool) {
   command->add_option("--set", options->set, "name=value or name=red,green,blue; several may follow");
   command->add_option("--strength", options->strength, "Share of the change that is added (1)")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--out", options->out, "File to write: .binary (MERL), or .gonio (the edit, not the data)")
+  command
+      ->add_option(
+          "--out", options->out,
+          outputHelp("The material") + ", or the edit without the data (" + std::string(editing::documentSuffix) + ")")
       ->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return edit(*options, tool); }; });
 }

@@ -6,7 +6,7 @@
 #include "app/goniotool/tool.h"
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/decode.h"
-#include "core/io/code_file.h"
+#include "core/materials/code_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/study/picture_encoding.h"
 
@@ -29,14 +29,14 @@ std::string nameOf(DataTransform transform) { return std::string(dataTransformNa
 EncodeOptions encodeOptions(const Options& options) {
   EncodeOptions encoding = options.encoding;
   if (options.relativeError > 0) encoding.relativeError = options.relativeError;
-  if (options.bytes > 0) encoding.bytes = options.bytes - std::min(options.bytes, io::codeHeaderBytes);
+  if (options.bytes > 0) encoding.bytes = options.bytes - std::min(options.bytes, materials::codeHeaderBytes);
   std::erase_if(encoding.transforms,
                 [&](DataTransform t) { return !options.transform.empty() && options.transform != nameOf(t); });
   return encoding;
 }
 
-std::shared_ptr<const io::NamedEnsemble> dictionaryOf(const Options& options) {
-  return options.dictionary.empty() ? io::bundledDictionary() : io::readDictionary(options.dictionary);
+std::shared_ptr<const materials::NamedEnsemble> dictionaryOf(const Options& options) {
+  return options.dictionary.empty() ? materials::bundledDictionary() : materials::readDictionary(options.dictionary);
 }
 
 int encode(const Options& options, const Tool& tool) {
@@ -58,10 +58,10 @@ int encode(const Options& options, const Tool& tool) {
     encoded = encoder.encode(*table, encodeOptions(options), tool.control("encoding"));
   }
   const auto precision = options.single ? CodePrecision::single : CodePrecision::half;
-  const std::vector<std::byte> bytes = io::encodeCode(encoded.code, dictionary->id, precision);
-  if (!options.out.empty()) io::writeCode(encoded.code, dictionary->id, options.out, precision);
+  const std::vector<std::byte> bytes = materials::encodeCode(encoded.code, dictionary->id, precision);
+  if (!options.out.empty()) materials::writeCode(encoded.code, dictionary->id, options.out, precision);
   // Of what the file holds: with the values as they are rounded.
-  const auto decoded = decode(dictionary->ensemble, io::readCode(io::MemorySource(bytes)).code);
+  const auto decoded = decode(dictionary->ensemble, materials::readCode(io::MemorySource(bytes)).code);
   const std::vector<double> errors = metrics::brdfErrors(*table, *decoded);
   const double snr = metrics::brdfSignalToNoiseRatio(*table, *decoded);
   Json candidates = Json::array(), dictionaries = Json::array();
@@ -93,11 +93,11 @@ int encode(const Options& options, const Tool& tool) {
 }
 
 int decode(const Options& options, const Tool& tool) {
-  checkOutput(options.out);
+  materials::writableFormat(options.out);
   const auto dictionary = dictionaryOf(options);
-  const io::CodeFile file = io::readCode(options.material);
-  io::checkDictionary(file, *dictionary);
-  writeMaterial(*dictionary::decode(dictionary->ensemble, file.code), options.out);
+  const materials::CodeFile file = materials::readCode(options.material);
+  materials::checkDictionary(file, *dictionary);
+  materials::writeMaterial(*dictionary::decode(dictionary->ensemble, file.code), options.out);
   print(tool,
         {{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}, {"out", options.out}},
         "wrote " + options.out + ", of " + std::to_string(file.code.coefficients()) + " coefficients a channel\n");
@@ -126,16 +126,16 @@ void addEncode(CLI::App& app, Tool& tool) {
   command->add_option("--gamma", options->encoding.gamma, "Of the error that chooses the transform (2)")
       ->check(CLI::Range(1.0, 3.0));
   command->add_flag("--single", options->single, "Values in single precision, not in half");
-  command->add_option("--out", options->out, "The code (.code)");
+  command->add_option("--out", options->out, "The code (" + suffixOf(materials::FormatId::code) + ")");
   command->callback([options, &tool] { tool.run = [options, &tool] { return encode(*options, tool); }; });
 }
 
 void addDecode(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("decode", "The material that a sparse code stands for");
-  command->add_option("CODE", options->material, "A .code file")->required();
+  command->add_option("CODE", options->material, "A " + suffixOf(materials::FormatId::code) + " file")->required();
   command->add_option("--dictionary", options->dictionary, "The dictionary that it was made with (the bundled one)");
-  command->add_option("--out", options->out, "The material (.binary)")->required();
+  command->add_option("--out", options->out, outputHelp("The material"))->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return decode(*options, tool); }; });
 }
 

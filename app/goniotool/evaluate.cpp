@@ -17,7 +17,7 @@ struct Options {
 };
 
 int evaluate(const Options& options, const Tool& tool) {
-  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const DirectionTable directions = readDirections(options.directions);
   const std::vector<DirectionPair> pairs = directions.pairs();
   std::vector<Rgb> values(pairs.size());

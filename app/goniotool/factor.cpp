@@ -7,7 +7,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/study/evaluation_time.h"
 
@@ -17,7 +17,6 @@ namespace {
 
 using namespace factorization;
 
-constexpr const char* factorsSuffix = ".pdv";
 constexpr std::array<const char*, 2> formNames{"2d", "3d"};  // in the order of PdvForm
 
 struct Options {
@@ -35,22 +34,25 @@ struct Options {
   bool swaps() const { return !swapF1.empty() || !swapF2.empty(); }
 };
 
-bool isFactorsFile(const std::string& path) { return std::filesystem::path(path).extension() == factorsSuffix; }
+bool isFactorsFile(const std::string& path) { return materials::hasSuffixOf(materials::FormatId::pdv, path); }
 
-/// The factors of FILE: its own, where it is a .pdv file.
-PdvFactorization factorsOf(const Options& options, const io::Material& material, const TabulatedBrdf& table,
+/// The factors of FILE: its own, where it is a file of factors.
+PdvFactorization factorsOf(const Options& options, const materials::Material& material, const TabulatedBrdf& table,
                            const Tool& tool) {
-  if (!io::isPdv(options.material))
+  if (!materials::isPdv(options.material))
     return factorizePdv(table, options.pdvOptions(), tool.control("factorising " + material.name));
   if (options.formGiven || options.transformGiven)
     throw UsageError("factor: " + options.material + " holds factors already: --form and --transform are theirs");
-  return {.factors = io::readPdv(options.material).truncated(options.terms), .residuals = {}, .cells = 0, .seconds = 0};
+  return {.factors = materials::readPdv(options.material).truncated(options.terms),
+          .residuals = {},
+          .cells = 0,
+          .seconds = 0};
 }
 
 /// The factors of another material for a swap: one term over the same nodes, where they are not given.
 PdvFactors otherFactors(const std::string& other, const PdvFactors& target, const Tool& tool) {
-  if (io::isPdv(other)) return io::readPdv(other);
-  const io::Material material = openMaterial(other, tool.control("reading " + other));
+  if (materials::isPdv(other)) return materials::readPdv(other);
+  const materials::Material material = openMaterial(other, tool.control("reading " + other));
   return factorizePdv(
              *material.tabulated(tool.control("tabulating")),
              {.form = target.form, .transform = target.transform, .terms = 1, .deviationNodes = target.deviationNodes},
@@ -67,13 +69,13 @@ PdvFactors swapped(const Options& options, PdvFactors factors, const Tool& tool)
 
 void checkOptions(const Options& options) {
   if (options.keepFurther && !options.swaps()) throw UsageError("factor: --keep-terms is for --swap-f1 and --swap-f2");
-  if (!options.out.empty() && !isFactorsFile(options.out)) checkOutput(options.out);
-  if (!options.decode.empty()) checkOutput(options.decode);
+  if (!options.out.empty() && !isFactorsFile(options.out)) materials::writableFormat(options.out);
+  if (!options.decode.empty()) materials::writableFormat(options.decode);
 }
 
 int factor(const Options& options, const Tool& tool) {
   checkOptions(options);
-  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   PdvFactorization result = factorsOf(options, material, *table, tool);
   result.factors = swapped(options, std::move(result.factors), tool);
@@ -81,9 +83,9 @@ int factor(const Options& options, const Tool& tool) {
   const std::vector<double> errors = metrics::brdfErrors(*table, *brdf);
   const double snr = metrics::brdfSignalToNoiseRatio(*table, *brdf);
   const double nanoseconds = study::measureEvaluation(*brdf).median;
-  if (isFactorsFile(options.out)) io::writePdv(result.factors, options.out);
+  if (isFactorsFile(options.out)) materials::writePdv(result.factors, options.out);
   for (const std::string& path : {isFactorsFile(options.out) ? std::string() : options.out, options.decode})
-    if (!path.empty()) writeMaterial(*bakeTable(*brdf, table->grid(), tool.control("decoding")), path);
+    if (!path.empty()) materials::writeMaterial(*bakeTable(*brdf, table->grid(), tool.control("decoding")), path);
 
   const PdvFactors& f = result.factors;
   if (!result.residuals.empty()) result.residuals.erase(result.residuals.begin());
@@ -92,7 +94,7 @@ int factor(const Options& options, const Tool& tool) {
             {"form", formNames[std::size_t(f.form)]},
             {"transform", dataTransformNames[std::size_t(f.transform)]},
             {"grid", {f.thetaNodes.size(), f.deviationNodes.size(), f.phiNodes.size()}},
-            {"bytes", io::pdvFileBytes(f)},
+            {"bytes", materials::pdvFileBytes(f)},
             {"residuals", result.residuals},
             {"seconds", result.seconds},
             {"errors", errorsJson(errors)},
@@ -101,7 +103,7 @@ int factor(const Options& options, const Tool& tool) {
   if (!options.out.empty()) json["out"] = options.out;
   if (!options.decode.empty()) json["decoded"] = options.decode;
   print(tool, json,
-        std::to_string(f.terms()) + " terms, " + std::to_string(io::pdvFileBytes(f)) + " bytes, residual " +
+        std::to_string(f.terms()) + " terms, " + std::to_string(materials::pdvFileBytes(f)) + " bytes, residual " +
             (result.residuals.empty() ? "not known" : number(result.residuals.back())) + ", BRDF SNR " + number(snr) +
             " dB, " + number(result.seconds) + " s, " + number(nanoseconds) + " ns a value\n" + errorsText(errors));
   return 0;
@@ -119,8 +121,11 @@ void addFactor(CLI::App& app, Tool& tool) {
   form->check(CLI::IsMember(std::vector<std::string>(formNames.begin(), formNames.end())));
   auto* transform = command->add_option("--transform", options->transform, "Of the reflectance (log-plus)");
   transform->check(CLI::IsMember(std::vector<std::string>(dataTransformNames.begin(), dataTransformNames.end())));
-  command->add_option("--out", options->out, "The factors (.pdv), or the material that they stand for (.binary)");
-  command->add_option("--decode", options->decode, "Bakes the material that the factors stand for to this .binary");
+  command->add_option(
+      "--out", options->out,
+      "The factors (" + suffixOf(materials::FormatId::pdv) + "), or " + outputHelp("the material that they stand for"));
+  command->add_option("--decode", options->decode,
+                      outputHelp("Bakes the material that the factors stand for to this file"));
   command->add_option("--swap-f1", options->swapF1, "Takes the first term's F1, strength by angle, from this material");
   command->add_option("--swap-f2", options->swapF2, "Takes the first term's F2, shape of the highlight, from this");
   command->add_flag("--keep-terms", options->keepFurther, "Swaps keep the terms behind the first");

@@ -42,7 +42,7 @@ std::string text(const fitting::FitResult& result) {
 }
 
 /// One fit, or the one of the gamma whose picture is best, with what was tried in `json`.
-fitting::FitResult fitModel(const Options& options, const io::Material& material, const TabulatedBrdf& table,
+fitting::FitResult fitModel(const Options& options, const materials::Material& material, const TabulatedBrdf& table,
                             const models::Model& model, const Tool& tool, Json& trials) {
   const TaskControl control = tool.control("fitting " + options.model);
   if (options.gamma != chooseGamma) return fitting::fit(table, model, options.fitOptions(), control);
@@ -54,14 +54,14 @@ fitting::FitResult fitModel(const Options& options, const io::Material& material
   return tried.front().fit;
 }
 
-int fitOne(const Options& options, const io::Material& material, const Tool& tool) {
+int fitOne(const Options& options, const materials::Material& material, const Tool& tool) {
   const auto table = material.tabulated(tool.control("tabulating"));
   const models::Model& model = models::findModel(options.model);
   Json trials = Json::array();
   const fitting::FitResult result = fitModel(options, material, *table, model, tool, trials);
   if (!options.out.empty())
-    writeMaterial(*bakeTable(*model.instantiate(result.parameters), table->grid(), tool.control("baking")),
-                  options.out);
+    materials::writeMaterial(*bakeTable(*model.instantiate(result.parameters), table->grid(), tool.control("baking")),
+                             options.out);
   Json json = fitJson(result);
   json["metric"] = options.metric;
   std::string heading;
@@ -91,13 +91,13 @@ std::string rankingText(const std::vector<study::RankedFit>& ranking, metrics::B
   return text + (ranking.empty() ? "" : warningsText(ranking.front().fit));
 }
 
-int fitAll(const Options& options, const io::Material& material, const Tool& tool) {
+int fitAll(const Options& options, const materials::Material& material, const Tool& tool) {
   const auto table = material.tabulated(tool.control("tabulating"));
   const metrics::BrdfMetric metric = metrics::metricByName(options.metric);
   study::RankingOptions rankingOptions;
   rankingOptions.fit = options.fitOptions();
   std::vector<study::RankedFit> ranking =
-      study::rankFits(*table, *material.brdf, rankingOptions, tool.control("fitting all models"));
+      study::rankFits({table, material.brdf}, rankingOptions, tool.control("fitting all models"));
   const bool isBySnr = options.sort == bySnr;
   const metrics::BrdfMetric sortMetric = options.sort.empty() || isBySnr ? metric : metrics::metricByName(options.sort);
   sortRanking(ranking, isBySnr ? std::nullopt : std::optional(sortMetric));
@@ -126,8 +126,8 @@ int fit(const Options& options, const Tool& tool) {
   if (options.all && !options.out.empty()) throw UsageError("fit: --out bakes one model; give --model");
   if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort orders the rows of --all");
   checkGamma(options);
-  if (!options.out.empty()) checkOutput(options.out);
-  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  if (!options.out.empty()) materials::writableFormat(options.out);
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
   return options.all ? fitAll(options, material, tool) : fitOne(options, material, tool);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int albedoDegrees[] = {0, 30, 60, 80};
 
-Json describe(const io::Material& material, const TableStatistics& statistics) {
+Json describe(const materials::Material& material, const TableStatistics& statistics) {
   Json channels = Json::array(), albedo = Json::object();
   for (const ChannelRange& range : statistics.channels) channels.push_back({{"min", range.min}, {"max", range.max}});
   for (const int angle : albedoDegrees)
@@ -59,7 +59,7 @@ struct Options {
 };
 
 int info(const Options& options, const Tool& tool) {
-  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   Json json = describe(material, tableStatistics(*table));
   if (options.tableError) {

@@ -9,8 +9,8 @@
 #include "app/goniotool/tool.h"
 #include "core/dictionary/decode.h"
 #include "core/editing/interpolation/interpolation.h"
-#include "core/io/code_file.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/code_file.h"
+#include "core/materials/pdv_file.h"
 #include "core/math/weights.h"
 #include "core/models/registry.h"
 #include "core/support/naming_file.h"
@@ -20,9 +20,10 @@ namespace gonio::tool {
 namespace {
 
 using namespace editing;
+using materials::FormatId;
+using materials::hasSuffixOf;
 
 constexpr int mostMaterials = 16, mostSteps = 1000;
-constexpr const char *factorsSuffix = ".pdv", *codeSuffix = ".code";
 
 struct Options {
   std::vector<std::string> materials;
@@ -38,8 +39,6 @@ struct Options {
     return InterpolationSpace(std::find(names.begin(), names.end(), space) - names.begin());
   }
 };
-
-bool endsWith(const std::string& path, const char* suffix) { return std::filesystem::path(path).extension() == suffix; }
 
 /// The weights of every blend that is wanted.
 std::vector<std::vector<double>> weightsOf(const Options& options) {
@@ -63,31 +62,32 @@ void checkOptions(const Options& options) {
   } catch (const Error& error) {
     throw UsageError(std::string("interpolate: ") + error.what());
   }
-  if (endsWith(options.out, factorsSuffix)) {
+  if (hasSuffixOf(FormatId::pdv, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::factors)
       throw UsageError("interpolate: " + options.out + " would hold factors: that needs --space factors");
-  } else if (endsWith(options.out, codeSuffix)) {
+  } else if (hasSuffixOf(FormatId::code, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::dictionary)
       throw UsageError("interpolate: " + options.out + " would hold a code: that needs --space dictionary");
   } else {
-    checkOutput(options.out);
+    materials::writableFormat(options.out);
   }
 }
 
 /// The code of a file over another dictionary than the one that comes with Gonio.
-InterpolationEnd openCode(const std::string& path, const io::NamedEnsemble& dictionary) {
-  const io::CodeFile file = io::readCode(path);
-  namingFile(path, [&] { io::checkDictionary(file, dictionary); });
+InterpolationEnd openCode(const std::string& path, const materials::NamedEnsemble& dictionary) {
+  const materials::CodeFile file = materials::readCode(path);
+  namingFile(path, [&] { materials::checkDictionary(file, dictionary); });
   return {.table = dictionary::decode(dictionary.ensemble, file.code),
           .code = std::make_shared<const dictionary::SparseCode>(file.code)};
 }
 
 /// @param other a dictionary that was given, or null.
-InterpolationEnd openEnd(const std::string& material, const io::NamedEnsemble* other, const Tool& tool) {
-  if (other && endsWith(material, codeSuffix)) return openCode(material, *other);
-  const io::Material opened = openMaterial(material, tool.control("reading " + material));
+InterpolationEnd openEnd(const std::string& material, const materials::NamedEnsemble* other, const Tool& tool) {
+  if (other && hasSuffixOf(FormatId::code, material)) return openCode(material, *other);
+  const materials::Material opened = openMaterial(material, tool.control("reading " + material));
   InterpolationEnd end{.table = opened.tabulated(tool.control("tabulating " + opened.name))};
-  if (io::isPdv(material)) end.factors = std::make_shared<const factorization::PdvFactors>(io::readPdv(material));
+  if (materials::isPdv(material))
+    end.factors = std::make_shared<const factorization::PdvFactors>(materials::readPdv(material));
   if (!other) end.code = opened.code;
   return end;
 }
@@ -107,12 +107,12 @@ Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, st
            std::span<const double> weights, const std::string& out, const Tool& tool) {
   const auto factors = interpolation.factors(weights);
   const auto code = interpolation.code(weights);
-  if (endsWith(out, factorsSuffix))
-    io::writePdv(factors.value(), out);
-  else if (endsWith(out, codeSuffix))
-    io::writeCode(code.value(), dictionary, out);
+  if (hasSuffixOf(FormatId::pdv, out))
+    materials::writePdv(factors.value(), out);
+  else if (hasSuffixOf(FormatId::code, out))
+    materials::writeCode(code.value(), dictionary, out);
   else
-    writeMaterial(*interpolation.table(weights, tool.control("blending")), out);
+    materials::writeMaterial(*interpolation.table(weights, tool.control("blending")), out);
   Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
   if (const auto parameters = interpolation.parameters(weights)) json["parameters"] = parametersJson(spec, *parameters);
   if (factors) json["terms"] = factors->terms();
@@ -127,9 +127,9 @@ Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, st
 int interpolate(const Options& options, const Tool& tool) {
   checkOptions(options);
   const bool isGiven = !options.dictionary.empty();
-  std::shared_ptr<const io::NamedEnsemble> dictionary;
+  std::shared_ptr<const materials::NamedEnsemble> dictionary;
   if (isGiven || options.spaceChosen() == InterpolationSpace::dictionary)
-    dictionary = isGiven ? io::readDictionary(options.dictionary) : io::bundledDictionary();
+    dictionary = isGiven ? materials::readDictionary(options.dictionary) : materials::bundledDictionary();
   std::vector<InterpolationEnd> ends;
   for (const std::string& material : options.materials)
     ends.push_back(openEnd(material, isGiven ? dictionary.get() : nullptr, tool));
@@ -186,7 +186,8 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--out", options->out,
-                   "The material (.binary); of the space factors its curves (.pdv), of dictionary its code (.code)")
+                   outputHelp("The material") + "; of the space factors its curves (" + suffixOf(FormatId::pdv) +
+                       "), of dictionary its code (" + suffixOf(FormatId::code) + ")")
       ->required();
   command->callback([options, at, &tool] {
     options->atGiven = at->count() > 0;

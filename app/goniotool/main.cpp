@@ -5,6 +5,8 @@
 
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/editing/edit_document.h"
+#include "core/materials/material_formats.h"
 #include "core/math/parallel.h"
 
 namespace {
@@ -16,6 +18,14 @@ constexpr int failed = 1, wrongUsage = 2;
 int tell(const std::string& message, int code) {
   std::fprintf(stderr, "goniotool: %s\n", tool::oneLine(message).c_str());
   return code;
+}
+
+/// "MERL table .binary, RGL material .bsdf, ..".
+std::string formatsText() {
+  std::string text;
+  for (const materials::MaterialFormat& format : materials::materialFormats())
+    text += (text.empty() ? "" : ", ") + std::string(format.label) + " " + std::string(format.suffix());
+  return text;
 }
 
 int work(const tool::Tool& tool) {
@@ -45,8 +55,8 @@ int main(int argc, char** argv) {
   app.add_flag("--progress", tool.showProgress, "Progress on standard error even where that is no terminal");
   app.add_option("--threads", tool.threads, "Number of threads (all cores)")->check(CLI::Range(1, 4096));
   app.footer(
-      "A MATERIAL is a MERL .binary, an RGL .bsdf, a .pdv file of factors or a .code (found by content), a .gonio\n"
-      "document, or a bundled material such as library:sgd/chrome or library:rgl/paper_blue. Exit code: 0 success, 1 "
+      "A MATERIAL is a file (" + formatsText() + "; found by\ncontent), a " + std::string(editing::documentSuffix) +
+      " document, or a bundled material such as library:sgd/chrome or\nlibrary:rgl/paper_blue. Exit code: 0 success, 1 "
       "failure, 2 wrong usage.");
   for (const auto add :
        {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit, tool::addEdit,

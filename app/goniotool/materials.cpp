@@ -12,9 +12,9 @@ namespace gonio::tool {
 
 namespace {
 
-io::Material replay(const std::filesystem::path& path, const TaskControl& control) {
+materials::Material replay(const std::filesystem::path& path, const TaskControl& control) {
   const editing::EditDocument document = editing::readDocument(path);
-  io::Material material = editing::readSource(document, path, control);
+  materials::Material material = editing::readSource(document, path, control);
   if (material.source.sha256 != document.sourceSha256)
     throw Error(path.string() + ": its source " +
                 (document.blend ? "(" + material.source.description + ")" : material.source.path.string()) +
@@ -46,24 +46,12 @@ bool isDocument(const std::string& argument) {
   return stream && first == '{';
 }
 
-io::Material openMaterial(const std::string& argument, const TaskControl& control) {
-  return isDocument(argument) ? replay(argument, control) : io::readMaterial(argument, control);
+materials::Material openMaterial(const std::string& argument, const TaskControl& control) {
+  return isDocument(argument) ? replay(argument, control) : materials::readMaterial(argument, control);
 }
 
-void checkOutput(const std::string& out) {
-  const std::string suffix = std::filesystem::path(out).extension().string();
-  if (suffix != ".binary")
-    throw Error(out + ": found the suffix '" + suffix + "', expected .binary (MERL): materials are written as that");
-}
-
-void writeMaterial(const io::Material& material, const std::string& out, const TaskControl& control) {
-  checkOutput(out);
-  io::writeMerl(material, out, control);
-}
-
-void writeMaterial(const TabulatedBrdf& table, const std::string& out) {
-  checkOutput(out);
-  io::writeMerl(table, out);
+std::string outputHelp(const std::string& what) {
+  return what + " (" + materials::suffixText(materials::isWritable, "or") + ")";
 }
 
 }  // namespace gonio::tool

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/io/material.h"
+#include "core/materials/material_formats.h"
 
 namespace gonio::tool {
 
@@ -15,13 +15,11 @@ bool isDocument(const std::string& argument);
 
 /// A material argument. A document is replayed: the material is its edited table.
 /// @throws Error naming the file; of a document also when its source has changed since.
-io::Material openMaterial(const std::string& argument, const TaskControl& control = {});
+materials::Material openMaterial(const std::string& argument, const TaskControl& control = {});
 
-/// Writes a table or a material by the suffix of `out`. An unchanged MERL material is copied byte for byte.
-/// @throws Error when the suffix is of no format that is written.
-void writeMaterial(const io::Material& material, const std::string& out, const TaskControl& control = {});
-void writeMaterial(const TabulatedBrdf& table, const std::string& out);
-/// Of the same check alone, so that no work is done for nothing.
-void checkOutput(const std::string& out);
+/// For help texts: ".pdv".
+inline std::string suffixOf(materials::FormatId id) { return std::string(materials::formatOf(id).suffix()); }
+/// The help of an option that names a material to write: "The material (.binary)".
+std::string outputHelp(const std::string& what);
 
 }  // namespace gonio::tool

@@ -3,8 +3,8 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/io/plan_file.h"
-#include "core/io/values_file.h"
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
 
 namespace gonio::tool {
 
@@ -17,11 +17,11 @@ struct Options {
 };
 
 int measure(Options options, const Tool& tool) {
-  const acquisition::SamplingPlan plan = io::readPlan(options.plan);
-  const io::Material material = openMaterial(options.material, tool.control("reading"));
+  const acquisition::SamplingPlan plan = materials::readPlan(options.plan);
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
   options.noise.misalignment = radians(options.misalignmentDegrees);
   const acquisition::MeasuredValues values = acquisition::measure(*material.brdf, plan, options.noise);
-  io::writeValues(plan, values, options.out);
+  materials::writeValues(plan, values, options.out);
   print(tool, {{"samples", values.rgb.size()}, {"out", options.out}},
         options.out + ": " + std::to_string(values.rgb.size()) + " samples of " + material.name + "\n");
   return 0;

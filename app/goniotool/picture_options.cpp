@@ -33,8 +33,8 @@ void PictureOptions::apply(Scene& scene) const {
   scene.showEnvironment = scene.showEnvironment || showEnvironment;
 }
 
-SphereRenderOptions PictureOptions::renderOptions() const {
-  SphereRenderOptions result;
+RenderOptions PictureOptions::renderOptions() const {
+  RenderOptions result;
   const char *begin = size.data(), *const end = begin + size.size();
   auto [at, error] = std::from_chars(begin, end, result.width);
   result.height = result.width;

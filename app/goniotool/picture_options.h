@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/goniotool/tool.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene.h"
-#include "core/rendering/sphere_renderer.h"
 #include "core/rendering/tone_map.h"
 
 namespace gonio::tool {
@@ -29,7 +29,7 @@ struct PictureOptions {
   /// @throws Error when the environment is neither bundled nor a readable picture; UsageError for the rest.
   void apply(Scene& scene) const;
   /// @throws UsageError when the size is not understood.
-  SphereRenderOptions renderOptions() const;
+  RenderOptions renderOptions() const;
   ToneMap tone() const { return toneMap == toneMapName(ToneMap::filmic) ? ToneMap::filmic : ToneMap::clamp; }
 };
 

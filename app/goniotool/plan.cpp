@@ -9,10 +9,11 @@
 
 #include "app/goniotool/bases.h"
 #include "app/goniotool/report.h"
+#include "app/goniotool/training_files.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
 #include "core/io/atomic_file.h"
-#include "core/io/plan_file.h"
+#include "core/materials/plan_file.h"
 
 namespace gonio::tool {
 
@@ -78,7 +79,7 @@ double travelDegrees(const SamplingPlan& plan) {
 }
 
 void report(const Options& options, const SamplingPlan& plan, const SampleSelection& selection,
-            const io::BasisFile& basis, int kept, double trainingSeconds, double seconds, const Tool& tool) {
+            const materials::BasisFile& basis, int kept, double trainingSeconds, double seconds, const Tool& tool) {
   const std::string basisPath = basisBeside(options.out).string();
   Json json{{"samples", plan.samples.size()},
             {"method", options.method},
@@ -120,10 +121,10 @@ int plan(const Options& options, const Tool& tool) {
   const int learned = basis->components.count();
   const int kept = options.basisComponents > 0 ? std::min(options.basisComponents, learned) : learned;
   // A plan names its basis: without the one the other is not written.
-  io::writeBasis(basis->components, kept, basis->learnedFrom, basisPath,
-                 options.single ? io::BasisPrecision::single : io::BasisPrecision::half);
+  materials::writeBasis(basis->components, kept, basis->learnedFrom, basisPath,
+                        options.single ? materials::BasisPrecision::single : materials::BasisPrecision::half);
   plan.basisDigest = basisDigest(basisPath);
-  io::writePlan(
+  materials::writePlan(
       plan, options.out,
       {"learned from " + std::to_string(basis->learnedFrom.size()) + " materials",
        "angles in degrees, i is the light, o the viewer; of an isotropic material only phi_o - phi_i matters"});
@@ -137,11 +138,12 @@ void addPlan(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<Options>();
   SelectionOptions& selection = options->selection;
   CLI::App* command = app.add_subcommand("plan", "The directions at which to measure a material");
-  command->add_option("--train", options->train,
-                      "Folders of .binary and .bsdf files, or files, to learn from (the bundled library)");
+  command->add_option("--train", options->train, trainingHelp() + " to learn from (the bundled library)");
   command->add_option("--exclude", options->excluded, "Names of materials to leave out")->delimiter(',');
   command->add_option("--samples", selection.samples, "How many directions")->required()->check(CLI::Range(1, 4096));
-  command->add_option("--out", options->out, "CSV to write; beside it comes its basis, of the suffix .basis")
+  command
+      ->add_option("--out", options->out,
+                   "CSV to write; beside it comes its basis, of the suffix " + std::string(materials::basisSuffix))
       ->required();
   command->add_option("--method", options->method, "somp, somp-first-columns, condition-number, random, uniform (somp)")
       ->check(CLI::IsMember(std::vector<std::string>(methodNames.begin(), methodNames.end())));

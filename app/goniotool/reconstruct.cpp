@@ -8,8 +8,8 @@
 #include "app/goniotool/reconstruct_in_dictionaries.h"
 #include "app/goniotool/report.h"
 #include "core/acquisition/reconstruction.h"
-#include "core/io/plan_file.h"
-#include "core/io/values_file.h"
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
 
 namespace gonio::tool {
 
@@ -51,9 +51,9 @@ void checkBasis(const std::filesystem::path& basis, const SamplingPlan& plan) {
 }
 
 /// Named, else learned, else the one beside the plan.
-std::shared_ptr<const io::BasisFile> basisOf(const Options& options, const SamplingPlan& plan, const Tool& tool,
-                                             double& trainingSeconds) {
-  if (!options.basis.empty()) return io::readBasis(options.basis);
+std::shared_ptr<const materials::BasisFile> basisOf(const Options& options, const SamplingPlan& plan, const Tool& tool,
+                                                    double& trainingSeconds) {
+  if (!options.basis.empty()) return materials::readBasis(options.basis);
   const std::filesystem::path beside = basisBeside(options.plan);
   if (!options.train.empty()) {
     const int components = options.reconstruction.components;
@@ -65,7 +65,7 @@ std::shared_ptr<const io::BasisFile> basisOf(const Options& options, const Sampl
                 ": not found: the basis that goniotool plan writes beside a plan; name another by "
                 "--basis or materials to learn from by --train");
   checkBasis(beside, plan);
-  return io::readBasis(beside);
+  return materials::readBasis(beside);
 }
 
 /// The deviations as a table: of each cell its own in all channels.
@@ -119,24 +119,24 @@ std::vector<std::string> methodNames() {
 }
 
 int reconstruct(const Options& options, const Tool& tool) {
-  checkOutput(options.out);
+  materials::writableFormat(options.out);
   if (options.method == dictionariesMethod)
     return reconstructWithDictionaries(
         {options.plan, options.values, options.out, options.dictionary, options.train, options.excluded}, tool);
   if (!options.dictionary.empty()) throw UsageError("reconstruct: --dictionary is of --method dictionaries alone");
-  if (!options.uncertainty.empty()) checkOutput(options.uncertainty);
+  if (!options.uncertainty.empty()) materials::writableFormat(options.uncertainty);
   const ReconstructionOptions chosen = reconstructionOptions(options);
-  const SamplingPlan plan = io::readPlan(options.plan);
-  const MeasuredValues values = io::readValues(options.values, plan);
+  const SamplingPlan plan = materials::readPlan(options.plan);
+  const MeasuredValues values = materials::readValues(options.values, plan);
   double trainingSeconds = 0;
   const auto basis = basisOf(options, plan, tool, trainingSeconds);
   const auto start = std::chrono::steady_clock::now();
   const Reconstruction found =
       acquisition::reconstruct(basis->components, plan, values, chosen, tool.control("reconstructing"));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  writeMaterial(*found.table, options.out);
+  materials::writeMaterial(*found.table, options.out);
   if (!options.uncertainty.empty())
-    writeMaterial(*deviationTable(basis->components.mapping, found.deviation), options.uncertainty);
+    materials::writeMaterial(*deviationTable(basis->components.mapping, found.deviation), options.uncertainty);
   report(options, found, plan.samples.size(), seconds, trainingSeconds, tool);
   return 0;
 }
@@ -149,7 +149,7 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   CLI::App* command = app.add_subcommand("reconstruct", "A whole material from the values measured by a plan");
   command->add_option("--plan", options->plan, "CSV of the directions")->required();
   command->add_option("--values", options->values, "CSV of what was measured there")->required();
-  command->add_option("--out", options->out, "The material (.binary)")->required();
+  command->add_option("--out", options->out, outputHelp("The material"))->required();
   CLI::Option* basis = command->add_option("--basis", options->basis, "A .basis file (the one beside the plan)");
   CLI::Option* train = command->add_option("--train", options->train, "Learn from these folders or files instead");
   train->excludes(basis);
@@ -168,7 +168,7 @@ void addReconstruct(CLI::App& app, Tool& tool) {
   command->add_option("--atoms", reconstruction.atoms, "Components that sparse takes (by leave-one-out)")
       ->check(CLI::Range(1, 65535));
   command->add_option("--uncertainty", options->uncertainty,
-                      "Standard deviations of the mapped values as a table (.binary)");
+                      outputHelp("Standard deviations of the mapped values as a table"));
   command->callback([options, command, &tool] {
     tool.run = [options, command, &tool] {
       for (const char* of : {"--basis", "--ridge", "--components", "--atoms", "--uncertainty"})

@@ -8,9 +8,9 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/training_files.h"
 #include "core/acquisition/dictionary_reconstruction.h"
-#include "core/io/dictionary_file.h"
-#include "core/io/plan_file.h"
-#include "core/io/values_file.h"
+#include "core/materials/dictionary_file.h"
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
 
 namespace gonio::tool {
 
@@ -25,9 +25,10 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, const Tool& tool) {
   if (request.train.empty())
     throw UsageError("reconstruct: --method dictionaries needs materials to learn from, --train");
-  const acquisition::SamplingPlan plan = io::readPlan(request.plan);
-  const acquisition::MeasuredValues values = io::readValues(request.values, plan);
-  const auto dictionary = request.dictionary.empty() ? io::bundledDictionary() : io::readDictionary(request.dictionary);
+  const acquisition::SamplingPlan plan = materials::readPlan(request.plan);
+  const acquisition::MeasuredValues values = materials::readValues(request.values, plan);
+  const auto dictionary =
+      request.dictionary.empty() ? materials::bundledDictionary() : materials::readDictionary(request.dictionary);
   const auto materials = trainingMaterials(trainingFiles(request.train, request.excluded));
   auto start = std::chrono::steady_clock::now();
   const auto prior = acquisition::learnDictionaryPrior(
@@ -38,7 +39,7 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
   const auto found = acquisition::reconstructInDictionaries(dictionary->ensemble, prior, plan, values, {},
                                                             tool.control("reconstructing"));
   const double seconds = secondsSince(start);
-  writeMaterial(*found.table, request.out);
+  materials::writeMaterial(*found.table, request.out);
   const Json json{{"method", dictionariesMethod},
                   {"samples", plan.samples.size()},
                   {"dictionary", found.dictionary},

@@ -13,7 +13,7 @@ namespace gonio::tool {
 
 namespace {
 
-using Materials = std::vector<std::shared_ptr<const TracedMaterial>>;
+using Materials = std::vector<std::shared_ptr<const RenderMaterial>>;
 
 struct Options {
   std::vector<std::string> materials, on, off;
@@ -38,7 +38,7 @@ std::vector<std::string> effectIds() {
 }
 
 void requirePlaces(const Scene& scene, std::size_t materials) {
-  const std::size_t places = std::size_t(std::max(1, lookedAtCount(scene)));
+  const std::size_t places = std::size_t(std::max(1, materialSlotCount(scene)));
   if (materials > places)
     throw UsageError("MATERIAL: found " + std::to_string(materials) + ", expected at most " + std::to_string(places) +
                      ", as many as the scene '" + scene.name + "' shows");
@@ -48,7 +48,7 @@ Materials openMaterials(const Options& options, const Tool& tool) {
   Materials materials;
   for (const std::string& material : options.materials)
     materials.push_back(
-        std::make_shared<const TracedMaterial>(openMaterial(material, tool.control("reading " + material)).brdf));
+        std::make_shared<const RenderMaterial>(openMaterial(material, tool.control("reading " + material)).brdf));
   return materials;
 }
 
@@ -63,7 +63,7 @@ struct Rendered {
   double seconds = 0;
 };
 
-Rendered renderPicture(const PathTracer& tracer, const SphereRenderOptions& size, const Tool& tool) {
+Rendered renderPicture(const PathTracer& tracer, const RenderOptions& size, const Tool& tool) {
   Rendered result{Film(size.width, size.height)};
   const auto start = std::chrono::steady_clock::now();
   tracer.accumulate(result.film, size.samples, tool.control("rendering"));
@@ -72,7 +72,7 @@ Rendered renderPicture(const PathTracer& tracer, const SphereRenderOptions& size
 }
 
 /// Adds the figures of each sampling strategy to the result.
-void measureStrategies(const PathTracer& tracer, const Materials& materials, const SphereRenderOptions& size,
+void measureStrategies(const PathTracer& tracer, const Materials& materials, const RenderOptions& size,
                        const Tool& tool, Json& json, std::string& text) {
   const std::vector<StrategyCost> costs = measureStrategyCosts(
       tracer.scene(), materials, tracer.plan(),
@@ -96,7 +96,7 @@ int render(const Options& options, const Tool& tool) {
   if (options.out.empty() && !options.effects && !options.costs && !options.strategies)
     throw UsageError("--out: found nothing, expected a picture to write (or --effects alone)");
   if (!options.out.empty()) checkPicture(options.out);
-  const SphereRenderOptions size = options.picture->renderOptions();
+  const RenderOptions size = options.picture->renderOptions();
   Scene scene = openScene(options.scene, int(options.materials.size()));
   requirePlaces(scene, options.materials.size());
   options.picture->apply(scene);

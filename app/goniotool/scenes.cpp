@@ -14,15 +14,16 @@ struct Options {
 };
 
 int scenes(const Options& options, const Tool& tool) {
-  std::vector<std::shared_ptr<const TracedMaterial>> lookedAt;
+  std::vector<std::shared_ptr<const RenderMaterial>> slotMaterials;
   for (const std::string& material : options.materials)
-    lookedAt.push_back(std::make_shared<const TracedMaterial>(openMaterial(material, tool.control("reading")).brdf));
-  if (lookedAt.empty()) lookedAt.push_back(diffuseMaterial(Rgb(0.5)));
+    slotMaterials.push_back(
+        std::make_shared<const RenderMaterial>(openMaterial(material, tool.control("reading")).brdf));
+  if (slotMaterials.empty()) slotMaterials.push_back(diffuseMaterial(Rgb(0.5)));
   Json list = Json::array();
   std::string text;
   for (const std::string& name : options.scenes.empty() ? bundledSceneNames() : options.scenes) {
-    const Scene scene = openScene(name, int(lookedAt.size()));
-    const EffectPlan plan = planEffects(scene, bindMaterials(scene, lookedAt));
+    const Scene scene = openScene(name, int(slotMaterials.size()));
+    const EffectPlan plan = planEffects(scene, bindMaterials(scene, slotMaterials));
     list.push_back({{"scene", scene.name},
                     {"description", scene.description},
                     {"objects", scene.objects.size()},

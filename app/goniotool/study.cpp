@@ -53,7 +53,7 @@ StudyOptions studyOptions(const Options& options, RepresentationChoice& choice, 
   StudyOptions study;
   study.picture.width = study.picture.height = options.size;
   study.picture.samples = options.samples;
-  if (!options.dictionary.empty()) study.build.dictionary = io::readDictionary(options.dictionary);
+  if (!options.dictionary.empty()) study.build.dictionary = materials::readDictionary(options.dictionary);
   if (!std::ranges::count(choice.families, RepresentationFamily::components)) return study;
   if (options.componentsFrom.empty())
     throw UsageError("study: no basis of principal components is shipped; give --components-from FOLDER");
@@ -75,7 +75,7 @@ void checkOptions(const Options& options) {
 
 Studied studyOne(const std::string& path, std::span<const Representation> representations, const StudyOptions& study,
                  const Tool& tool, const std::stop_token& stop) {
-  const io::Material material = openMaterial(path, tool.control("reading " + path));
+  const materials::Material material = openMaterial(path, tool.control("reading " + path));
   const auto table = material.tabulated(tool.control("tabulating"));
   TaskControl control = tool.control("studying " + material.name);
   control.stop = stop;

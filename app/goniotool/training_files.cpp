@@ -9,6 +9,10 @@
 
 namespace gonio::tool {
 
+std::string trainingHelp() {
+  return "Folders of " + materials::suffixText(materials::isMeasurement, "and") + " files, or files";
+}
+
 std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
                                        const std::vector<std::string>& excluded) {
   std::vector<std::string> files;
@@ -19,9 +23,11 @@ std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
     }
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(source))
-      if (const auto suffix = entry.path().extension(); suffix == ".binary" || suffix == ".bsdf")
+      if (const auto* format = materials::formatBySuffix(entry.path()); format && format->isMeasurement)
         found.push_back(entry.path().string());
-    if (found.empty()) throw Error(source + ": found no .binary and no .bsdf file");
+    if (found.empty())
+      throw Error(source + ": found no file of a measured material, expected " +
+                  materials::suffixText(materials::isMeasurement, "or"));
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());
   }

@@ -9,7 +9,11 @@
 
 namespace gonio::tool {
 
-/// Files as they are, of folders all files of materials, in the order of their names; less the excluded names.
+/// "Folders of .binary and .bsdf files, or files".
+std::string trainingHelp();
+
+/// Files as they are, of folders all measured materials (MaterialFormat::isMeasurement), in the order of their names;
+/// less the excluded names.
 /// @throws Error when a folder has none, a name excludes nothing, or none is left.
 std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
                                        const std::vector<std::string>& excluded = {});

@@ -2,9 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <array>
 #include <memory>
-#include <string_view>
 
 #include "core/acquisition/dictionary_prior.h"
 #include "core/acquisition/measured_values.h"
@@ -20,7 +18,6 @@ enum class DictionaryChoice {
   leaveOneOut  ///< the squared error with which the samples are predicted from one another
 };
 /// In JSON and on the command line, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 2> dictionaryChoiceNames{"evidence", "leave-one-out"};
 
 struct DictionaryReconstructionOptions {
   DictionaryChoice choice = DictionaryChoice::evidence;

@@ -136,12 +136,6 @@ void check(const PrincipalComponents& basis, const SelectionOptions& options) {
 
 }  // namespace
 
-std::vector<std::uint32_t> measurableCells(const PrincipalComponents& basis, const MeasurableDirections& measurable) {
-  std::vector<std::uint32_t> cells;
-  for (const std::size_t row : measurableRows(basis, measurable)) cells.push_back(basis.mapping.cells[row]);
-  return cells;
-}
-
 SampleSelection selectSamples(const PrincipalComponents& basis, const SelectionOptions& options,
                               const TaskControl& control, const Chosen& chosen) {
   check(basis, options);

@@ -41,14 +41,10 @@ struct SampleSelection {
   std::string warning;  ///< why there are fewer cells than were asked for; empty otherwise
 };
 
-/// The cells of a basis among which selectSamples() chooses, ascending: those of its mapping that can be measured,
-/// of the cells of one pair of directions the one that is read (pairNode()). O(cells). @throws Error as
-/// MeasurableDirections::check().
-std::vector<std::uint32_t> measurableCells(const dictionary::PrincipalComponents& basis,
-                                           const MeasurableDirections& measurable);
-
-/// Chooses cells of the basis' grid. Deterministic: the same cells for any number of threads; of equally good cells the
-/// lowest index. @param chosen called on this thread with each cell as it is fixed, in the order of choice.
+/// Chooses cells of the basis' grid among those of its mapping that can be measured; of the cells of one pair of
+/// directions, the one that is read (pairNode()). Deterministic: the same cells for any number of threads; of equally
+/// good cells the lowest index. @param chosen called on this thread with each cell as it is fixed, in the order of
+/// choice.
 /// @throws Error when fewer than one sample or a negative number of components is asked for, limits are wrong, nothing
 /// can be measured, or (of the pursuits and conditionNumber) the basis has no components; Cancelled.
 SampleSelection selectSamples(const dictionary::PrincipalComponents& basis, const SelectionOptions& options,

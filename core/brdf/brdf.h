@@ -8,6 +8,8 @@
 
 namespace gonio {
 
+class TabulatedBrdf;
+
 /// A reflectance function. Values are linear RGB in 1/sr without the cosine (core/math/types.h has the conventions).
 /// Immutable: every method may be called from any number of threads.
 class Brdf {
@@ -31,6 +33,11 @@ class Brdf {
   /// Whether the value stays when wi and wo are exchanged, as physics asks for; false where that is not so or not
   /// known.
   virtual bool isReciprocal() const { return true; }
+
+  /// Whether the value of a pair is known: false below the horizon, and where a measurement has no data. It is 0 there.
+  virtual bool hasData(const DirectionPair& pair) const { return !isBelowHorizon(pair.wi) && !isBelowHorizon(pair.wo); }
+  /// This BRDF where it is a table, so that its nodes can be read exactly; null for all others.
+  virtual const TabulatedBrdf* asTable() const { return nullptr; }
 
   /// Whether sample() knows this BRDF better than a cosine does.
   virtual bool samplesItself() const { return false; }

@@ -78,10 +78,5 @@ inline double gammaTransformed(double rho, double gamma) {
   if (!(rho > 0)) return 0;
   return gamma == 2 ? std::sqrt(rho) : std::pow(rho, 1 / gamma);
 }
-/// The reflectance again, in [0, largestReflectance].
-inline double inverseGammaTransformed(double y, double gamma) {
-  if (!(y > 0)) return 0;
-  return std::min(gamma == 2 ? y * y : std::pow(y, gamma), largestReflectance);
-}
 
 }  // namespace gonio

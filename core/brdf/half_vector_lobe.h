@@ -35,13 +35,6 @@ struct HalfVectorLobe {
 template <typename Normals>
 HalfVectorLobe(Normals) -> HalfVectorLobe<Normals>;
 
-/// Unit vector of azimuth (cosPhi, sinPhi) and polar angle of tangent `tangent`, which may be infinite.
-inline Direction normalOfSlope(double tangent, double cosPhi, double sinPhi) {
-  const double cosine = 1 / std::sqrt(1 + tangent * tangent);
-  const double sine = std::isinf(tangent) ? 1 : tangent * cosine;
-  return {sine * cosPhi, sine * sinPhi, cosine};
-}
-
 /// D(h) cos theta_h of Beckmann's distribution with root mean square slopes alphaX, alphaY (Ward 1992, eq. 6, 7; Walter
 /// et al. 2007, eq. 28, 35): exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (pi alpha_x alpha_y h_z^3).
 struct BeckmannNormals {

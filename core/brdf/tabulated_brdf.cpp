@@ -178,6 +178,12 @@ Rgb TabulatedBrdf::lookup(const HalfDifference& at, TableLookup mode, bool* vali
   return value;
 }
 
+bool TabulatedBrdf::hasData(const DirectionPair& pair) const {
+  bool valid = false;
+  if (Brdf::hasData(pair)) lookup(toHalfDifference(pair.wi, pair.wo), TableLookup::trilinear, &valid);
+  return valid;
+}
+
 Rgb TabulatedBrdf::interpolate(const Corners& at, bool& valid) const {
   const auto low = std::size_t(at.f.low), high = std::size_t(at.f.high);
   valid = true;

@@ -42,6 +42,8 @@ class TabulatedBrdf final : public Brdf {
   Rgb lookup(const HalfDifference& at, TableLookup lookup, bool* valid = nullptr) const;
 
   bool isReciprocal() const override { return grid_.reciprocal; }
+  bool hasData(const DirectionPair& pair) const override;
+  const TabulatedBrdf* asTable() const override { return this; }
 
   const HalfDifferenceGrid& grid() const { return grid_; }
   std::span<const Value> values() const { return values_; }

@@ -21,7 +21,9 @@ struct ProjectedDeviation {
 /// Of any two directions above the horizon, exact to rounding: theta_R, |Dp| absolutely, phi to rounding / |Dp|. O(1).
 ProjectedDeviation toProjectedDeviation(const Direction& wi, const Direction& wo);
 
-/// Directions of coordinates: the viewer has azimuth 0, the light comes from the point of the disk.
+/// Directions of coordinates: the viewer has azimuth 0, the light comes from the point of the disk. For a fixed viewer
+/// the solid angle of the light per unit of |Dp| and radian of phi is |Dp| / cos theta_i, sr. (The dissertation's
+/// eq. 4.32 is its inverse, exactly, in a form that cancels at the mirror direction.)
 struct ProjectedDirections {
   DirectionPair pair;
   bool valid = true;  ///< false where the point lies outside of the unit disk: no direction of light is there
@@ -32,10 +34,5 @@ ProjectedDirections fromProjectedDeviation(const ProjectedDeviation& coordinates
 /// The largest |phi| at which a deviation is on the disk, rad, [0, pi]: pi up to 1 - sin theta_R, 0 at and beyond
 /// 1 + sin theta_R, falling between. Never NaN. O(1).
 double azimuthLimit(double deviation, double sinThetaR);
-
-/// Solid angle of the light per unit of |Dp| and radian of phi, for a fixed viewer: |Dp| / cos theta_i, sr. (The
-/// dissertation's eq. 4.32 is its inverse, exactly, in a form that cancels at the mirror direction.)
-/// @param cosI cosine of the polar angle of wi, > 0.
-inline double projectedDeviationMeasure(double deviation, double cosI) { return deviation / cosI; }
 
 }  // namespace gonio

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/editing/edit_document_json.h"
-#include "core/io/dictionary_file.h"
 #include "core/io/sha256.h"
+#include "core/materials/dictionary_file.h"
 #include "core/math/weights.h"
 
 namespace gonio::editing {
@@ -51,13 +51,13 @@ std::string nameOf(const EditDocument& material) {
   return std::filesystem::path(material.sourcePath.substr(material.sourcePath.rfind(':') + 1)).stem().string();
 }
 
-io::Material readBlend(const BlendSource& blend, const std::filesystem::path& path, const TaskControl& control) {
+materials::Material readBlend(const BlendSource& blend, const std::filesystem::path& path, const TaskControl& control) {
   BlendSource found = blend;
   std::vector<InterpolationEnd> ends;
   for (std::size_t i = 0; i < blend.materials.size(); ++i) {
     const double each = readShare / double(blend.materials.size());
     const TaskControl part = control.between(double(i) * each, double(i + 1) * each);
-    const io::Material source = readSource(blend.materials[i], path, part);
+    const materials::Material source = readSource(blend.materials[i], path, part);
     found.materials[i].sourceSha256 = source.source.sha256;
     const auto table = source.tabulated({control.stop, {}});
     ends.push_back(blendedEnd(source, table, bakeEdits(table, blend.materials[i].edits, {control.stop, {}})));
@@ -69,7 +69,7 @@ io::Material readBlend(const BlendSource& blend, const std::filesystem::path& pa
 
 }  // namespace
 
-InterpolationEnd blendedEnd(const io::Material& material, const std::shared_ptr<const TabulatedBrdf>& unedited,
+InterpolationEnd blendedEnd(const materials::Material& material, const std::shared_ptr<const TabulatedBrdf>& unedited,
                             const std::shared_ptr<const TabulatedBrdf>& edited) {
   return {.table = edited, .factors = nullptr, .code = edited == unedited ? material.code : nullptr};
 }
@@ -77,7 +77,7 @@ InterpolationEnd blendedEnd(const io::Material& material, const std::shared_ptr<
 InterpolationOptions blendOptions(const models::Model* model) {
   InterpolationOptions options;
   options.model = model;
-  const auto dictionary = io::bundledDictionary();
+  const auto dictionary = materials::bundledDictionary();
   options.ensemble = {dictionary, &dictionary->ensemble};
   options.pdv.terms = 3;  // what a frame costs grows with them, twice as fast as with the terms of one material
   return options;
@@ -125,8 +125,8 @@ std::string blendSha256(const BlendSource& blend) {
   return io::sha256Hex(std::string_view(identity.dump()));
 }
 
-io::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<const TabulatedBrdf> table) {
-  io::Material material;
+materials::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<const TabulatedBrdf> table) {
+  materials::Material material;
   std::string names, shares;
   for (std::size_t i = 0; i < blend.materials.size(); ++i) {
     if (!(blend.weights[i] > 0)) continue;
@@ -145,10 +145,10 @@ io::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<const Tab
   return material;
 }
 
-io::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,
-                        const TaskControl& control) {
+materials::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,
+                               const TaskControl& control) {
   if (document.blend) return readBlend(*document.blend, documentPath, control);
-  return io::readMaterial(resolveSource(document, documentPath), control);
+  return materials::readMaterial(resolveSource(document, documentPath), control);
 }
 
 }  // namespace gonio::editing

@@ -4,7 +4,7 @@
 
 #include "core/editing/edit_document.h"
 #include "core/editing/interpolation/interpolation.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 
 namespace gonio::editing {
 
@@ -25,7 +25,7 @@ InterpolationOptions blendOptions(const models::Model* model = nullptr);
 
 /// A material as one that is blended: with its code while no edit has changed it.
 /// @param unedited its table. @param edited the table with its edits, the same object where there are none.
-InterpolationEnd blendedEnd(const io::Material& material, const std::shared_ptr<const TabulatedBrdf>& unedited,
+InterpolationEnd blendedEnd(const materials::Material& material, const std::shared_ptr<const TabulatedBrdf>& unedited,
                             const std::shared_ptr<const TabulatedBrdf>& edited);
 
 /// @throws Error when an edit's values do not fit its model.
@@ -42,12 +42,12 @@ std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& jso
 std::string blendSha256(const BlendSource& blend);
 
 /// A blend as a material: named after its materials, without a path.
-io::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<const TabulatedBrdf> table);
+materials::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<const TabulatedBrdf> table);
 
 /// Reads what a document is about, without its own edits: the file, or the blend of all files. Each of a blend's
 /// materials takes as long as its file and its edits, the blend up to some seconds.
 /// @param documentPath against which relative paths are resolved. @throws Error naming the file; Cancelled.
-io::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,
-                        const TaskControl& control = {});
+materials::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,
+                               const TaskControl& control = {});
 
 }  // namespace gonio::editing

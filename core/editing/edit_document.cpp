@@ -10,6 +10,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/models/parameters_json.h"
+#include "core/support/lower_case.h"
 #include "core/support/naming_file.h"
 
 namespace gonio::editing {
@@ -34,9 +35,15 @@ nlohmann::json toJson(const DifferentialEdit& edit) {
   return {{"type", differentialType},
           {"model", spec.id},
           {"fitted", models::parametersToJson(spec, edit.fitted)},
-          {"edited", models::parametersToJson(spec, edit.edited)},
-          {"strength", edit.strength},
-          {"enabled", edit.enabled}};
+          {"edited", models::parametersToJson(spec, edit.edited)}};
+}
+
+nlohmann::json toJson(const Edit& edit) {
+  nlohmann::json json = std::visit([](const auto& content) { return toJson(content); }, edit.content);
+  json["strength"] = edit.strength;
+  json["enabled"] = edit.enabled;
+  if (!edit.name.empty()) json["name"] = edit.name;
+  return json;
 }
 
 const models::Model& modelFromJson(const JsonObject& object) {
@@ -47,11 +54,7 @@ const models::Model& modelFromJson(const JsonObject& object) {
   }
 }
 
-Edit editFromJson(const nlohmann::json& json, const std::string& where) {
-  const JsonObject object(json, where);
-  const std::string type = object.text("type");
-  if (type == factorsType) return factorEditFromJson(json, where);
-  if (type != differentialType) object.fail("type", "\"differential\" or \"factors\"");
+DifferentialEdit differentialEditFromJson(const JsonObject& object) {
   DifferentialEdit edit;
   edit.model = &modelFromJson(object);
   const auto values = [&](const char* key) {
@@ -59,8 +62,22 @@ Edit editFromJson(const nlohmann::json& json, const std::string& where) {
   };
   edit.fitted = values("fitted");
   edit.edited = values("edited");
+  return edit;
+}
+
+Edit editFromJson(const nlohmann::json& json, const std::string& where) {
+  const JsonObject object(json, where);
+  const std::string type = object.text("type");
+  Edit edit;
+  if (type == factorsType)
+    edit.content = factorEditFromJson(json, where);
+  else if (type == differentialType)
+    edit.content = differentialEditFromJson(object);
+  else
+    object.fail("type", "\"differential\" or \"factors\"");
   edit.strength = object.number("strength", 0, 1);
   edit.enabled = object.flag("enabled");
+  if (object.contains("name")) edit.name = object.text("name");
   return edit;
 }
 
@@ -100,8 +117,7 @@ EditDocument withPaths(EditDocument document, const Change& change) {
 
 nlohmann::json contentToJson(const EditDocument& document) {
   nlohmann::json edits = nlohmann::json::array();
-  for (const Edit& edit : document.edits)
-    edits.push_back(std::visit([](const auto& one) { return toJson(one); }, edit));
+  for (const Edit& edit : document.edits) edits.push_back(toJson(edit));
   nlohmann::json source = {{"sha256", document.sourceSha256}};
   if (document.blend)
     source["blend"] = toJson(*document.blend);
@@ -159,6 +175,10 @@ EditDocument documentFromText(std::string_view text) {
   } catch (const nlohmann::json::exception& exception) {
     throw Error(std::string("found text that is not JSON (") + exception.what() + "), expected a gonio document");
   }
+}
+
+bool isDocumentName(const std::filesystem::path& path) {
+  return lowerCase(path.extension().string()) == documentSuffix;
 }
 
 EditDocument readDocument(const std::filesystem::path& path) {

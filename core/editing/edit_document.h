@@ -14,11 +14,16 @@ namespace gonio::editing {
 
 struct BlendSource;
 
+inline constexpr std::string_view documentSuffix = ".gonio";
+/// Whether a name ends in documentSuffix, in either case.
+bool isDocumentName(const std::filesystem::path& path);
+
 /// What a .gonio file holds: which source, which edits; never measured data. JSON, versioned:
 ///   {"format": "gonio document", "version": 4, "source": {"path": "a.binary", "sha256": "..."},
 ///    "edits": [{"type": "differential", "model": "ggx", "fitted": {..}, "edited": {..}, "strength": 1,
-///               "enabled": true}], "view": {..}}
-/// Edits of factors are written by toJson(FactorEdit), a source that is blended of several by toJson(BlendSource).
+///               "enabled": true, "name": "wetter"}], "view": {..}}
+/// "name" is left out where the user gave none. Edits of factors hold what toJson(FactorEdit) writes beside strength,
+/// eye and name; a source that is blended of several is written by toJson(BlendSource).
 /// Version 2 knew no edits of factors, version 3 no blends: they refuse newer documents.
 struct EditDocument {
   static constexpr int currentVersion = 4;

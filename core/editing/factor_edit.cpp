@@ -103,14 +103,10 @@ PdvFactors factorsFromJson(const JsonObject& object) {
 
 }  // namespace
 
-std::size_t FactorEdit::bytes() const {
-  std::size_t numbers = 0;
-  for (const Curves& curves : {original, edited})
-    if (curves) {
-      const std::size_t nodes = curves->thetaNodes.size() + curves->deviationNodes.size() + curves->phiNodes.size();
-      numbers += nodes * (1 + 3 * std::size_t(curves->terms()));
-    }
-  return sizeof(*this) + numbers * sizeof(double);
+std::size_t bytesOf(const FactorEdit::Curves& curves) {
+  if (!curves) return 0;
+  const std::size_t nodes = curves->thetaNodes.size() + curves->deviationNodes.size() + curves->phiNodes.size();
+  return sizeof(*curves) + nodes * (1 + 3 * std::size_t(curves->terms())) * sizeof(double);
 }
 
 nlohmann::json toJson(const FactorEdit& edit) {
@@ -118,9 +114,7 @@ nlohmann::json toJson(const FactorEdit& edit) {
   return {{"type", "factors"},
           {"original", factorsToJson(*edit.original)},
           {"edited", factorsToJson(*edit.edited)},
-          {"keepDetail", edit.keepDetail},
-          {"strength", edit.strength},
-          {"enabled", edit.enabled}};
+          {"keepDetail", edit.keepDetail}};
 }
 
 FactorEdit factorEditFromJson(const nlohmann::json& json, const std::string& where) {
@@ -129,8 +123,6 @@ FactorEdit factorEditFromJson(const nlohmann::json& json, const std::string& whe
   edit.original = std::make_shared<const PdvFactors>(factorsFromJson(object.object("original")));
   edit.edited = std::make_shared<const PdvFactors>(factorsFromJson(object.object("edited")));
   edit.keepDetail = object.flag("keepDetail");
-  edit.strength = object.number("strength", 0, 1);
-  edit.enabled = object.flag("enabled");
   return edit;
 }
 

@@ -11,8 +11,8 @@ namespace gonio::editing {
 /// - F2 by its width: the target's is stretched as the edit stretched its own (half-width of each term), and what the
 ///   edit did beside stretching is added to the first term, over |Dp| in units of the half-width;
 /// - F3 of the first term by difference.
-/// Terms that the edit dropped are dropped. Onto the curves it was made on, the edit itself. Strength, eye and kept
-/// detail go with it. @throws Error when form or transform differ, or either side has no curves.
+/// Terms that the edit dropped are dropped. Onto the curves it was made on, the edit itself. Kept detail goes with it.
+/// @throws Error when form or transform differ, or either side has no curves.
 FactorEdit transferredEdit(const FactorEdit& edit, const FactorEdit::Curves& target);
 
 }  // namespace gonio::editing

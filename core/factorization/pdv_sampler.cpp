@@ -163,28 +163,4 @@ double PdvSampler::pdf(const Direction& wi, const Direction& wo) const {
   return matte + (1 - cosine) * rows_.probability(viewer.theta, bin) * wi.z / ((high - low) * (high + low) * limit);
 }
 
-PrintedPdvSampler::PrintedPdvSampler(const Brdf& brdf, const std::vector<double>& thetaNodes,
-                                     const std::vector<double>& deviationNodes)
-    : rows_(brdf, thetaNodes, deviationNodes, DeviationRows::Ring::whole) {}
-
-DirectionSample PrintedPdvSampler::sample(const Direction& wo, const glm::dvec3& u) const {
-  const Viewer viewer(wo);
-  const std::size_t bin = rows_.draw(viewer.theta, u.x);
-  const double deviation = deviationIn(rows_.low(bin), rows_.high(bin, viewer.sine), u.y);
-  const glm::dvec2 point = viewer.pointAt(deviation, 2 * pi * u.z);
-  if (glm::dot(point, point) >= 1) return {};
-  const Direction wi = directionAbove(point);
-  return {wi, pdf(wi, wo)};
-}
-
-double PrintedPdvSampler::pdf(const Direction& wi, const Direction& wo) const {
-  if (!(wi.z > 0) || !(wo.z >= 0)) return 0;
-  const Viewer viewer(wo);
-  const std::size_t bin = rows_.binOf(deviationOf(wi, wo));
-  if (bin >= rows_.bins()) return 0;
-  const double low = rows_.low(bin), high = rows_.high(bin, viewer.sine);
-  if (!(high > low)) return 0;
-  return rows_.probability(viewer.theta, bin) * wi.z / ((high - low) * (high + low) * pi);
-}
-
 }  // namespace gonio::factorization

@@ -8,11 +8,11 @@
 
 namespace gonio::factorization {
 
-/// What both samplers share: how the energy of a reflectance spreads over bins of |Dp|, a row for each angle of the
-/// viewer. Between two rows their shares are mixed linearly.
+/// How the energy of a BRDF spreads over bins of |Dp|, a row for each angle of the viewer. Between two rows their
+/// fractions are mixed linearly.
 class DeviationRows {
  public:
-  /// Whether a bin is measured by the part of its ring that lies on the disk, or by the whole ring.
+  /// Whether a bin counts by the part of its ring that lies on the disk, or by the whole ring.
   enum class Ring { onDisk, whole };
 
   /// @param thetaNodes rows, rad; @param edges of the bins, strictly increasing from 0. At most 181 of each are used.
@@ -59,19 +59,6 @@ class PdvSampler {
  private:
   double cosineShare(double thetaR) const;
 
-  DeviationRows rows_;
-};
-
-/// The scheme as it is printed (eq. 4.27-4.32): the azimuth evenly over the whole circle. Draws that fall off the disk
-/// are lost (their pdf is 0), so the density integrates to less than 1, at grazing angles to 0.4. For comparisons only.
-class PrintedPdvSampler {
- public:
-  PrintedPdvSampler(const Brdf& brdf, const std::vector<double>& thetaNodes, const std::vector<double>& deviationNodes);
-
-  DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
-  double pdf(const Direction& wi, const Direction& wo) const;
-
- private:
   DeviationRows rows_;
 };
 

@@ -7,13 +7,16 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/io/byte_source.h"
 #include "core/support/error.h"
+#include "core/support/lower_case.h"
 
 namespace gonio::io {
 
 namespace {
 
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+constexpr std::uint64_t maxBytes = 1 << 24;
 
 std::string_view trimmed(std::string_view text, std::string_view characters = " \t\"") {
   const auto begin = text.find_first_not_of(characters);
@@ -43,37 +46,10 @@ std::vector<std::string> split(std::string_view line, char separator) {
   return fields;
 }
 
-char separatorOf(std::string_view names) {
-  for (const char separator : {',', ';', '\t'})
-    if (names.find(separator) != std::string_view::npos) return separator;
+char separatorOf(std::string_view line, std::string_view candidates) {
+  for (const char separator : candidates)
+    if (line.find(separator) != std::string_view::npos) return separator;
   return ',';
-}
-
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-  return text;
-}
-
-void setNames(CsvText& csv, std::string_view line, std::size_t number) {
-  csv.separator = separatorOf(line);
-  csv.namesLine = number;
-  for (std::string& name : split(line, csv.separator)) csv.names.push_back(lowered(std::move(name)));
-  // Spreadsheets fill rows up with empty fields.
-  while (!csv.names.empty() && csv.names.back().empty()) csv.names.pop_back();
-  for (std::size_t c = 1; c < csv.names.size(); ++c)
-    if (std::find(csv.names.begin(), csv.names.begin() + std::ptrdiff_t(c), csv.names[c]) !=
-        csv.names.begin() + std::ptrdiff_t(c))
-      throw Error("line " + std::to_string(number) + ": found two columns '" + csv.names[c] + "', expected one");
-}
-
-void addRow(CsvText& csv, std::string_view line, std::size_t number) {
-  CsvText::Row row{number, split(line, csv.separator)};
-  while (row.fields.size() > csv.names.size() && row.fields.back().empty()) row.fields.pop_back();
-  if (row.fields.size() != csv.names.size())
-    throw Error(lineText(row) + ": found " + std::to_string(row.fields.size()) + " columns, expected " +
-                std::to_string(csv.names.size()) + " as in the line of names");
-  csv.rows.push_back(std::move(row));
 }
 
 template <typename Number>
@@ -83,6 +59,45 @@ std::optional<Number> parsed(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+std::string listOf(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+void readNames(CsvText& csv, std::string_view line, std::size_t number) {
+  csv.separator = separatorOf(line, ",;\t");
+  csv.namesLine = number;
+  for (std::string& name : split(line, csv.separator)) csv.names.push_back(lowerCase(std::move(name)));
+  // Spreadsheets fill rows up with empty fields.
+  while (!csv.names.empty() && csv.names.back().empty()) csv.names.pop_back();
+  for (std::size_t c = 1; c < csv.names.size(); ++c)
+    if (std::find(csv.names.begin(), csv.names.begin() + std::ptrdiff_t(c), csv.names[c]) !=
+        csv.names.begin() + std::ptrdiff_t(c))
+      throw Error("line " + std::to_string(number) + ": found two columns '" + csv.names[c] + "', expected one");
+}
+
+/// Of a table whose first line is a row already. Numbers with decimal commas end at another separator.
+void setNames(CsvText& csv, std::span<const std::string_view> names, std::string_view firstLine) {
+  csv.separator = separatorOf(firstLine, ";\t,");
+  csv.names.assign(names.begin(), names.end());
+  for (const std::size_t count = split(firstLine, csv.separator).size(); csv.names.size() < count;)
+    csv.names.push_back(std::to_string(csv.names.size() + 1));
+}
+
+bool beginsWithNumber(std::string_view line) {
+  return parsed<double>(trimmed(line.substr(0, line.find_first_of(",;\t")))).has_value();
+}
+
+void addRow(CsvText& csv, std::string_view line, std::size_t number) {
+  CsvText::Row row{number, split(line, csv.separator)};
+  while (row.fields.size() > csv.names.size() && row.fields.back().empty()) row.fields.pop_back();
+  if (row.fields.size() != csv.names.size())
+    throw Error(lineText(row) + ": found " + std::to_string(row.fields.size()) + " columns, expected " +
+                std::to_string(csv.names.size()) + ": " + listOf(csv.names));
+  csv.rows.push_back(std::move(row));
 }
 
 [[noreturn]] void failField(const CsvText& csv, const CsvText::Row& row, std::size_t column, const char* expected) {
@@ -100,9 +115,7 @@ std::optional<std::size_t> CsvText::column(std::string_view name) const {
 
 std::size_t CsvText::neededColumn(std::string_view name) const {
   if (const auto found = column(name)) return *found;
-  std::string list;
-  for (const std::string& other : names) list += (list.empty() ? "" : ", ") + other;
-  throw Error("line " + std::to_string(namesLine) + ": found the columns " + list + ", expected one named " +
+  throw Error("line " + std::to_string(namesLine) + ": found the columns " + listOf(names) + ", expected one named " +
               std::string(name));
 }
 
@@ -120,21 +133,31 @@ int CsvText::integer(const Row& row, std::size_t column) const {
   return *value;
 }
 
-CsvText readCsvText(std::string_view text) {
+CsvText readCsvText(std::string_view text, std::span<const std::string_view> namesWithoutHeader) {
   if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
   CsvText csv;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::string_view line = takeLine(text), content = trimmed(line, " \t\",;");
     if (content.empty()) continue;
-    if (content.starts_with('#'))
+    if (content.starts_with('#')) {
       csv.comments.emplace_back(trimmed(content.substr(1)));
-    else if (csv.names.empty())
-      setNames(csv, line, number);
-    else
-      addRow(csv, line, number);
+      continue;
+    }
+    const bool isFirst = csv.names.empty();
+    if (isFirst && (namesWithoutHeader.empty() || !beginsWithNumber(line))) {
+      readNames(csv, line, number);
+      continue;
+    }
+    if (isFirst) setNames(csv, namesWithoutHeader, line);
+    addRow(csv, line, number);
   }
   if (csv.names.empty()) throw Error("found no line with the names of columns");
   return csv;
+}
+
+std::string readText(const std::filesystem::path& path) {
+  const std::vector<std::byte> bytes = FileSource(path).readAll(maxBytes);
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 std::string lineText(const CsvText::Row& row) { return "line " + std::to_string(row.line); }

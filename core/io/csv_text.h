@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,9 +38,14 @@ struct CsvText {
   int integer(const Row& row, std::size_t column) const;
 };
 
+/// @param namesWithoutHeader of the first columns of a table whose first line holds a number in its first field;
+/// further columns are named by their number. Empty where the first line has to be one of names.
 /// @throws Error naming the line where a row has another number of fields than there are names (fields that are empty
 /// at the end of a row are passed over), where a name stands twice, and where there are no names.
-CsvText readCsvText(std::string_view text);
+CsvText readCsvText(std::string_view text, std::span<const std::string_view> namesWithoutHeader = {});
+
+/// The text of a file, for parsers of tables. @throws Error where it has more than 16 MiB; it names no file.
+std::string readText(const std::filesystem::path& path);
 
 /// "line 7".
 std::string lineText(const CsvText::Row& row);

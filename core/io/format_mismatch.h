@@ -8,16 +8,13 @@
 
 namespace gonio::io {
 
-/// A reader does not take the bytes: they are of another format, or a broken file of its own. The registry collects
-/// these, so that a refused file tells what every reader saw.
+/// The bytes are of another format, or a broken file of this one. Where no format takes a file, the error lists what
+/// each of them found.
 class FormatMismatch : public Error {
  public:
-  FormatMismatch(std::string foundText, std::string expectedText)
-      : Error("found " + foundText + "; expected " + expectedText),
-        found(std::move(foundText)),
-        expected(std::move(expectedText)) {}
-
-  std::string found, expected;
+  using Error::Error;
+  FormatMismatch(const std::string& found, const std::string& expected)
+      : Error("found " + found + "; expected " + expected) {}
 };
 
 }  // namespace gonio::io

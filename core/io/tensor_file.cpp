@@ -55,16 +55,7 @@ std::uint64_t boundedBytes(const Tensor& tensor, std::uint64_t limit) {
 }
 
 std::vector<std::byte> readWhole(const ByteSource& source) {
-  std::byte start[headerBytes];
-  if (source.size() < headerBytes)
-    throw FormatMismatch(std::to_string(source.size()) + " bytes", "the signature 'tensor_file' and a directory");
-  source.readAt(0, start);
-  if (std::memcmp(start, magic.data(), magic.size()) != 0)
-    throw FormatMismatch("other bytes at the start", "the signature 'tensor_file'");
-  if (start[magic.size()] != std::byte{1} || start[magic.size() + 1] != std::byte{0})
-    throw FormatMismatch("tensor_file version " + std::to_string(int(start[magic.size()])) + "." +
-                             std::to_string(int(start[magic.size() + 1])),
-                         "version 1.0");
+  expectTensorFile(source);
   if (source.size() > maxFileBytes)
     throw FormatMismatch(std::to_string(source.size()) + " bytes", "at most " + std::to_string(maxFileBytes));
   return source.readAll();
@@ -92,6 +83,19 @@ Tensor readField(Cursor& cursor, std::span<const std::byte> file, const std::str
 }
 
 }  // namespace
+
+void expectTensorFile(const ByteSource& source) {
+  std::byte start[headerBytes];
+  if (source.size() < headerBytes)
+    throw FormatMismatch(std::to_string(source.size()) + " bytes", "the signature 'tensor_file' and a directory");
+  source.readAt(0, start);
+  if (std::memcmp(start, magic.data(), magic.size()) != 0)
+    throw FormatMismatch("other bytes at the start", "the signature 'tensor_file'");
+  if (start[magic.size()] != std::byte{1} || start[magic.size() + 1] != std::byte{0})
+    throw FormatMismatch("tensor_file version " + std::to_string(int(start[magic.size()])) + "." +
+                             std::to_string(int(start[magic.size() + 1])),
+                         "version 1.0");
+}
 
 std::uint64_t Tensor::count() const { return bytes.size() / typeBytes[std::size_t(type)]; }
 

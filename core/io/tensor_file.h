@@ -40,6 +40,9 @@ struct Tensor {
   std::string describe() const;
 };
 
+/// @throws FormatMismatch when the bytes do not begin like a tensor file of version 1.0.
+void expectTensorFile(const ByteSource& source);
+
 /// A container of named arrays, format `tensor_file` 1.0, little-endian (the EPFL RGL database uses it): the magic
 /// "tensor_file\0", two version bytes, a uint32 count, then for each field a uint16 name length, the name, a uint16
 /// number of dimensions, a type byte, a uint64 offset of the data and uint64 sizes.

@@ -40,11 +40,10 @@ void check(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal
   if (!signal.allFinite()) throw Error("a signal has a value that is not a finite number");
 }
 
-/// The stops that both pursuits share. `steps` were made.
-bool ended(const PursuitOptions& options, double signalNorm, int steps, PursuitResult& code) {
+bool ended(const PursuitOptions& options, double signalNorm, PursuitResult& code) {
   if (code.residualNorm <= options.residual * signalNorm)
     code.end = PursuitEnd::residual;
-  else if (steps >= options.steps)
+  else if (int(code.atoms.size()) >= options.steps)
     code.end = PursuitEnd::steps;
   else
     return false;
@@ -61,34 +60,6 @@ AtomSet::AtomSet(Eigen::MatrixXd atoms) : atoms_(std::move(atoms)), inverseNorms
   }
 }
 
-PursuitResult matchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
-                              const PursuitOptions& options) {
-  check(atoms, signal);
-  Eigen::VectorXd residual = signal;
-  const double norm = residual.norm();
-  const std::vector<char> excluded(std::size_t(atoms.count()), 0);
-  PursuitResult code{.residualNorm = norm, .path = {norm}};
-  for (int step = 0; !ended(options, norm, step, code); ++step) {
-    const Choice best = bestAtom(atoms, residual, excluded);
-    if (std::abs(best.correlation) <= noise * norm) {
-      code.end = PursuitEnd::exhausted;
-      break;
-    }
-    const double coefficient = best.correlation * atoms.inverseNorm(best.atom);
-    const auto known = std::find(code.atoms.begin(), code.atoms.end(), int(best.atom));
-    if (known == code.atoms.end()) {
-      code.atoms.push_back(int(best.atom));
-      code.coefficients.push_back(coefficient);
-    } else {
-      code.coefficients[std::size_t(known - code.atoms.begin())] += coefficient;
-    }
-    residual -= coefficient * atoms.matrix().col(best.atom);
-    code.residualNorm = std::min(code.residualNorm, residual.norm());
-    code.path.push_back(code.residualNorm);
-  }
-  return code;
-}
-
 PursuitResult orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
                                         const PursuitOptions& options) {
   check(atoms, signal);
@@ -99,7 +70,7 @@ PursuitResult orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<c
   Eigen::VectorXd projections(most);  // of the signal on the columns of Q
   std::vector<char> excluded(std::size_t(atoms.count()), 0);
   PursuitResult code{.residualNorm = norm, .path = {norm}};
-  while (!ended(options, norm, int(code.atoms.size()), code)) {
+  while (!ended(options, norm, code)) {
     const Choice best = bestAtom(atoms, residual, excluded);
     if (std::abs(best.correlation) <= noise * norm) {
       code.end = PursuitEnd::exhausted;

@@ -38,7 +38,7 @@ enum class PursuitEnd {
 };
 
 struct PursuitResult {
-  std::vector<int> atoms;            ///< distinct, in the order in which they were first chosen
+  std::vector<int> atoms;            ///< distinct, in the order in which they were chosen
   std::vector<double> coefficients;  ///< one an atom: of the atom as it is, not of unit length
   double residualNorm = 0;           ///< |signal - sum of coefficient times atom|
   std::vector<double> path;          ///< residualNorm before the first step and after each: a pursuit of fewer steps is
@@ -46,16 +46,11 @@ struct PursuitResult {
   PursuitEnd end = PursuitEnd::residual;
 };
 
-/// Matching pursuit (Mallat and Zhang 1993, "Matching pursuits with time-frequency dictionaries"): each step takes the
-/// atom of the largest |<residual, atom>| / |atom|, the lowest index among equals, and subtracts its projection. An
-/// atom may be chosen again. The residual never grows. O(atoms x length) a step.
+/// Orthogonal matching pursuit (Pati et al. 1993): each step takes the atom of the largest |<residual, atom>| / |atom|,
+/// the lowest index among equals, among the atoms that are not in the span of those chosen; after each step the
+/// coefficients of all are those of least squares (core/math/incremental_qr.h). The residual never grows. Ends at the
+/// latest with as many atoms as their length. O(atoms x length) a step.
 /// @throws Error when the signal's length is not that of the atoms, or it is not finite.
-PursuitResult matchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
-                              const PursuitOptions& options);
-
-/// Orthogonal matching pursuit (Pati et al. 1993): the same choice among the atoms that are not in the span of those
-/// chosen, and after each step the coefficients of all are those of least squares (core/math/incremental_qr.h). Ends at
-/// the latest with as many atoms as their length. @throws Error as matchingPursuit().
 PursuitResult orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
                                         const PursuitOptions& options);
 

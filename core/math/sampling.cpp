@@ -57,14 +57,21 @@ std::uint32_t hashCombine(std::uint32_t a, std::uint32_t b) {
   return x;
 }
 
-double scrambledVanDerCorput(std::uint32_t index, std::uint32_t seed) {
-  return unitInterval(scrambleReversed(shuffled(index, seed), hashCombine(seed, 1)));
+double scrambledVanDerCorput(std::uint32_t index, std::uint32_t seed) { return SobolPoints(seed).first(index); }
+
+glm::dvec2 scrambledSobol(std::uint32_t index, std::uint32_t seed) { return SobolPoints(seed)[index]; }
+
+SobolPoints::SobolPoints(std::uint32_t seed)
+    : seed_(seed), firstSeed_(hashCombine(seed, 1)), secondSeed_(hashCombine(seed, 2)) {}
+
+glm::dvec2 SobolPoints::operator[](std::uint32_t index) const {
+  const std::uint32_t i = shuffled(index, seed_);
+  return {unitInterval(scrambleReversed(i, firstSeed_)),
+          unitInterval(scrambleReversed(sobolSecondReversed(i), secondSeed_))};
 }
 
-glm::dvec2 scrambledSobol(std::uint32_t index, std::uint32_t seed) {
-  const std::uint32_t i = shuffled(index, seed);
-  return {unitInterval(scrambleReversed(i, hashCombine(seed, 1))),
-          unitInterval(scrambleReversed(sobolSecondReversed(i), hashCombine(seed, 2)))};
+double SobolPoints::first(std::uint32_t index) const {
+  return unitInterval(scrambleReversed(shuffled(index, seed_), firstSeed_));
 }
 
 }  // namespace gonio

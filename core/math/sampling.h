@@ -20,4 +20,16 @@ double scrambledVanDerCorput(std::uint32_t index, std::uint32_t seed);
 /// Different seeds give independent point sets. O(1).
 glm::dvec2 scrambledSobol(std::uint32_t index, std::uint32_t seed);
 
+/// scrambledSobol() of one seed, for many points: what depends on the seed alone is computed once.
+class SobolPoints {
+ public:
+  explicit SobolPoints(std::uint32_t seed);
+  glm::dvec2 operator[](std::uint32_t index) const;
+  /// The first coordinate of the point: scrambledVanDerCorput() of the seed.
+  double first(std::uint32_t index) const;
+
+ private:
+  std::uint32_t seed_, firstSeed_, secondSeed_;
+};
+
 }  // namespace gonio

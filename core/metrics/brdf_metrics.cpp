@@ -27,7 +27,7 @@ struct Cells {
 /// Leaves out cells that the test, being a table as well, does not know.
 void evaluateTest(const TabulatedBrdf& reference, const Brdf& test, Cells& cells) {
   cells.test.assign(cells.pairs.size(), Rgb(0));
-  const auto* table = dynamic_cast<const TabulatedBrdf*>(&test);
+  const TabulatedBrdf* table = test.asTable();
   if (!table) return test.evaluate(cells.pairs, cells.test);
   const bool sameGrid = table->grid() == reference.grid();
   std::size_t kept = 0;

@@ -37,33 +37,27 @@ constexpr ModelSpec abcSpec = {
     .reference = abcReference, .parameters = parameters};
 // clang-format on
 
-class Abc final : public Model {
- public:
-  const ModelSpec& spec() const override { return abcSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double denominator = chosen(p.values[normalisation].x) == 0 ? pi : 1;
-    const Rgb kd = p.values[diffuse] / pi, a = p.values[amplitude] / denominator;
-    const double b = p.values[narrowness].x, c = p.values[falloff].x;
-    const double f0 = normalReflectanceFromIndex(p.values[refractiveIndex].x);
-    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, f0);
-    const double albedo = 8 * pi * maxChannel(a) * abcLobeIntegral(b, c) * fresnel(typicalCosine);
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          return kd + a * (abcLobe(g.oneMinusCosH, b, c) * fresnel(g.cosD) * foldedVCavity(g));
-        },
-        diffuseAnd(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
-                     const double s = std::sin(thetaH / 2);
-                     return abcLobe(2 * s * s, b, c);
-                   })}));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double denominator = chosen(p.values[normalisation].x) == 0 ? pi : 1;
+  const Rgb kd = p.values[diffuse] / pi, a = p.values[amplitude] / denominator;
+  const double b = p.values[narrowness].x, c = p.values[falloff].x;
+  const double f0 = normalReflectanceFromIndex(p.values[refractiveIndex].x);
+  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, f0);
+  const double albedo = 8 * pi * maxChannel(a) * abcLobeIntegral(b, c) * fresnel(typicalCosine);
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        return kd + a * (abcLobe(g.oneMinusCosH, b, c) * fresnel(g.cosD) * foldedVCavity(g));
+      },
+      diffuseAnd(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
+                   const double s = std::sin(thetaH / 2);
+                   return abcLobe(2 * s * s, b, c);
+                 })}));
+}
 
 }  // namespace
 
 const Model& abc() {
-  static const Abc model;
+  static const Model model(abcSpec, {.create = create});
   return model;
 }
 

@@ -40,34 +40,28 @@ constexpr ModelSpec abcSmoothSpec = {
     .parameters = parameters};
 // clang-format on
 
-class AbcSmooth final : public Model {
- public:
-  const ModelSpec& spec() const override { return abcSmoothSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const Rgb kd = p.values[diffuse] / pi, a = p.values[amplitude];
-    const double b = p.values[narrowness].x, c = p.values[falloff].x;
-    const double f0 = normalReflectanceFromIndex(p.values[refractiveIndex].x);
-    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, f0);
-    const bool exact = chosen(p.values[fresnelAngle].x) == 0;
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          const glm::dvec2 sum = glm::dvec2(g.wi) + glm::dvec2(g.wo);
-          // 1 - |i_p - o_p|^2 / 4 is cos^2 theta_d and this; the difference would cancel toward grazing mirror pairs.
-          const double cosD = exact ? g.cosD : std::min(1.0, std::hypot(g.cosD, (g.cosI - g.cosO) / 2));
-          return kd + a * (abcLobe(glm::dot(sum, sum), b, c) * fresnel(cosD));
-        },
-        // The integral over the plane is pi times that over the squared radius.
-        diffuseAnd(maxChannel(p.values[diffuse]), pi * maxChannel(a) * abcLobeIntegral(b, c) * fresnel(typicalCosine),
-                   DiskLobe{RationalRadial{b, c}}));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const Rgb kd = p.values[diffuse] / pi, a = p.values[amplitude];
+  const double b = p.values[narrowness].x, c = p.values[falloff].x;
+  const double f0 = normalReflectanceFromIndex(p.values[refractiveIndex].x);
+  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, f0);
+  const bool exact = chosen(p.values[fresnelAngle].x) == 0;
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        const glm::dvec2 sum = glm::dvec2(g.wi) + glm::dvec2(g.wo);
+        // 1 - |i_p - o_p|^2 / 4 is cos^2 theta_d and this; the difference would cancel toward grazing mirror pairs.
+        const double cosD = exact ? g.cosD : std::min(1.0, std::hypot(g.cosD, (g.cosI - g.cosO) / 2));
+        return kd + a * (abcLobe(glm::dot(sum, sum), b, c) * fresnel(cosD));
+      },
+      // The integral over the plane is pi times that over the squared radius.
+      diffuseAnd(maxChannel(p.values[diffuse]), pi * maxChannel(a) * abcLobeIntegral(b, c) * fresnel(typicalCosine),
+                 DiskLobe{RationalRadial{b, c}}));
+}
 
 }  // namespace
 
 const Model& abcSmooth() {
-  static const AbcSmooth model;
+  static const Model model(abcSmoothSpec, {.create = create});
   return model;
 }
 

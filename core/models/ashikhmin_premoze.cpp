@@ -38,24 +38,18 @@ constexpr ModelSpec ashikhminPremozeSpec = {
     .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on
 
-class AshikhminPremoze final : public Model {
- public:
-  const ModelSpec& spec() const override { return ashikhminPremozeSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const Fresnel fresnel(FresnelChoice(chosen(p.values[fresnelTerm].x)), p.values[normalReflectance].x,
-                          p.values[edgeTint].x);
-    return makeWardBrdf(
-        p.values[diffuse], p.values[specular], p.values[roughnessX].x, p.values[roughnessY].x,
-        [fresnel](const SurfaceGeometry& g) { return fresnel(g.cosD) / (g.cosI + g.cosO - g.cosI * g.cosO); });
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const Fresnel fresnel(FresnelChoice(chosen(p.values[fresnelTerm].x)), p.values[normalReflectance].x,
+                        p.values[edgeTint].x);
+  return makeWardBrdf(
+      p.values[diffuse], p.values[specular], p.values[roughnessX].x, p.values[roughnessY].x,
+      [fresnel](const SurfaceGeometry& g) { return fresnel(g.cosD) / (g.cosI + g.cosO - g.cosI * g.cosO); });
+}
 
 }  // namespace
 
 const Model& ashikhminPremoze() {
-  static const AshikhminPremoze model;
+  static const Model model(ashikhminPremozeSpec, {.create = create});
   return model;
 }
 

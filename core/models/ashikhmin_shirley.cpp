@@ -53,34 +53,28 @@ double entering(double cosine) {
   return 1 - m2 * m2 * m;
 }
 
-class AshikhminShirley final : public Model {
- public:
-  const ModelSpec& spec() const override { return ashikhminShirleySpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double nx = p.values[exponentX].x, ny = p.values[exponentY].x, f0 = p.values[normalReflectance].x;
-    const bool coupled = chosen(p.values[diffuseTerm].x) == 0;
-    const Rgb kd = p.values[diffuse] / pi * (coupled ? 28.0 / 23 * (1 - f0) : 1);
-    const Rgb ks = p.values[specular] * (std::sqrt((nx + 1) * (ny + 1)) / (8 * pi));
-    const Fresnel fresnel(FresnelChoice(chosen(p.values[fresnelTerm].x)), f0, p.values[edgeTint].x);
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          const double slopes = nx * g.half.x * g.half.x + ny * g.half.y * g.half.y;
-          const double power = halfVectorPower(g, g.sin2H > 0 ? slopes / g.sin2H : 0);
-          const double lobe = power * fresnel(g.cosD) / (g.cosD * std::max(g.cosI, g.cosO));
-          return (coupled ? entering(g.cosI) * entering(g.cosO) : 1) * kd + ks * lobe;
-        },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(0.5),
-                   HalfVectorLobe{CosinePowerNormals{nx, ny}}),
-        nx == ny);
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double nx = p.values[exponentX].x, ny = p.values[exponentY].x, f0 = p.values[normalReflectance].x;
+  const bool coupled = chosen(p.values[diffuseTerm].x) == 0;
+  const Rgb kd = p.values[diffuse] / pi * (coupled ? 28.0 / 23 * (1 - f0) : 1);
+  const Rgb ks = p.values[specular] * (std::sqrt((nx + 1) * (ny + 1)) / (8 * pi));
+  const Fresnel fresnel(FresnelChoice(chosen(p.values[fresnelTerm].x)), f0, p.values[edgeTint].x);
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        const double slopes = nx * g.half.x * g.half.x + ny * g.half.y * g.half.y;
+        const double power = halfVectorPower(g, g.sin2H > 0 ? slopes / g.sin2H : 0);
+        const double lobe = power * fresnel(g.cosD) / (g.cosD * std::max(g.cosI, g.cosO));
+        return (coupled ? entering(g.cosI) * entering(g.cosO) : 1) * kd + ks * lobe;
+      },
+      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(0.5),
+                 HalfVectorLobe{CosinePowerNormals{nx, ny}}),
+      nx == ny);
+}
 
 }  // namespace
 
 const Model& ashikhminShirley() {
-  static const AshikhminShirley model;
+  static const Model model(ashikhminShirleySpec, {.create = create});
   return model;
 }
 

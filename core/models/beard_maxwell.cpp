@@ -63,31 +63,25 @@ double obscuration(const SurfaceGeometry& g, double inverseTau, double omega) {
   return sum > 0 ? (omega + thetaH * shadowed) / sum : shadowed;
 }
 
-class BeardMaxwell final : public Model {
- public:
-  const ModelSpec& spec() const override { return beardMaxwellSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double m = p.values[roughness].x, inverseM2 = 1 / (m * m);
-    const Rgb kd = p.values[diffuse] / pi, kv = p.values[volume] * (2 / pi), ks = p.values[specular] / 4.0;
-    const double inverseTau = 1 / p.values[tau].x, onset = p.values[omega].x;
-    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          const double surface = beckmannDistribution(g, inverseM2) * fresnel(g.cosD) *
-                                 obscuration(g, inverseTau, onset) / (g.cosI * g.cosO);
-          return kd + kv / (g.cosI + g.cosO) + ks * surface;
-        },
-        diffuseAnd(maxChannel(p.values[diffuse] + p.values[volume]),
-                   maxChannel(p.values[specular]) * fresnel(typicalCosine), HalfVectorLobe{BeckmannNormals{m, m}}));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double m = p.values[roughness].x, inverseM2 = 1 / (m * m);
+  const Rgb kd = p.values[diffuse] / pi, kv = p.values[volume] * (2 / pi), ks = p.values[specular] / 4.0;
+  const double inverseTau = 1 / p.values[tau].x, onset = p.values[omega].x;
+  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        const double surface = beckmannDistribution(g, inverseM2) * fresnel(g.cosD) *
+                               obscuration(g, inverseTau, onset) / (g.cosI * g.cosO);
+        return kd + kv / (g.cosI + g.cosO) + ks * surface;
+      },
+      diffuseAnd(maxChannel(p.values[diffuse] + p.values[volume]),
+                 maxChannel(p.values[specular]) * fresnel(typicalCosine), HalfVectorLobe{BeckmannNormals{m, m}}));
+}
 
 }  // namespace
 
 const Model& beardMaxwell() {
-  static const BeardMaxwell model;
+  static const Model model(beardMaxwellSpec, {.create = create});
   return model;
 }
 

@@ -40,25 +40,19 @@ double normaliser(double n, int choice) {
   return 1;
 }
 
-class BlinnPhong final : public Model {
- public:
-  const ModelSpec& spec() const override { return blinnPhongSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double n = p.values[exponent].x;
-    const Rgb kd = p.values[diffuse] / pi;
-    const Rgb ks = p.values[specular] * normaliser(n, chosen(p.values[normalisation].x));
-    return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
-                            diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
-                                       HalfVectorLobe{CosinePowerNormals{n, n}}));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double n = p.values[exponent].x;
+  const Rgb kd = p.values[diffuse] / pi;
+  const Rgb ks = p.values[specular] * normaliser(n, chosen(p.values[normalisation].x));
+  return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
+                          diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
+                                     HalfVectorLobe{CosinePowerNormals{n, n}}));
+}
 
 }  // namespace
 
 const Model& blinnPhong() {
-  static const BlinnPhong model;
+  static const Model model(blinnPhongSpec, {.create = create});
   return model;
 }
 

@@ -84,42 +84,36 @@ struct Lobe {
   Fresnel fresnel;
 };
 
-class CarPaint final : public Model {
- public:
-  const ModelSpec& spec() const override { return carPaintSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double denominator = chosen(p.values[normalisation].x) == 0 ? 4 : pi;
-    const auto makeLobe = [&](std::size_t lobe) {
-      const Rgb* values = &p.values[firstLobe + 3 * lobe];
-      return Lobe{values[0] / denominator, values[1].x, chosenFresnel(p, fresnelTerm, edgeTint, values[2].x)};
-    };
-    const std::array<Lobe, lobes> all{makeLobe(0), makeLobe(1), makeLobe(2)};
-    const auto albedo = [&](int n) {
-      return maxChannel(all[std::size_t(n)].strength) * 4 * all[std::size_t(n)].fresnel(typicalCosine);
-    };
-    const auto normals = [&](int n) {
-      return HalfVectorLobe{BeckmannNormals{all[std::size_t(n)].roughness, all[std::size_t(n)].roughness}};
-    };
-    const Rgb kd = p.values[diffuse] / pi;
-    return makeGeometryBrdf(
-        [kd, all](const SurfaceGeometry& g) {
-          Rgb sum(0);
-          for (const Lobe& lobe : all)
-            sum +=
-                lobe.strength * (beckmannDistribution(g, 1 / (lobe.roughness * lobe.roughness)) * lobe.fresnel(g.cosD));
-          return kd + sum * foldedVCavity(g);
-        },
-        LobeMixture(lobeShares(std::array{maxChannel(p.values[diffuse]), albedo(0), albedo(1), albedo(2)}),
-                    CosineLobe{}, normals(0), normals(1), normals(2)));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double denominator = chosen(p.values[normalisation].x) == 0 ? 4 : pi;
+  const auto makeLobe = [&](std::size_t lobe) {
+    const Rgb* values = &p.values[firstLobe + 3 * lobe];
+    return Lobe{values[0] / denominator, values[1].x, chosenFresnel(p, fresnelTerm, edgeTint, values[2].x)};
+  };
+  const std::array<Lobe, lobes> all{makeLobe(0), makeLobe(1), makeLobe(2)};
+  const auto albedo = [&](int n) {
+    return maxChannel(all[std::size_t(n)].strength) * 4 * all[std::size_t(n)].fresnel(typicalCosine);
+  };
+  const auto normals = [&](int n) {
+    return HalfVectorLobe{BeckmannNormals{all[std::size_t(n)].roughness, all[std::size_t(n)].roughness}};
+  };
+  const Rgb kd = p.values[diffuse] / pi;
+  return makeGeometryBrdf(
+      [kd, all](const SurfaceGeometry& g) {
+        Rgb sum(0);
+        for (const Lobe& lobe : all)
+          sum +=
+              lobe.strength * (beckmannDistribution(g, 1 / (lobe.roughness * lobe.roughness)) * lobe.fresnel(g.cosD));
+        return kd + sum * foldedVCavity(g);
+      },
+      LobeMixture(lobeShares(std::array{maxChannel(p.values[diffuse]), albedo(0), albedo(1), albedo(2)}), CosineLobe{},
+                  normals(0), normals(1), normals(2)));
+}
 
 }  // namespace
 
 const Model& carPaint() {
-  static const CarPaint model;
+  static const Model model(carPaintSpec, {.create = create});
   return model;
 }
 

@@ -44,29 +44,23 @@ constexpr ModelSpec cookTorranceSpec = {
 /// N of the parameter's choices, for a D that holds 1/pi.
 constexpr double denominators[] = {4, pi, 1};
 
-class CookTorrance final : public Model {
- public:
-  const ModelSpec& spec() const override { return cookTorranceSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double inverseM2 = 1 / (p.values[roughness].x * p.values[roughness].x);
-    const double denominator = denominators[chosen(p.values[normalisation].x)];
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / denominator;
-    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          return kd + ks * (beckmannDistribution(g, inverseM2) * fresnel(g.cosD) * foldedVCavity(g));
-        },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                   HalfVectorLobe{BeckmannNormals{p.values[roughness].x, p.values[roughness].x}}));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double inverseM2 = 1 / (p.values[roughness].x * p.values[roughness].x);
+  const double denominator = denominators[chosen(p.values[normalisation].x)];
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / denominator;
+  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        return kd + ks * (beckmannDistribution(g, inverseM2) * fresnel(g.cosD) * foldedVCavity(g));
+      },
+      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
+                 HalfVectorLobe{BeckmannNormals{p.values[roughness].x, p.values[roughness].x}}));
+}
 
 }  // namespace
 
 const Model& cookTorrance() {
-  static const CookTorrance model;
+  static const Model model(cookTorranceSpec, {.create = create});
   return model;
 }
 

@@ -104,34 +104,28 @@ class Lobe {
 /// theta_d as a share of 90 degrees, by its sine too: acos loses half the digits near 1.
 double shareOf(const SurfaceGeometry& g) { return std::atan2(glm::length(g.wi - g.wo) / 2, g.cosD) / halfPi; }
 
-class Dsbrdf final : public Model {
- public:
-  const ModelSpec& spec() const override { return dsbrdfSpec; }
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const Rgb kd = p.values[0] / pi;
+  const Lobe first(p, firstLobe), second(p, secondLobe);
+  const auto lobes = [=](double logCosH, double t) { return first(logCosH, t) + second(logCosH, t); };
+  return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + lobes(std::log1p(-g.oneMinusCosH), shareOf(g)); },
+                          excessSampler(maxChannel(p.values[0]), [&](double thetaH) {
+                            return luminance(lobes(std::log(std::cos(thetaH)), 0));
+                          }));
+}
 
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const Rgb kd = p.values[0] / pi;
-    const Lobe first(p, firstLobe), second(p, secondLobe);
-    const auto lobes = [=](double logCosH, double t) { return first(logCosH, t) + second(logCosH, t); };
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) { return kd + lobes(std::log1p(-g.oneMinusCosH), shareOf(g)); },
-        excessSampler(maxChannel(p.values[0]),
-                      [&](double thetaH) { return luminance(lobes(std::log(std::cos(thetaH)), 0)); }));
-  }
-
-  /// The lobes with their polynomials and normalisation.
-  std::vector<glm::vec3> createShaderParameters(const ParameterValues& p) const override {
-    std::vector<glm::vec3> result{glm::vec3(p.values[0])};
-    Lobe(p, firstLobe).addShaderParameters(result);
-    Lobe(p, secondLobe).addShaderParameters(result);
-    return result;
-  }
-};
+/// The lobes with their polynomials and normalisation.
+std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
+  std::vector<glm::vec3> result{glm::vec3(p.values[0])};
+  Lobe(p, firstLobe).addShaderParameters(result);
+  Lobe(p, secondLobe).addShaderParameters(result);
+  return result;
+}
 
 }  // namespace
 
 const Model& dsbrdf() {
-  static const Dsbrdf model;
+  static const Model model(dsbrdfSpec, {.create = create, .shaderParameters = shaderParameters});
   return model;
 }
 

@@ -33,27 +33,21 @@ constexpr ModelSpec edwardsDiskSpec = {
     .reciprocal = false, .conservesEnergy = true};
 // clang-format on
 
-class EdwardsDisk final : public Model {
- public:
-  const ModelSpec& spec() const override { return edwardsDiskSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double n = p.values[exponent].x;
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * ((n + 1) / pi);
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          return kd + ks * powerOfComplement(squaredRimFraction(glm::dvec2(g.wi) + glm::dvec2(g.wo), g.wo), n);
-        },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), RimPowerLobe{n}), true,
-        edwardsDiskSpec.reciprocal);
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double n = p.values[exponent].x;
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * ((n + 1) / pi);
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        return kd + ks * powerOfComplement(squaredRimFraction(glm::dvec2(g.wi) + glm::dvec2(g.wo), g.wo), n);
+      },
+      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), RimPowerLobe{n}), true,
+      edwardsDiskSpec.reciprocal);
+}
 
 }  // namespace
 
 const Model& edwardsDisk() {
-  static const EdwardsDisk model;
+  static const Model model(edwardsDiskSpec, {.create = create});
   return model;
 }
 

@@ -50,31 +50,25 @@ double foldedMasking(const SurfaceGeometry& g, double alpha2, bool heightCorrela
   return 1 / ((g.cosI + rootI) * (g.cosO + rootO));
 }
 
-class Ggx final : public Model {
- public:
-  const ModelSpec& spec() const override { return ggxSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
-    const double alpha2 = p.values[roughness].x * p.values[roughness].x;
-    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-    const bool heightCorrelated = chosen(p.values[masking].x) == 1;
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          const double slope = g.sin2H + alpha2 * g.half.z * g.half.z;
-          const double distribution = alpha2 / (pi * slope * slope);
-          return kd + ks * (distribution * fresnel(g.cosD) * foldedMasking(g, alpha2, heightCorrelated));
-        },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) * fresnel(typicalCosine),
-                   VisibleNormalLobe{p.values[roughness].x}));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
+  const double alpha2 = p.values[roughness].x * p.values[roughness].x;
+  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+  const bool heightCorrelated = chosen(p.values[masking].x) == 1;
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        const double slope = g.sin2H + alpha2 * g.half.z * g.half.z;
+        const double distribution = alpha2 / (pi * slope * slope);
+        return kd + ks * (distribution * fresnel(g.cosD) * foldedMasking(g, alpha2, heightCorrelated));
+      },
+      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) * fresnel(typicalCosine),
+                 VisibleNormalLobe{p.values[roughness].x}));
+}
 
 }  // namespace
 
 const Model& ggx() {
-  static const Ggx model;
+  static const Model model(ggxSpec, {.create = create});
   return model;
 }
 

@@ -119,53 +119,47 @@ Diffraction makeDiffraction(const ParameterValues& p, const ExponentialPowerDist
           .strength = strength};
 }
 
-class HolzschuchPacanowski final : public Model {
- public:
-  const ModelSpec& spec() const override { return holzschuchPacanowskiSpec; }
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const ExponentialPowerDistribution facets(p.values[roughness].x, p.values[power].x);
+  const std::array<Diffraction, 3> nano{makeDiffraction(p, facets, 0), makeDiffraction(p, facets, 1),
+                                        makeDiffraction(p, facets, 2)};
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / 4.0;
+  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+  const TabulatedNormals normals([&](double thetaH) {
+    const double sine = std::sin(thetaH), cosine = std::cos(thetaH);
+    const double mirrored = nano[1].highlightShare(typicalCosine) * facets.density(sine * sine, cosine);
+    return (mirrored + nano[1].glow(sine * sine, cosine, typicalCosine, typicalCosine * typicalCosine)) * cosine;
+  });
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        const double density = facets.density(g.sin2H, g.half.z);
+        const double common = fresnel(g.cosD) * foldedSmithMasking(g, facets);
+        Rgb lobes;
+        for (int channel = 0; channel < 3; ++channel) {
+          const Diffraction& d = nano[std::size_t(channel)];
+          lobes[channel] = d.highlightShare(g.cosD) * density + d.glow(g.sin2H, g.half.z, g.cosD, g.cosI * g.cosO);
+        }
+        return kd + ks * lobes * common;
+      },
+      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
+                 HalfVectorLobe{normals}));
+}
 
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const ExponentialPowerDistribution facets(p.values[roughness].x, p.values[power].x);
-    const std::array<Diffraction, 3> nano{makeDiffraction(p, facets, 0), makeDiffraction(p, facets, 1),
-                                          makeDiffraction(p, facets, 2)};
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / 4.0;
-    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-    const TabulatedNormals normals([&](double thetaH) {
-      const double sine = std::sin(thetaH), cosine = std::cos(thetaH);
-      const double mirrored = nano[1].highlightShare(typicalCosine) * facets.density(sine * sine, cosine);
-      return (mirrored + nano[1].glow(sine * sine, cosine, typicalCosine, typicalCosine * typicalCosine)) * cosine;
-    });
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          const double density = facets.density(g.sin2H, g.half.z);
-          const double common = fresnel(g.cosD) * foldedSmithMasking(g, facets);
-          Rgb lobes;
-          for (int channel = 0; channel < 3; ++channel) {
-            const Diffraction& d = nano[std::size_t(channel)];
-            lobes[channel] = d.highlightShare(g.cosD) * density + d.glow(g.sin2H, g.half.z, g.cosD, g.cosI * g.cosO);
-          }
-          return kd + ks * lobes * common;
-        },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(typicalCosine),
-                   HalfVectorLobe{normals}));
-  }
-
-  /// Behind the values stand ln D(0), the mean slope, the mean square slope and the masking's nodes, three an entry:
-  /// the shader has no gamma function and no quadrature.
-  std::vector<glm::vec3> createShaderParameters(const ParameterValues& p) const override {
-    const ExponentialPowerDistribution facets(p.values[roughness].x, p.values[power].x);
-    std::vector<glm::vec3> result = Model::createShaderParameters(p);
-    result.emplace_back(float(facets.logPeak()), float(facets.meanSlope()), float(facets.meanSquareSlope()));
-    for (std::size_t n = 0; n < facets.masking().size(); n += 3)
-      result.emplace_back(float(facets.masking()[n]), float(facets.masking()[n + 1]), float(facets.masking()[n + 2]));
-    return result;
-  }
-};
+/// Behind the values stand ln D(0), the mean slope, the mean square slope and the masking's nodes, three an entry:
+/// the shader has no gamma function and no quadrature.
+std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
+  const ExponentialPowerDistribution facets(p.values[roughness].x, p.values[power].x);
+  std::vector<glm::vec3> result(p.values.begin(), p.values.end());
+  result.emplace_back(float(facets.logPeak()), float(facets.meanSlope()), float(facets.meanSquareSlope()));
+  for (std::size_t n = 0; n < facets.masking().size(); n += 3)
+    result.emplace_back(float(facets.masking()[n]), float(facets.masking()[n + 1]), float(facets.masking()[n + 2]));
+  return result;
+}
 
 }  // namespace
 
 const Model& holzschuchPacanowski() {
-  static const HolzschuchPacanowski model;
+  static const Model model(holzschuchPacanowskiSpec, {.create = create, .shaderParameters = shaderParameters});
   return model;
 }
 

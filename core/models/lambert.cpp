@@ -18,20 +18,14 @@ constexpr ModelSpec lambertSpec = {
     .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on
 
-class Lambert final : public Model {
- public:
-  const ModelSpec& spec() const override { return lambertSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    return makeGeometryBrdf([kd = p.values[0] / pi](const SurfaceGeometry&) { return kd; });
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  return makeGeometryBrdf([kd = p.values[0] / pi](const SurfaceGeometry&) { return kd; });
+}
 
 }  // namespace
 
 const Model& lambert() {
-  static const Lambert model;
+  static const Model model(lambertSpec, {.create = create});
   return model;
 }
 

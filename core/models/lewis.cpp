@@ -38,29 +38,23 @@ constexpr ModelSpec lewisSpec = {
     .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on
 
-class Lewis final : public Model {
- public:
-  const ModelSpec& spec() const override { return lewisSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double n = p.values[exponent].x;
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
-    const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(ks);
-    if (chosen(p.values[lobeKind].x) == 0)
-      return makeGeometryBrdf(
-          [=, ks = ks * reflectionUnitAlbedo(n)](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
-          diffuseAnd(diffuseAlbedo, albedo, CosinePowerLobe{n}));
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double n = p.values[exponent].x;
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
+  const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(ks);
+  if (chosen(p.values[lobeKind].x) == 0)
     return makeGeometryBrdf(
-        [=, ks = ks * halfVectorUnitAlbedo(n)](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
-        diffuseAnd(diffuseAlbedo, albedo, HalfVectorLobe{CosinePowerNormals{n, n}}));
-  }
-};
+        [=, ks = ks * reflectionUnitAlbedo(n)](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
+        diffuseAnd(diffuseAlbedo, albedo, CosinePowerLobe{n}));
+  return makeGeometryBrdf(
+      [=, ks = ks * halfVectorUnitAlbedo(n)](const SurfaceGeometry& g) { return kd + ks * halfVectorPower(g, n); },
+      diffuseAnd(diffuseAlbedo, albedo, HalfVectorLobe{CosinePowerNormals{n, n}}));
+}
 
 }  // namespace
 
 const Model& lewis() {
-  static const Lewis model;
+  static const Model model(lewisSpec, {.create = create});
   return model;
 }
 

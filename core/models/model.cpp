@@ -9,6 +9,15 @@
 
 namespace gonio::models {
 
+namespace {
+
+ParameterValues clamped(const ModelSpec& spec, ParameterValues parameters) {
+  clampToHardRange(spec, parameters);
+  return parameters;
+}
+
+}  // namespace
+
 std::optional<std::size_t> ModelSpec::find(std::string_view parameterId) const {
   for (std::size_t i = 0; i < parameters.size(); ++i)
     if (parameters[i].id == parameterId) return i;
@@ -16,29 +25,18 @@ std::optional<std::size_t> ModelSpec::find(std::string_view parameterId) const {
 }
 
 std::unique_ptr<const Brdf> Model::instantiate(const ParameterValues& parameters) const {
-  ParameterValues checked = parameters;
-  clampToHardRange(spec(), checked);
-  return create(checked);
+  return functions_.create(clamped(spec_, parameters));
 }
 
 std::unique_ptr<const Brdf> Model::instantiateUnclamped(const ParameterValues& parameters) const {
-  ParameterValues checked = parameters;
-  clampToHardRange(spec(), checked);
-  return createUnclamped(checked);
-}
-
-std::unique_ptr<const Brdf> Model::createUnclamped(const ParameterValues& parameters) const {
-  return create(parameters);
+  const auto create = functions_.createUnclamped ? functions_.createUnclamped : functions_.create;
+  return create(clamped(spec_, parameters));
 }
 
 std::vector<glm::vec3> Model::shaderParameters(const ParameterValues& parameters) const {
-  ParameterValues checked = parameters;
-  clampToHardRange(spec(), checked);
-  return createShaderParameters(checked);
-}
-
-std::vector<glm::vec3> Model::createShaderParameters(const ParameterValues& parameters) const {
-  return {parameters.values.begin(), parameters.values.end()};
+  const ParameterValues used = clamped(spec_, parameters);
+  if (functions_.shaderParameters) return functions_.shaderParameters(used);
+  return {used.values.begin(), used.values.end()};
 }
 
 ParameterValues defaultParameters(const ModelSpec& spec) {

@@ -44,11 +44,23 @@ struct ParameterValues {
   bool operator==(const ParameterValues&) const = default;
 };
 
-/// A parametric reflectance model: a factory of BRDFs. Stateless; the registry owns one of each.
+/// A parametric reflectance model: a factory of BRDFs. Immutable; the registry owns one of each.
 class Model {
  public:
-  virtual ~Model() = default;
-  virtual const ModelSpec& spec() const = 0;
+  /// What a model does with its parameters, which are valid: right count, finite, inside the hard ranges.
+  struct Functions {
+    std::unique_ptr<const Brdf> (*create)(const ParameterValues&);
+    /// For instantiateUnclamped(); null where nothing is cut.
+    std::unique_ptr<const Brdf> (*createUnclamped)(const ParameterValues&) = nullptr;
+    /// For Model::shaderParameters(); null for the values as they are.
+    std::vector<glm::vec3> (*shaderParameters)(const ParameterValues&) = nullptr;
+  };
+  /// @param spec outlives the model.
+  Model(const ModelSpec& spec, const Functions& functions) : spec_(spec), functions_(functions) {}
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  const ModelSpec& spec() const { return spec_; }
 
   /// The BRDF at these parameters, with everything that does not depend on directions computed beforehand.
   /// Values outside the hard range are clamped to it (see clampToHardRange() for the report).
@@ -59,19 +71,15 @@ class Model {
   /// values may be negative. For fits.
   std::unique_ptr<const Brdf> instantiateUnclamped(const ParameterValues& parameters) const;
 
-  /// What the model's shader twin (shaders/models/ID.glsl) takes as its array `p`: by default the parameters
-  /// themselves, clamped. A model changes this (createShaderParameters()) where float cannot hold a parameter, or to
-  /// compute beforehand what does not depend on directions. The count of entries is the same for all parameters.
+  /// What the model's shader twin (shaders/models/ID.glsl) takes as its array `p`: the parameters themselves, clamped,
+  /// except where float cannot hold a parameter or something that does not depend on directions is computed
+  /// beforehand. The count of entries is the same for all parameters.
   /// @throws Error as instantiate().
   std::vector<glm::vec3> shaderParameters(const ParameterValues& parameters) const;
 
- protected:
-  /// `parameters` are valid: right count, finite, inside the hard ranges.
-  virtual std::unique_ptr<const Brdf> create(const ParameterValues& parameters) const = 0;
-  /// As create(), and by default the same.
-  virtual std::unique_ptr<const Brdf> createUnclamped(const ParameterValues& parameters) const;
-  /// As create(); by default the values as they are.
-  virtual std::vector<glm::vec3> createShaderParameters(const ParameterValues& parameters) const;
+ private:
+  const ModelSpec& spec_;
+  Functions functions_;
 };
 
 /// The defaults of the specs.

@@ -32,24 +32,18 @@ constexpr ModelSpec modifiedPhongSpec = {
     .family = ModelFamily::empirical, .conservesEnergy = true};
 // clang-format on
 
-class ModifiedPhong final : public Model {
- public:
-  const ModelSpec& spec() const override { return modifiedPhongSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double n = p.values[exponent].x;
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * reflectionUnitAlbedo(n);
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), CosinePowerLobe{n}));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double n = p.values[exponent].x;
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * reflectionUnitAlbedo(n);
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
+      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), CosinePowerLobe{n}));
+}
 
 }  // namespace
 
 const Model& modifiedPhong() {
-  static const ModifiedPhong model;
+  static const Model model(modifiedPhongSpec, {.create = create});
   return model;
 }
 

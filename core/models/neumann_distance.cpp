@@ -54,30 +54,24 @@ double squaredDistance(const SurfaceGeometry& g) {
   return x * x + y * y;
 }
 
-class NeumannDistance final : public Model {
- public:
-  const ModelSpec& spec() const override { return neumannDistanceSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double s2 = p.values[width].x * p.values[width].x, c = p.values[power].x;
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / (pi * s2);
-    const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(p.values[specular]);
-    if (chosen(p.values[falloff].x) == gaussian)
-      return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * std::exp(-squaredDistance(g) / s2); },
-                              diffuseAnd(diffuseAlbedo, albedo, DiskLobe{GaussianRadial{p.values[width].x}}));
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          return kd + ks * ((c - 1) * std::exp(-c * std::log1p(squaredDistance(g) / s2)));
-        },
-        diffuseAnd(diffuseAlbedo, albedo, DiskLobe{RationalRadial{1 / s2, c}}));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double s2 = p.values[width].x * p.values[width].x, c = p.values[power].x;
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / (pi * s2);
+  const double diffuseAlbedo = maxChannel(p.values[diffuse]), albedo = maxChannel(p.values[specular]);
+  if (chosen(p.values[falloff].x) == gaussian)
+    return makeGeometryBrdf([=](const SurfaceGeometry& g) { return kd + ks * std::exp(-squaredDistance(g) / s2); },
+                            diffuseAnd(diffuseAlbedo, albedo, DiskLobe{GaussianRadial{p.values[width].x}}));
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        return kd + ks * ((c - 1) * std::exp(-c * std::log1p(squaredDistance(g) / s2)));
+      },
+      diffuseAnd(diffuseAlbedo, albedo, DiskLobe{RationalRadial{1 / s2, c}}));
+}
 
 }  // namespace
 
 const Model& neumannDistance() {
-  static const NeumannDistance model;
+  static const Model model(neumannDistanceSpec, {.create = create});
   return model;
 }
 

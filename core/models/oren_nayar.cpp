@@ -33,27 +33,21 @@ constexpr ModelSpec orenNayarSpec = {
     .reference = orenNayar1994, .parameters = parameters};
 // clang-format on
 
-class OrenNayar final : public Model {
- public:
-  const ModelSpec& spec() const override { return orenNayarSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double sigma2 = p.values[slope].x * p.values[slope].x;
-    const double a = 1 - 0.5 * sigma2 / (sigma2 + 0.33), b = 0.45 * sigma2 / (sigma2 + 0.09);
-    const Rgb kd = p.values[diffuse] / pi;
-    return makeGeometryBrdf([=](const SurfaceGeometry& g) {
-      // cos(phi) sin(max) tan(min) without angles: sin theta_i sin theta_o cos(phi) is the product of the projections.
-      const double across = std::max(0.0, g.wi.x * g.wo.x + g.wi.y * g.wo.y) / std::max(g.cosI, g.cosO);
-      return kd * (a + b * across);
-    });
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double sigma2 = p.values[slope].x * p.values[slope].x;
+  const double a = 1 - 0.5 * sigma2 / (sigma2 + 0.33), b = 0.45 * sigma2 / (sigma2 + 0.09);
+  const Rgb kd = p.values[diffuse] / pi;
+  return makeGeometryBrdf([=](const SurfaceGeometry& g) {
+    // cos(phi) sin(max) tan(min) without angles: sin theta_i sin theta_o cos(phi) is the product of the projections.
+    const double across = std::max(0.0, g.wi.x * g.wo.x + g.wi.y * g.wo.y) / std::max(g.cosI, g.cosO);
+    return kd * (a + b * across);
+  });
+}
 
 }  // namespace
 
 const Model& orenNayar() {
-  static const OrenNayar model;
+  static const Model model(orenNayarSpec, {.create = create});
   return model;
 }
 

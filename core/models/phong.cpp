@@ -30,24 +30,18 @@ constexpr ModelSpec phongSpec = {
     .family = ModelFamily::empirical};
 // clang-format on
 
-class Phong final : public Model {
- public:
-  const ModelSpec& spec() const override { return phongSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double n = p.values[exponent].x;
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionUnitAlbedo(n), CosinePowerLobe{n}));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double n = p.values[exponent].x;
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular];
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) { return kd + ks * reflectionPower(g, n); },
+      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(ks) / reflectionUnitAlbedo(n), CosinePowerLobe{n}));
+}
 
 }  // namespace
 
 const Model& phong() {
-  static const Phong model;
+  static const Model model(phongSpec, {.create = create});
   return model;
 }
 

@@ -86,30 +86,24 @@ struct Coefficients {
   }
 };
 
-class Rational final : public Model {
- public:
-  const ModelSpec& spec() const override { return rationalSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const Coefficients coefficients(p);
-    const double body = luminance(coefficients(0.5, 0));
-    return makeGeometryBrdf(
-        [coefficients](const SurfaceGeometry& g) {
-          const Direction apart = g.wi - g.wo;  // 2 sin theta_d long: 1 - cos theta_d without cancellation
-          return coefficients(g.oneMinusCosH, glm::dot(apart, apart) / 4 / (1 + g.cosD));
-        },
-        excessSampler(pi * body, [&](double thetaH) {
-          const double s = std::sin(thetaH / 2);
-          return luminance(coefficients(2 * s * s, 0)) - body;
-        }));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const Coefficients coefficients(p);
+  const double body = luminance(coefficients(0.5, 0));
+  return makeGeometryBrdf(
+      [coefficients](const SurfaceGeometry& g) {
+        const Direction apart = g.wi - g.wo;  // 2 sin theta_d long: 1 - cos theta_d without cancellation
+        return coefficients(g.oneMinusCosH, glm::dot(apart, apart) / 4 / (1 + g.cosD));
+      },
+      excessSampler(pi * body, [&](double thetaH) {
+        const double s = std::sin(thetaH / 2);
+        return luminance(coefficients(2 * s * s, 0)) - body;
+      }));
+}
 
 }  // namespace
 
 const Model& rational() {
-  static const Rational model;
+  static const Model model(rationalSpec, {.create = create});
   return model;
 }
 

@@ -138,48 +138,36 @@ TabulatedNormals makeNormals(const std::array<Channel, 3>& channels) {
   });
 }
 
-class Sgd final : public Model {
- public:
-  const ModelSpec& spec() const override { return sgdSpec; }
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const std::array<Channel, 3> channels{makeChannel(p, 0), makeChannel(p, 1), makeChannel(p, 2)};
+  return makeGeometryBrdf(
+      [channels](const SurfaceGeometry& g) {
+        const double cos2H = g.half.z * g.half.z, m = 1 - g.cosD;
+        const Angles angles{.thetaI = polarAngle(g.wi),
+                            .thetaO = polarAngle(g.wo),
+                            .tan2H = g.sin2H / cos2H,
+                            .log4CosH = 2 * std::log(cos2H),
+                            .oneMinusCosD5 = (m * m) * (m * m) * m,
+                            .inverseCosines = 1 / (g.cosI * g.cosO)};
+        return Rgb(evaluateChannel(channels[0], g, angles), evaluateChannel(channels[1], g, angles),
+                   evaluateChannel(channels[2], g, angles));
+      },
+      diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]), HalfVectorLobe{makeNormals(channels)}));
+}
 
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const std::array<Channel, 3> channels{makeChannel(p, 0), makeChannel(p, 1), makeChannel(p, 2)};
-    return makeGeometryBrdf(
-        [channels](const SurfaceGeometry& g) {
-          const double cos2H = g.half.z * g.half.z, m = 1 - g.cosD;
-          const Angles angles{.thetaI = polarAngle(g.wi),
-                              .thetaO = polarAngle(g.wo),
-                              .tan2H = g.sin2H / cos2H,
-                              .log4CosH = 2 * std::log(cos2H),
-                              .oneMinusCosD5 = (m * m) * (m * m) * m,
-                              .inverseCosines = 1 / (g.cosI * g.cosO)};
-          return Rgb(evaluateChannel(channels[0], g, angles), evaluateChannel(channels[1], g, angles),
-                     evaluateChannel(channels[2], g, angles));
-        },
-        diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]),
-                   HalfVectorLobe{makeNormals(channels)}));
-  }
-
-  /// c becomes ln c, and ln K stands behind the values: c exceeds float, and the shader has no incomplete gamma.
-  std::vector<glm::vec3> createShaderParameters(const ParameterValues& p) const override {
-    std::vector<glm::vec3> result = Model::createShaderParameters(p);
-    result[maskingScale] = glm::log(p.values[maskingScale]);
-    glm::vec3& logNormalisation = result.emplace_back();
-    for (int channel = 0; channel < 3; ++channel)
-      logNormalisation[channel] = float(sgdLogNormalisation(p.values[alpha][channel], p.values[power][channel]));
-    return result;
-  }
-};
+/// c becomes ln c, and ln K stands behind the values: c exceeds float, and the shader has no incomplete gamma.
+std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
+  std::vector<glm::vec3> result(p.values.begin(), p.values.end());
+  result[maskingScale] = glm::log(p.values[maskingScale]);
+  glm::vec3& logNormalisation = result.emplace_back();
+  for (int channel = 0; channel < 3; ++channel)
+    logNormalisation[channel] = float(sgdLogNormalisation(p.values[alpha][channel], p.values[power][channel]));
+  return result;
+}
 
 }  // namespace
 
 double sgdLogNormalisation(double alpha, double p) { return -std::log(alpha) - logUpperIncompleteGamma(1 - p, alpha); }
-
-double sgdDistribution(double tan2H, double alpha, double p) {
-  const double shifted = alpha + tan2H / alpha, logCos2H = -std::log1p(tan2H);
-  return std::exp(sgdLogNormalisation(alpha, p) - shifted - p * std::log(shifted) - 2 * logCos2H) / pi;
-}
 
 double sgdMasking(double theta, double lambda, double logC, double k, double theta0) {
   constexpr double maxExponent = 700;  // exp() of it is finite, and 1 - lambda exp() is far below 0
@@ -190,7 +178,7 @@ double sgdMasking(double theta, double lambda, double logC, double k, double the
 }
 
 const Model& sgd() {
-  static const Sgd model;
+  static const Model model(sgdSpec, {.create = create, .shaderParameters = shaderParameters});
   return model;
 }
 

@@ -142,32 +142,26 @@ Rgb evaluateSeries(const Coefficients& coefficients, const SurfaceGeometry& g) {
   return sum;
 }
 
-class SphericalHarmonics final : public Model {
- public:
-  const ModelSpec& spec() const override {
-    static const Specs specs;
-    return specs.model;
-  }
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  return makeGeometryBrdf([c = windowed(p)](const SurfaceGeometry& g) { return glm::max(evaluateSeries(c, g), 0.0); });
+}
 
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    return makeGeometryBrdf(
-        [c = windowed(p)](const SurfaceGeometry& g) { return glm::max(evaluateSeries(c, g), 0.0); });
-  }
-  std::unique_ptr<const Brdf> createUnclamped(const ParameterValues& p) const override {
-    return makeGeometryBrdf([c = windowed(p)](const SurfaceGeometry& g) { return evaluateSeries(c, g); });
-  }
-  /// The window is in the coefficients.
-  std::vector<glm::vec3> createShaderParameters(const ParameterValues& p) const override {
-    const Coefficients coefficients = windowed(p);
-    return {coefficients.begin(), coefficients.end()};
-  }
-};
+std::unique_ptr<const Brdf> createUnclamped(const ParameterValues& p) {
+  return makeGeometryBrdf([c = windowed(p)](const SurfaceGeometry& g) { return evaluateSeries(c, g); });
+}
+
+/// The window is in the coefficients.
+std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
+  const Coefficients coefficients = windowed(p);
+  return {coefficients.begin(), coefficients.end()};
+}
 
 }  // namespace
 
 const Model& sphericalHarmonics() {
-  static const SphericalHarmonics model;
+  static const Specs specs;
+  static const Model model(
+      specs.model, {.create = create, .createUnclamped = createUnclamped, .shaderParameters = shaderParameters});
   return model;
 }
 

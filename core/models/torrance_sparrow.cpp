@@ -59,38 +59,32 @@ double facetDensity(const ParameterValues& p) {
   return chosen(p.values[normalisation].x) == 0 ? 1 / facetArea(p.values[roughness].x) : 1;
 }
 
-class TorranceSparrow final : public Model {
- public:
-  const ModelSpec& spec() const override { return torranceSparrowSpec; }
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double m = p.values[roughness].x, inverseM2 = 1 / (m * m), density = facetDensity(p);
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * (density / 4);
+  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+  const double albedo = maxChannel(p.values[specular]) * density * facetArea(m) * fresnel(typicalCosine);
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        const double thetaH = std::atan2(std::sqrt(g.sin2H), g.half.z);
+        return kd + ks * (std::exp(-thetaH * thetaH * inverseM2) * fresnel(g.cosD) * foldedVCavity(g));
+      },
+      diffuseAnd(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
+                   return std::exp(-thetaH * thetaH * inverseM2) * std::cos(thetaH);
+                 })}));
+}
 
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double m = p.values[roughness].x, inverseM2 = 1 / (m * m), density = facetDensity(p);
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] * (density / 4);
-    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-    const double albedo = maxChannel(p.values[specular]) * density * facetArea(m) * fresnel(typicalCosine);
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          const double thetaH = std::atan2(std::sqrt(g.sin2H), g.half.z);
-          return kd + ks * (std::exp(-thetaH * thetaH * inverseM2) * fresnel(g.cosD) * foldedVCavity(g));
-        },
-        diffuseAnd(maxChannel(p.values[diffuse]), albedo, HalfVectorLobe{TabulatedNormals([=](double thetaH) {
-                     return std::exp(-thetaH * thetaH * inverseM2) * std::cos(thetaH);
-                   })}));
-  }
-
-  /// K stands behind the values: the shader does no quadrature.
-  std::vector<glm::vec3> createShaderParameters(const ParameterValues& p) const override {
-    std::vector<glm::vec3> result = Model::createShaderParameters(p);
-    result.emplace_back(float(facetDensity(p)));
-    return result;
-  }
-};
+/// K stands behind the values: the shader does no quadrature.
+std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
+  std::vector<glm::vec3> result(p.values.begin(), p.values.end());
+  result.emplace_back(float(facetDensity(p)));
+  return result;
+}
 
 }  // namespace
 
 const Model& torranceSparrow() {
-  static const TorranceSparrow model;
+  static const Model model(torranceSparrowSpec, {.create = create, .shaderParameters = shaderParameters});
   return model;
 }
 

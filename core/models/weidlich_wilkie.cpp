@@ -89,41 +89,35 @@ SurfaceGeometry refracted(const SurfaceGeometry& g, double eta) {
   return inside;
 }
 
-class WeidlichWilkie final : public Model {
- public:
-  const ModelSpec& spec() const override { return weidlichWilkieSpec; }
-
- protected:
-  std::unique_ptr<const Brdf> create(const ParameterValues& p) const override {
-    const double m1 = p.values[coatRoughness].x, m2 = p.values[roughness].x, eta = p.values[coatIndex].x;
-    const double coatSharpness = 1 / (m1 * m1), baseSharpness = 1 / (m2 * m2);
-    const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / 4.0, kc = p.values[coat] / 4.0;
-    const Rgb depth = p.values[absorption];
-    const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
-    const double entering = fresnelTransmittance(typicalCosine, eta);
-    const double kept = entering * entering * maxChannel(glm::exp(-2.0 * depth));
-    return makeGeometryBrdf(
-        [=](const SurfaceGeometry& g) {
-          const double folded = foldedVCavity(g), unmasked = folded * g.cosI * g.cosO;
-          const double transmitted = fresnelTransmittance(g.cosD, eta);
-          const double leaving = transmitted * ((1 - unmasked) + transmitted * unmasked);
-          const SurfaceGeometry inside = refracted(g, eta);
-          const Rgb absorbed = glm::exp(-depth * (1 / inside.cosI + 1 / inside.cosO));
-          const double base = beckmannDistribution(g, baseSharpness) * fresnel(inside.cosD) * foldedVCavity(inside);
-          const double surface = beckmannDistribution(g, coatSharpness) * fresnelDielectric(g.cosD, eta) * folded;
-          return kc * surface + (kd + ks * base) * absorbed * leaving;
-        },
-        LobeMixture(
-            lobeShares(std::array{maxChannel(p.values[diffuse]) * kept, maxChannel(p.values[coat]) * (1 - entering),
-                                  maxChannel(p.values[specular]) * kept * fresnel(typicalCosine)}),
-            CosineLobe{}, HalfVectorLobe{BeckmannNormals{m1, m1}}, HalfVectorLobe{BeckmannNormals{m2, m2}}));
-  }
-};
+std::unique_ptr<const Brdf> create(const ParameterValues& p) {
+  const double m1 = p.values[coatRoughness].x, m2 = p.values[roughness].x, eta = p.values[coatIndex].x;
+  const double coatSharpness = 1 / (m1 * m1), baseSharpness = 1 / (m2 * m2);
+  const Rgb kd = p.values[diffuse] / pi, ks = p.values[specular] / 4.0, kc = p.values[coat] / 4.0;
+  const Rgb depth = p.values[absorption];
+  const Fresnel fresnel = chosenFresnel(p, fresnelTerm, edgeTint, p.values[normalReflectance].x);
+  const double entering = fresnelTransmittance(typicalCosine, eta);
+  const double kept = entering * entering * maxChannel(glm::exp(-2.0 * depth));
+  return makeGeometryBrdf(
+      [=](const SurfaceGeometry& g) {
+        const double folded = foldedVCavity(g), unmasked = folded * g.cosI * g.cosO;
+        const double transmitted = fresnelTransmittance(g.cosD, eta);
+        const double leaving = transmitted * ((1 - unmasked) + transmitted * unmasked);
+        const SurfaceGeometry inside = refracted(g, eta);
+        const Rgb absorbed = glm::exp(-depth * (1 / inside.cosI + 1 / inside.cosO));
+        const double base = beckmannDistribution(g, baseSharpness) * fresnel(inside.cosD) * foldedVCavity(inside);
+        const double surface = beckmannDistribution(g, coatSharpness) * fresnelDielectric(g.cosD, eta) * folded;
+        return kc * surface + (kd + ks * base) * absorbed * leaving;
+      },
+      LobeMixture(
+          lobeShares(std::array{maxChannel(p.values[diffuse]) * kept, maxChannel(p.values[coat]) * (1 - entering),
+                                maxChannel(p.values[specular]) * kept * fresnel(typicalCosine)}),
+          CosineLobe{}, HalfVectorLobe{BeckmannNormals{m1, m1}}, HalfVectorLobe{BeckmannNormals{m2, m2}}));
+}
 
 }  // namespace
 
 const Model& weidlichWilkie() {
-  static const WeidlichWilkie model;
+  static const Model model(weidlichWilkieSpec, {.create = create});
   return model;
 }
 

@@ -35,7 +35,7 @@ double relativeDifference(const Image& a, const Image& b) {
 
 }  // namespace
 
-EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared_ptr<const TracedMaterial>>& materials,
+EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared_ptr<const RenderMaterial>>& materials,
                                const EffectOverrides& overrides, const EffectCostOptions& options,
                                const TaskControl& control) {
   const auto tracerOf = [&](const EffectOverrides& forced, std::uint64_t seed) {

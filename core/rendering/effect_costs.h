@@ -29,7 +29,7 @@ struct EffectCosts {
 /// that cannot act (no light of the kind) cost what the timer's noise says.
 /// @param materials of bindMaterials().
 /// @throws Cancelled.
-EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared_ptr<const TracedMaterial>>& materials,
+EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared_ptr<const RenderMaterial>>& materials,
                                const EffectOverrides& overrides = {}, const EffectCostOptions& options = {},
                                const TaskControl& control = {});
 

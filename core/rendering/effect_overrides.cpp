@@ -9,7 +9,7 @@ namespace gonio {
 
 namespace {
 
-using Materials = std::span<const std::shared_ptr<const TracedMaterial>>;
+using Materials = std::span<const std::shared_ptr<const RenderMaterial>>;
 
 void forceLights(EffectPlan& plan, Materials materials, const EffectOverrides& overrides) {
   for (std::size_t object = 0; object < plan.lit.size(); ++object)

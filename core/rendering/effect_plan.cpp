@@ -14,7 +14,7 @@ namespace gonio {
 
 namespace {
 
-using Materials = std::span<const std::shared_ptr<const TracedMaterial>>;
+using Materials = std::span<const std::shared_ptr<const RenderMaterial>>;
 
 struct EffectNames {
   const char *id, *name;

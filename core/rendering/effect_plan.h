@@ -8,8 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "core/rendering/render_material.h"
 #include "core/rendering/scene_light.h"
-#include "core/rendering/traced_material.h"
 
 namespace gonio {
 
@@ -74,7 +74,7 @@ struct EffectThresholds {
 /// matters but for the remainder; where it cannot tell, the effect is simulated. Some support points of each shape for
 /// each pair of objects and light: microseconds for the bundled scenes.
 /// @param materials of bindMaterials().
-EffectPlan planEffects(const Scene& scene, std::span<const std::shared_ptr<const TracedMaterial>> materials,
+EffectPlan planEffects(const Scene& scene, std::span<const std::shared_ptr<const RenderMaterial>> materials,
                        const EffectOverrides& overrides = {}, const EffectThresholds& thresholds = {});
 
 /// Makes the plan of a scene that of the scene seen by another camera: which sources face it can change, nothing else.

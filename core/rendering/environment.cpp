@@ -3,6 +3,7 @@
 #include "core/rendering/environment.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <span>
@@ -67,12 +68,33 @@ struct Interval {
   double share(double u) const { return (u - low) / (high - low); }
 };
 
+/// The last of the `count` intervals from `first` on that starts at u or before. A binary search without branches: they
+/// would be as random as u.
+std::size_t lastStart(std::span<const float> cumulative, std::size_t first, std::size_t count, double u) {
+  while (count > 1) {
+    const std::size_t half = count / 2;
+    first = double(cumulative[first + half]) <= u ? first + half : first;
+    count -= half;
+  }
+  return first;
+}
+
+/// Cells of [0, 1), a power of two, for which a guide knows where to search: about four intervals each.
+std::size_t guideCells(std::size_t intervals) { return std::bit_ceil(intervals + 3) / 4; }
+
+/// guideCells() + 1 entries: the interval that contains the start of each cell; the last interval at the end (Chen and
+/// Asau 1974, "On Generating Random Variates from an Empirical Distribution").
+void buildGuide(std::span<const float> cumulative, std::span<std::uint32_t> guide) {
+  const std::size_t intervals = cumulative.size() - 1, cells = guide.size() - 1;
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    guide[cell] = std::uint32_t(lastStart(cumulative, 0, intervals, double(cell) / double(cells)));
+  guide[cells] = std::uint32_t(intervals - 1);
+}
+
 /// The interval of a cumulative table that contains u; never an empty one.
-Interval find(std::span<const float> cumulative, double u) {
-  const auto inside = cumulative.subspan(1, cumulative.size() - 2);
-  const auto upper = std::upper_bound(inside.begin(), inside.end(), u,
-                                      [](double value, float entry) { return value < double(entry); });
-  const auto index = std::size_t(upper - inside.begin());
+Interval find(std::span<const float> cumulative, std::span<const std::uint32_t> guide, double u) {
+  const auto cell = std::size_t(u * double(guide.size() - 1));
+  const std::size_t index = lastStart(cumulative, guide[cell], guide[cell + 1] - guide[cell] + 1, u);
   return {index, cumulative[index], cumulative[index + 1]};
 }
 
@@ -104,6 +126,15 @@ void EnvironmentMap::buildTables() {
   if (black)
     for (std::size_t y = 0; y < height; ++y) rowWeights[y] = cosEdges_[y] - cosEdges_[y + 1];
   accumulate(rowWeights, marginal_);
+  const std::size_t rowGuide = guideCells(width) + 1;
+  marginalGuide_.resize(guideCells(height) + 1);
+  conditionalGuide_.resize(height * rowGuide);
+  buildGuide(marginal_, marginalGuide_);
+  for (std::size_t y = 0; y < height; ++y) {
+    buildGuide(std::span(conditional_).subspan(y * (width + 1), width + 1),
+               std::span(conditionalGuide_).subspan(y * rowGuide, rowGuide));
+    solidAngles_.push_back(2 * pi / image_.width * (cosEdges_[y] - cosEdges_[y + 1]));
+  }
 }
 
 Direction EnvironmentMap::directionAt(double u, double v) {
@@ -132,7 +163,7 @@ double EnvironmentMap::pixelPdf(std::size_t x, std::size_t y) const {
   const auto width = std::size_t(image_.width);
   const float* row = conditional_.data() + y * (width + 1);
   const double probability = (double(marginal_[y + 1]) - double(marginal_[y])) * (double(row[x + 1]) - double(row[x]));
-  return probability / (2 * pi / image_.width * (cosEdges_[y] - cosEdges_[y + 1]));
+  return probability / solidAngles_[y];
 }
 
 Rgb EnvironmentMap::radiance(const Direction& world) const { return bilinear(positionOf(world)); }
@@ -144,16 +175,31 @@ EnvironmentMap::Sample EnvironmentMap::at(const Direction& world) const {
   return {world, bilinear(position), pixelPdf(pixelOf(position.x, image_.width), pixelOf(position.y, image_.height))};
 }
 
-EnvironmentMap::Sample EnvironmentMap::sample(double u1, double u2) const {
+EnvironmentMap::PixelDirection EnvironmentMap::sampleDirection(double u1, double u2) const {
   const auto width = std::size_t(image_.width);
-  const Interval row = find(marginal_, u1);
-  const Interval column = find(std::span(conditional_).subspan(row.index * (width + 1), width + 1), u2);
+  const std::size_t rowGuide = guideCells(width) + 1;
+  const Interval row = find(marginal_, marginalGuide_, u1);
+  const Interval column = find(std::span(conditional_).subspan(row.index * (width + 1), width + 1),
+                               std::span(conditionalGuide_).subspan(row.index * rowGuide, rowGuide), u2);
   const double cosTheta = glm::mix(cosEdges_[row.index], cosEdges_[row.index + 1], row.share(u1));
   const double u = (double(column.index) + column.share(u2)) / image_.width;
   const double a = 2 * pi * (u - 0.5), sinTheta = std::sqrt(std::max(0.0, (1 - cosTheta) * (1 + cosTheta)));
-  const Direction direction{sinTheta * std::sin(a), cosTheta, -sinTheta * std::cos(a)};
-  const double v = fastAtan2(sinTheta, cosTheta) / pi;
-  return {direction, bilinear({u, v}), pixelPdf(column.index, row.index)};
+  return {column.index, row.index, u, cosTheta, sinTheta, {sinTheta * std::sin(a), cosTheta, -sinTheta * std::cos(a)}};
 }
+
+EnvironmentMap::Sample EnvironmentMap::at(const PixelDirection& place) const {
+  const double v = fastAtan2(place.sinTheta, place.cosTheta) / pi;
+  return {place.direction, bilinear({place.u, v}), pixelPdf(place.x, place.y)};
+}
+
+EnvironmentMap::Sample EnvironmentMap::sample(double u1, double u2) const { return at(sampleDirection(u1, u2)); }
+
+EnvironmentMap::Sample EnvironmentMap::sampleAbove(const Direction& normal, double u1, double u2) const {
+  const PixelDirection place = sampleDirection(u1, u2);
+  if (!(glm::dot(normal, place.direction) > 0)) return {place.direction, Rgb(0), 0};
+  return at(place);
+}
+
+EnvironmentRotation::EnvironmentRotation(double angle) : c_(std::cos(angle)), s_(std::sin(angle)) {}
 
 }  // namespace gonio

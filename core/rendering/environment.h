@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ class EnvironmentMap {
   /// Draws a direction with a density constant over each pixel's solid angle and proportional to the mean luminance of
   /// the bilinear radiance in it (1/(4 pi) everywhere for a black map). u1 chooses the row, u2 the column.
   Sample sample(double u1, double u2) const;
+  /// The same; where the direction is below the horizon of a normal (world), density and radiance are 0.
+  Sample sampleAbove(const Direction& normal, double u1, double u2) const;
   /// Density of sample(), 1/sr.
   double pdf(const Direction& world) const;
   /// Radiance and density of one direction: cheaper than asking for both.
@@ -46,6 +49,14 @@ class EnvironmentMap {
   static glm::dvec2 positionOf(const Direction& world);
 
  private:
+  /// A pixel, and a direction through it.
+  struct PixelDirection {
+    std::size_t x, y;
+    double u, cosTheta, sinTheta;
+    Direction direction;
+  };
+  PixelDirection sampleDirection(double u1, double u2) const;
+  Sample at(const PixelDirection& place) const;
   Rgb bilinear(const glm::dvec2& position) const;
   double pixelPdf(std::size_t x, std::size_t y) const;
   void buildTables();
@@ -55,6 +66,21 @@ class EnvironmentMap {
   std::vector<double> cosEdges_;  ///< cos theta of the rows' upper edges, and of the last one's lower edge
   /// Cumulative: height + 1 entries, and height rows of width + 1 entries, each from 0 to 1.
   std::vector<float> marginal_, conditional_;
+  std::vector<std::uint32_t> marginalGuide_, conditionalGuide_;  ///< where searches in the tables begin
+  std::vector<double> solidAngles_;                              ///< of a pixel in each row, sr
+};
+
+/// The turn of an environment about +y: from a world direction to the direction of the environment's picture that is
+/// seen there, and back. With c, s the cosine and sine of the angle (rad): (x c + z s, y, z c - x s). Positive angles
+/// turn the surroundings from -z toward +x.
+class EnvironmentRotation {
+ public:
+  explicit EnvironmentRotation(double angle);
+  Direction toEnvironment(const Direction& w) const { return {w.x * c_ + w.z * s_, w.y, w.z * c_ - w.x * s_}; }
+  Direction fromEnvironment(const Direction& w) const { return {w.x * c_ - w.z * s_, w.y, w.z * c_ + w.x * s_}; }
+
+ private:
+  double c_, s_;
 };
 
 /// Made by the project itself, 512 x 256: a photo studio with soft boxes, and a clear sky with a sun.

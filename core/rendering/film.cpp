@@ -7,15 +7,6 @@
 
 namespace gonio {
 
-void SampleLuminances::add(double luminance) {
-  if (!(luminance > 0)) return;
-  largest_ = std::max(largest_, luminance);
-  int octave = 0;
-  const double mantissa = std::frexp(luminance, &octave);  // in [1/2, 1)
-  const int place = (octave - lowestOctave) * classesOfOctave + int((2 * mantissa - 1) * classesOfOctave);
-  ++counts_[std::size_t(std::clamp(place, 0, classesOfOctave * octaves - 1))];
-}
-
 SampleLuminances& SampleLuminances::operator+=(const SampleLuminances& other) {
   for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
   largest_ = std::max(largest_, other.largest_);

@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +29,16 @@ struct RayCounters {
 /// How bright single samples were, counted in classes of luminance: the same for any order of the samples.
 class SampleLuminances {
  public:
-  void add(double luminance);
+  void add(double luminance) {
+    if (!(luminance > 0)) return;
+    largest_ = std::max(largest_, luminance);
+    // The exponent and the first three bits of the mantissa are the number of the class.
+    constexpr int mantissaBits = 52, classBits = 3, bias = 1022;
+    static_assert(classesOfOctave == 1 << classBits);
+    const auto place = int(std::bit_cast<std::uint64_t>(luminance) >> (mantissaBits - classBits));
+    ++counts_[std::size_t(
+        std::clamp(place - (bias + lowestOctave) * classesOfOctave, 0, classesOfOctave * octaves - 1))];
+  }
   SampleLuminances& operator+=(const SampleLuminances& other);
 
   double largest() const { return largest_; }

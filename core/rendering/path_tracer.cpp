@@ -7,71 +7,98 @@
 #include <mutex>
 
 #include "core/math/parallel.h"
-#include "core/rendering/path_walk.h"
+#include "core/rendering/path_batch.h"
 
 namespace gonio {
 
-PathTracer::PathTracer(Scene scene, std::vector<std::shared_ptr<const TracedMaterial>> materials, EffectPlan plan,
+PathTracer::PathTracer(Scene scene, std::vector<std::shared_ptr<const RenderMaterial>> materials, EffectPlan plan,
                        std::uint64_t seed, Strategy strategy)
     : scene_(std::move(scene)),
       materials_(std::move(materials)),
       plan_(std::move(plan)),
       seed_(seed),
       strategy_(strategy),
-      camera_(cameraFrame(scene_.camera)),
-      rotation_(scene_.environmentRotation),
-      candidates_(scene_.objects.size()) {
+      camera_(cameraFrame(scene_.camera)) {
   for (std::size_t object = 0; object < scene_.objects.size(); ++object) {
-    std::vector<std::size_t>& candidates = candidates_[object];
-    if (plan_.reflections > 1) candidates = plan_.visible[object];
+    const Brdf* brdf = materials_[object] ? &materials_[object]->brdf() : nullptr;
+    const auto known = std::ranges::find(brdfs_, brdf);
+    brdfOf_.push_back(std::size_t(known - brdfs_.begin()));
+    if (known == brdfs_.end()) brdfs_.push_back(brdf);
+    candidates_.push_back(candidatesOf(object));
+    bool finds = false, sends = !candidates_.back().empty();
     for (std::size_t light = 0; light < plan_.lights.size(); ++light) {
-      const SceneLight& source = plan_.lights[light];
-      const bool isLamp = source.kind == SceneLight::Kind::rectangle;
-      if (!plan_.lit[object][light] || !(isLamp || source.kind == SceneLight::Kind::environment)) continue;
-      if (isLamp) candidates.push_back(source.index);
-      candidates.insert(candidates.end(), plan_.blockers[object][light].begin(), plan_.blockers[object][light].end());
+      finds = finds || (plan_.lit[object][light] && hasSize(plan_.lights[light]));
+      sends = sends || !plan_.blockers[object][light].empty();
     }
-    // Whatever stands before a visible surface hides it.
-    for (std::size_t other = 0; other < scene_.objects.size() && !candidates.empty(); ++other)
-      if (plan_.reflections > 1 && !plan_.visible[object].empty() &&
-          (other != object || !isConvex(scene_.objects[object].shape)))
-        candidates.push_back(other);
-    std::ranges::sort(candidates);
-    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    sendsRays_.push_back(sends);
+    findsLights_.push_back(finds && strategy_ != Strategy::lights);
   }
+}
+
+std::vector<std::size_t> PathTracer::candidatesOf(std::size_t object) const {
+  std::vector<std::size_t> candidates;
+  if (plan_.reflections > 1) candidates = plan_.visible[object];
+  for (std::size_t light = 0; light < plan_.lights.size(); ++light) {
+    const SceneLight& source = plan_.lights[light];
+    if (!plan_.lit[object][light] || !hasSize(source)) continue;
+    if (source.kind == SceneLight::Kind::rectangle) candidates.push_back(source.index);
+    candidates.insert(candidates.end(), plan_.blockers[object][light].begin(), plan_.blockers[object][light].end());
+  }
+  // Whatever stands before a visible surface hides it.
+  for (std::size_t other = 0; other < scene_.objects.size() && !candidates.empty(); ++other)
+    if (plan_.reflections > 1 && !plan_.visible[object].empty() &&
+        (other != object || !isConvex(scene_.objects[object].shape)))
+      candidates.push_back(other);
+  std::ranges::sort(candidates);
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  return candidates;
+}
+
+void PathTracer::traceRow(Film& film, int y, int samples, RayCounters& counters, SampleLuminances& luminances) const {
+  const std::uint32_t pictureSeed = hashCombine(std::uint32_t(seed_), std::uint32_t(seed_ >> 32));
+  const glm::dvec2 extent = viewExtent(camera_, double(film.width) / film.height);
+  const glm::dvec2 pixelSize(2.0 / film.width, -2.0 / film.height);
+  const std::size_t first = std::size_t(y) * std::size_t(film.width);
+  PathBatch batch(*this, counters);
+  PathSamples filmPositions(0, PathSamples::filmPosition);
+  std::vector<PathBatch::Start> starts;
+  const auto trace = [&] {
+    const auto results = batch.trace(starts);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      film.radiance[starts[i].pixel] += results[i].radiance;
+      film.coverage[starts[i].pixel] += results[i].covered;
+      luminances.add(luminance(results[i].radiance));
+    }
+    starts.clear();
+  };
+  for (int x = 0; x < film.width; ++x) {
+    const std::size_t pixel = first + std::size_t(x);
+    const std::uint32_t pixelSeed = hashCombine(pictureSeed, std::uint32_t(pixel));
+    for (int i = 0; i < samples; ++i) {
+      PathBatch::Start& start = starts.emplace_back();
+      start.pixel = pixel;
+      start.seed = {pixelSeed, std::uint32_t(film.samples + i)};
+      const glm::dvec2 position = glm::dvec2(x, y) + filmPositions.pair(start.seed);
+      start.ray = cameraRay(camera_, extent * (glm::dvec2(-1, 1) + pixelSize * position));
+      if (starts.size() == PathBatch::capacity) trace();
+    }
+  }
+  trace();
 }
 
 void PathTracer::accumulate(Film& film, int samples, const TaskControl& control) const {
   assert(film.width > 0 && film.height > 0 && samples >= 0);
-  const double aspect = double(film.width) / film.height;
-  const std::size_t width = std::size_t(film.width), height = std::size_t(film.height);
+  const std::size_t height = std::size_t(film.height);
   Film next = film;
   std::vector<RayCounters> counters(height);
-  const std::uint32_t pictureSeed = hashCombine(std::uint32_t(seed_), std::uint32_t(seed_ >> 32));
   std::mutex merging;
-  const auto row = [&](std::size_t y) {
-    Walk walk(*this, counters[y]);
-    SampleLuminances luminances;
-    for (std::size_t x = 0; x < width; ++x) {
-      const std::size_t index = y * width + x;
-      for (int i = 0; i < samples; ++i) {
-        const WalkPixel pixel{hashCombine(pictureSeed, std::uint32_t(index)), std::uint32_t(film.samples + i)};
-        const glm::dvec2 jitter = pixel.pair(0, WalkPixel::filmPosition);
-        const CameraRay ray = cameraRay(camera_, 2 * (double(x) + jitter.x) / film.width - 1,
-                                        1 - 2 * (double(y) + jitter.y) / film.height, aspect);
-        const auto [radiance, covered] = walk.follow(pixel, ray);
-        next.radiance[index] += radiance;
-        next.coverage[index] += covered;
-        luminances.add(luminance(radiance));
-      }
-    }
-    const std::lock_guard lock(merging);
-    next.luminances += luminances;
-  };
   parallelForBlocks(
       height, 1,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t y = begin; y < end; ++y) row(y);
+      [&](std::size_t y, std::size_t) {
+        SampleLuminances luminances;
+        traceRow(next, int(y), samples, counters[y], luminances);
+        const std::lock_guard lock(merging);
+        next.luminances += luminances;
       },
       control);
   next.samples += samples;

@@ -17,7 +17,7 @@ Image mean(const metrics::PicturePair& halves) {
 
 }  // namespace
 
-RenderedComparison::RenderedComparison(const Brdf& reference, SphereRenderOptions options, const TaskControl& control)
+RenderedComparison::RenderedComparison(const Brdf& reference, RenderOptions options, const TaskControl& control)
     : scene_(comparisonScene()), options_(std::move(options)) {
   if (!options_.lobe) options_.lobe = estimateSamplingLobe(reference);
   options_.samples = (options_.samples + 1) / 2;
@@ -26,11 +26,12 @@ RenderedComparison::RenderedComparison(const Brdf& reference, SphereRenderOption
 
 ComparisonPicture RenderedComparison::render(const Brdf& test, const TaskControl& control) const {
   constexpr std::uint64_t otherSeed = 0x9e3779b97f4a7c15;  // any other number
-  SphereRenderOptions other = options_;
+  RenderOptions other = options_;
   other.seed ^= otherSeed;
   ComparisonPicture picture;
-  picture.halves = {renderSphere(test, scene_, options_, control.between(0, 0.5)),
-                    renderSphere(test, scene_, other, control.between(0.5, 1))};
+  const auto material = pictureMaterial(test, options_);
+  picture.halves = {renderPicture(material, scene_, options_, control.between(0, 0.5)),
+                    renderPicture(material, scene_, other, control.between(0.5, 1))};
   picture.image = mean(picture.halves);
   return picture;
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/metrics/image_metrics.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio {
 
@@ -20,7 +20,7 @@ class RenderedComparison {
  public:
   /// Renders the reference. @throws Cancelled.
   /// @param options an odd number of samples counts as the next even one.
-  explicit RenderedComparison(const Brdf& reference, SphereRenderOptions options = {}, const TaskControl& control = {});
+  explicit RenderedComparison(const Brdf& reference, RenderOptions options = {}, const TaskControl& control = {});
 
   const Image& reference() const { return reference_.image; }
   /// @throws Cancelled.
@@ -30,8 +30,8 @@ class RenderedComparison {
   double peakSignalToNoiseRatio(const ComparisonPicture& picture) const;
 
  private:
-  SphereScene scene_;
-  SphereRenderOptions options_;  ///< of each half
+  Scene scene_;
+  RenderOptions options_;  ///< of each half
   ComparisonPicture reference_;
 };
 

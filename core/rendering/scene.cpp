@@ -6,25 +6,21 @@
 
 namespace gonio {
 
-int lookedAtCount(const Scene& scene) {
+int materialSlotCount(const Scene& scene) {
   int count = 0;
   for (const SceneObject& object : scene.objects)
-    if (const auto* lookedAt = std::get_if<LookedAt>(&object.material); lookedAt && !object.emits())
-      count = std::max(count, lookedAt->number + 1);
+    if (const auto* slot = std::get_if<MaterialSlot>(&object.material); slot && !object.emits())
+      count = std::max(count, slot->number + 1);
   return count;
 }
 
-Scene sceneOf(const SphereScene& sphere) {
+Scene sphereScene(std::shared_ptr<const EnvironmentMap> environment, const OrbitCamera& camera) {
   Scene scene;
   scene.name = "sphere";
-  scene.camera = sphere.camera;
+  scene.camera = camera;
   scene.objects.push_back({.name = "sphere", .shape = Sphere{}});
-  if (sphere.environment)
-    scene.environment = sphere.environment;
-  else
-    scene.directionalLights.push_back(sphere.light);
-  scene.environmentRotation = sphere.environmentRotation;
-  scene.showEnvironment = sphere.showEnvironment;
+  if (!environment) scene.directionalLights.emplace_back();
+  scene.environment = std::move(environment);
   return scene;
 }
 

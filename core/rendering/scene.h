@@ -5,30 +5,37 @@
 #include <string>
 #include <vector>
 
+#include "core/rendering/camera.h"
+#include "core/rendering/environment.h"
 #include "core/rendering/shape.h"
-#include "core/rendering/sphere_scene.h"
 
 namespace gonio {
 
-/// What an object is made of: one of the materials that are looked at, by its number, or a white Lambertian surface of
-/// some reflectance (linear RGB, 0 to 1), which grounds and backdrops have.
-struct LookedAt {
+/// What an object is made of: the material in one of the scene's slots, which the user fills, or a Lambertian surface
+/// of some reflectance (linear RGB, 0 to 1), which grounds and backdrops have.
+struct MaterialSlot {
   int number = 0;
 };
 struct Diffuse {
   Rgb reflectance{0.5};
 };
-using SceneMaterial = std::variant<LookedAt, Diffuse>;
+using SceneMaterial = std::variant<MaterialSlot, Diffuse>;
 
 /// One thing in a scene. A rectangle may emit: then it sends `radiance` (linear RGB) from its front, equal in all
 /// directions, and reflects nothing.
 struct SceneObject {
   std::string name;
   Shape shape;
-  SceneMaterial material = LookedAt{};
+  SceneMaterial material = MaterialSlot{};
   Rgb radiance{0};
 
   bool emits() const { return maxChannel(radiance) > 0; }
+};
+
+/// Radiance that arrives from one direction.
+struct DirectionalLight {
+  Direction toLight{0.4082482904638631, 0.4082482904638631, 0.8164965809277261};  ///< world, unit
+  Rgb irradiance{pi};                                                             ///< perpendicular to the direction
 };
 
 /// Light from one point: radiant intensity, linear RGB per sr.
@@ -46,14 +53,15 @@ struct Scene {
   std::vector<DirectionalLight> directionalLights;
   std::vector<PointLight> pointLights;
   std::shared_ptr<const EnvironmentMap> environment;
-  double environmentRotation = 0;  ///< rad about +y, as of SphereScene
+  double environmentRotation = 0;  ///< rad, see EnvironmentRotation
   bool showEnvironment = false;    ///< draw the environment behind the objects (else black, alpha 0)
 };
 
-/// One more than the highest number of a material that is looked at: how many the scene asks for.
-int lookedAtCount(const Scene& scene);
+/// One more than the highest number of a slot: how many materials the scene asks for.
+int materialSlotCount(const Scene& scene);
 
-/// The one sphere with the lights of `sphere`: what previews and thumbnails show, as a scene.
-Scene sceneOf(const SphereScene& sphere);
+/// The unit sphere at the origin in an environment, or, where that is null, in the default directional light: what
+/// previews and thumbnails show.
+Scene sphereScene(std::shared_ptr<const EnvironmentMap> environment = nullptr, const OrbitCamera& camera = {});
 
 }  // namespace gonio

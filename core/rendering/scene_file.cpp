@@ -147,7 +147,7 @@ void SceneReader::readObject(const JsonObject& object) {
       diffuse.fail("diffuse", "a reflectance of at most 1");
   } else if (material.is_number_unsigned()) {
     // With fewer materials than the scene has places for, the last one takes the others.
-    result.material = LookedAt{int(std::min(material.get<std::uint64_t>(), std::uint64_t(materials_ - 1)))};
+    result.material = MaterialSlot{int(std::min(material.get<std::uint64_t>(), std::uint64_t(materials_ - 1)))};
   } else if (material != "each") {
     object.fail("material", expected);
   }
@@ -158,7 +158,7 @@ void SceneReader::readObject(const JsonObject& object) {
   const Direction middle = sphere->centre;
   for (int i = 0; i < materials_; ++i) {
     sphere->centre = middle + Direction((i - 0.5 * (materials_ - 1)) * spacing, 0, 0);
-    result.material = LookedAt{i};
+    result.material = MaterialSlot{i};
     scene_.objects.push_back(result);
     if (materials_ > 1) scene_.objects.back().name += ' ' + std::to_string(i + 1);
   }
@@ -202,7 +202,7 @@ double SceneReader::fittingDistance(const OrbitCamera& camera) const {
                                       glm::dot(offset, frame.forward));
   };
   for (const SceneObject& object : scene_.objects) {
-    if (object.emits() || !std::holds_alternative<LookedAt>(object.material)) continue;
+    if (object.emits() || !std::holds_alternative<MaterialSlot>(object.material)) continue;
     if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
       for (const glm::vec3& vertex : (*mesh)->mesh().positions()) include(Direction(vertex), 0);
     } else {

@@ -63,14 +63,13 @@ double nearestDistance(const Shape& shape, const Ray& ray, double tMin, double t
   return std::visit([&](const auto& form) { return nearest(form, ray, tMin, tMax); }, shape);
 }
 
-ShapeHit shapeHit(const Shape& shape, const Ray& ray, double tMin, double tMax) {
+ShapeHit shapeHit(const Shape& shape, const Ray& ray, double t) {
+  assert(std::isfinite(t));
   if (const auto* mesh = std::get_if<MeshShape>(&shape)) {
-    const auto hit = (*mesh)->closest(ray.origin, ray.direction, tMin, tMax);
+    const auto hit = (*mesh)->closest(ray.origin, ray.direction, 0, noHit);
     assert(hit);
     return {hit->t, hit->position, hit->geometricNormal, hit->shadingNormal};
   }
-  const double t = nearestDistance(shape, ray, tMin, tMax);
-  assert(std::isfinite(t));
   const Direction position = ray.origin + t * ray.direction;
   if (const auto* sphere = std::get_if<Sphere>(&shape)) {
     const Direction normal = glm::normalize(position - sphere->centre);
@@ -80,6 +79,12 @@ ShapeHit shapeHit(const Shape& shape, const Ray& ray, double tMin, double tMax) 
   const Direction normal = rectangle.normal();
   // From far away the ray's end is not in the plane by much more than the coordinates' rounding.
   return {t, position - glm::dot(position - rectangle.centre, normal) * normal, normal, normal};
+}
+
+std::optional<ShapeHit> nearestHit(const Shape& shape, const Ray& ray) {
+  const double distance = nearestDistance(shape, ray, 0, noHit);
+  if (!std::isfinite(distance)) return std::nullopt;
+  return shapeHit(shape, ray, distance);
 }
 
 Direction leavingPoint(const Shape& shape, const ShapeHit& hit) {

@@ -3,10 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "core/geometry/mesh_intersector.h"
-#include "core/math/types.h"
+#include "core/rendering/ray.h"
 
 namespace gonio {
 
@@ -40,15 +41,13 @@ struct ShapeHit {
   Direction position, geometricNormal, shadingNormal;
 };
 
-struct Ray {
-  Direction origin, direction;  ///< world, `direction` unit
-};
-
 /// The nearest meeting with t in (tMin, tMax): distance alone, for most shapes that a ray passes are not the nearest.
 /// Infinity where there is none.
 double nearestDistance(const Shape& shape, const Ray& ray, double tMin, double tMax);
-/// The nearest meeting; there must be one by nearestDistance() with the same arguments.
-ShapeHit shapeHit(const Shape& shape, const Ray& ray, double tMin, double tMax);
+/// The hit at a distance that nearestDistance() found from tMin = 0.
+ShapeHit shapeHit(const Shape& shape, const Ray& ray, double distance);
+/// The nearest hit at t > 0, where there is one.
+std::optional<ShapeHit> nearestHit(const Shape& shape, const Ray& ray);
 /// Where rays start that leave the surface on the side of the geometric normal: off it by more than rounding, so that
 /// they do not meet it again where it is convex.
 Direction leavingPoint(const Shape& shape, const ShapeHit& hit);

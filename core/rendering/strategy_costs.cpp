@@ -28,7 +28,7 @@ const char* strategyId(PathTracer::Strategy strategy) {
 }
 
 std::vector<StrategyCost> measureStrategyCosts(const Scene& scene,
-                                               const std::vector<std::shared_ptr<const TracedMaterial>>& materials,
+                                               const std::vector<std::shared_ptr<const RenderMaterial>>& materials,
                                                const EffectPlan& plan, const StrategyCostOptions& options,
                                                const TaskControl& control) {
   using Strategy = PathTracer::Strategy;

@@ -29,7 +29,7 @@ const char* strategyId(PathTracer::Strategy strategy);
 /// @param materials of bindMaterials(), of which the plan was made.
 /// @throws Cancelled.
 std::vector<StrategyCost> measureStrategyCosts(const Scene& scene,
-                                               const std::vector<std::shared_ptr<const TracedMaterial>>& materials,
+                                               const std::vector<std::shared_ptr<const RenderMaterial>>& materials,
                                                const EffectPlan& plan, const StrategyCostOptions& options = {},
                                                const TaskControl& control = {});
 

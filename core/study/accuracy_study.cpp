@@ -18,13 +18,13 @@ constexpr double buildShare = 0.6;
 constexpr std::size_t mostFrames = 3;
 constexpr double enoughSeconds = 1;
 
-/// Renders frames until their time is known; `picture` is one of them.
-double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf, ComparisonPicture& picture,
-                         const TaskControl& stop) {
+/// Renders frames until their time is known, at most `most`; `picture` is one of them.
+double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf, std::size_t most,
+                         ComparisonPicture& picture, const TaskControl& stop) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> frames;
   double total = 0;
-  while (frames.empty() || (frames.size() < mostFrames && total < 1000 * enoughSeconds)) {
+  while (frames.empty() || (frames.size() < most && total < 1000 * enoughSeconds)) {
     const auto start = Clock::now();
     picture = comparison.render(brdf, stop);
     frames.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
@@ -35,20 +35,26 @@ double frameMilliseconds(const RenderedComparison& comparison, const Brdf& brdf,
 
 StudiedRepresentation measure(const Representation& representation, const BuiltRepresentation& built,
                               const TabulatedBrdf& table, const RenderedComparison& comparison,
-                              const TaskControl& stop) {
+                              const StudyOptions& options, const TaskControl& stop) {
   StudiedRepresentation studied{
       .record = {.representation = representation, .bytes = built.bytes, .encodeSeconds = built.encodeSeconds},
       .brdf = built.brdf,
       .picture = {},
-      .tabulated = built.tabulated};
+      .tabulated = built.tabulated,
+      .fit = built.fit};
   StudyRecord& record = studied.record;
-  record.evaluation = measureEvaluation(*built.brdf, stop);
+  if (options.timed) record.evaluation = measureEvaluation(*built.brdf, stop);
   ComparisonPicture picture;
-  record.frameMilliseconds = frameMilliseconds(comparison, *built.brdf, picture, stop);
+  const double milliseconds = frameMilliseconds(comparison, *built.brdf, options.timed ? mostFrames : 1, picture, stop);
+  if (options.timed) record.frameMilliseconds = milliseconds;
   record.renderedSnr = comparison.signalToNoiseRatio(picture);
   studied.picture = std::move(picture.image);
   stop.throwIfStopped();
-  record.errors = metrics::brdfErrors(table, built.nodes ? static_cast<const Brdf&>(*built.nodes) : *built.brdf);
+  const fitting::FitOptions& fit = options.build.fit;
+  record.errors = built.fit
+                      ? built.fit->errors
+                      : metrics::brdfErrors(table, built.nodes ? static_cast<const Brdf&>(*built.nodes) : *built.brdf,
+                                            fit.maxPolarAngle, fit.gamma);
   stop.throwIfStopped();
   return studied;
 }
@@ -67,7 +73,7 @@ std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const R
       const BuiltRepresentation built =
           builder.build(representation, control.between(begin, begin + buildShare * share));
       const StudiedRepresentation studied =
-          measure(representation, built, *subject.table, comparison, {.stop = control.stop, .progress = {}});
+          measure(representation, built, *subject.table, comparison, options, {.stop = control.stop, .progress = {}});
       records.push_back(studied.record);
       if (options.measured) options.measured(studied);
       control.report(begin + share);

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "core/math/image.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 #include "core/study/representation_builder.h"
 #include "core/study/study_record.h"
 
@@ -17,19 +17,23 @@ struct StudiedRepresentation {
   std::shared_ptr<const Brdf> brdf;
   Image picture;  ///< in comparisonScene(), linear RGB
   std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)> tabulated;  ///< see BuiltRepresentation
+  std::optional<fitting::FitResult> fit;                                              ///< see BuiltRepresentation
 };
 
 struct StudyOptions {
   BuildOptions build;
   /// Of the pictures and of the frames that are timed; the lobe is the reference's.
-  SphereRenderOptions picture{.width = 128, .height = 128, .samples = 32, .lobe = {}};
+  RenderOptions picture{.width = 128, .height = 128, .samples = 32, .lobe = {}};
+  /// Whether the times of an evaluation and of a frame are measured; without them one frame is rendered.
+  bool timed = true;
   /// Called after each representation, in their order, on the calling thread.
   std::function<void(const StudiedRepresentation&)> measured = {};
 };
 
 /// Makes representations of one material and measures each: errors by every metric, rendered SNR, bytes, and times of
 /// this machine now (of encoding, of an evaluation, of a frame: the median of three, of fewer where they take more than
-/// a second). Deterministic but for the times. About two seconds a representation on two cores.
+/// a second). Errors leave out the angles that `build.fit` leaves out. Deterministic but for the times. About two
+/// seconds a representation on two cores.
 /// @return a record a representation, in their order. A stop request returns the records that are done; it never
 /// throws Cancelled.
 /// @throws Error as RepresentationBuilder::build.

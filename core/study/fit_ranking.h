@@ -2,13 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <vector>
-
-#include "core/fitting/fit.h"
-#include "core/math/image.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/study/accuracy_study.h"
 
 namespace gonio::study {
 
@@ -25,16 +19,15 @@ struct RankingOptions {
   std::vector<const models::Model*> models;  ///< none: all registered ones, in their order
   /// Of each row; the lobe is the reference's. A quarter of the pixels of `goniotool compare`: the SNR differs by 0.1
   /// dB.
-  SphereRenderOptions picture{.width = 128, .height = 128, .samples = 32, .lobe = {}};
+  RenderOptions picture{.width = 128, .height = 128, .samples = 32, .lobe = {}};
   /// Called after each model, in their order, on the calling thread.
   std::function<void(const RankedFit&)> modelDone = {};
 };
 
-/// Fits models to a table one after the other and renders each; the reference picture is rendered once. Deterministic
+/// The accuracy study (runStudy) of parametric fits alone, without the times of evaluations and frames. Deterministic
 /// for any number of threads. All models together take under 60 s for a MERL table on 2 cores.
-/// @param reference what the pictures are compared with: the table, or the material that it samples.
 /// @return a row a model, in their order. A stop request returns the rows that are done; it never throws Cancelled.
-std::vector<RankedFit> rankFits(const TabulatedBrdf& table, const Brdf& reference, const RankingOptions& options = {},
+std::vector<RankedFit> rankFits(const StudySubject& subject, const RankingOptions& options = {},
                                 const TaskControl& control = {});
 
 /// Best first, by the error of a metric or, with none, by the rendered SNR; what is not a number comes last.

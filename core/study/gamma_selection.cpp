@@ -16,7 +16,7 @@ constexpr int gammaCount = int((metrics::largestGamma - metrics::smallestGamma) 
 }  // namespace
 
 std::vector<GammaTrial> selectGamma(const TabulatedBrdf& table, const Brdf& reference, const models::Model& model,
-                                    const fitting::FitOptions& options, const SphereRenderOptions& picture,
+                                    const fitting::FitOptions& options, const RenderOptions& picture,
                                     const TaskControl& control) {
   std::vector<GammaTrial> trials;
   try {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/fitting/fit.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio::study {
 
@@ -25,7 +25,7 @@ struct GammaTrial {
 std::vector<GammaTrial> selectGamma(
     const TabulatedBrdf& table, const Brdf& reference, const models::Model& model,
     const fitting::FitOptions& options = {},
-    const SphereRenderOptions& picture = {.width = 128, .height = 128, .samples = 32, .lobe = {}},
+    const RenderOptions& picture = {.width = 128, .height = 128, .samples = 32, .lobe = {}},
     const TaskControl& control = {});
 
 }  // namespace gonio::study

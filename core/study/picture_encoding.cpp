@@ -20,7 +20,7 @@ constexpr double upwardShare = 0.7;
 class Search {
  public:
   Search(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
-         const dictionary::EncodeOptions& options, const SphereRenderOptions& picture, const TaskControl& control)
+         const dictionary::EncodeOptions& options, const RenderOptions& picture, const TaskControl& control)
       : encoder_(encoder),
         table_(table),
         renderedSnr_(renderedSnr),
@@ -99,7 +99,7 @@ class Search {
 
 PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
                                   const dictionary::EncodeOptions& options, const TaskControl& control,
-                                  const SphereRenderOptions& picture) {
+                                  const RenderOptions& picture) {
   Search search(encoder, table, renderedSnr, options, picture, control);
   std::vector<PictureEncoding> found = search.run();
   std::vector<dictionary::EncodedCandidate> candidates;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/dictionary/encode.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio::study {
 
@@ -21,6 +21,6 @@ struct PictureEncoding {
 /// @throws Error as Encoder::encode; Cancelled.
 PictureEncoding encodeForPictures(const dictionary::Encoder& encoder, const TabulatedBrdf& table, double renderedSnr,
                                   const dictionary::EncodeOptions& options, const TaskControl& control = {},
-                                  const SphereRenderOptions& picture = {});
+                                  const RenderOptions& picture = {});
 
 }  // namespace gonio::study

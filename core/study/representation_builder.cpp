@@ -8,10 +8,10 @@
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
-#include "core/factorization/rivals/nonparametric.h"
+#include "core/factorization/nonparametric.h"
 #include "core/fitting/fit_parameters.h"
-#include "core/io/code_file.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/code_file.h"
+#include "core/materials/pdv_file.h"
 #include "core/models/registry.h"
 
 namespace gonio::study {
@@ -89,7 +89,8 @@ BuiltRepresentation RepresentationBuilder::fit(const Representation& representat
   return {.brdf = model.instantiate(result.parameters),
           .nodes = nullptr,
           .bytes = fitting::fittedParameterCount(model.spec()) * sizeof(float),
-          .encodeSeconds = result.seconds};
+          .encodeSeconds = result.seconds,
+          .fit = result};
 }
 
 BuiltRepresentation RepresentationBuilder::factors(const Representation& representation, const TaskControl& control) {
@@ -108,22 +109,22 @@ BuiltRepresentation RepresentationBuilder::factors(const Representation& represe
   const PdvFactors factors = all.factors.truncated(terms);
   return {.brdf = makePdvBrdf(factors),
           .nodes = nullptr,
-          .bytes = io::pdvFileBytes(factors),
+          .bytes = materials::pdvFileBytes(factors),
           .encodeSeconds = all.termSeconds[std::size_t(terms)]};
 }
 
 BuiltRepresentation RepresentationBuilder::code(const Representation& representation, const TaskControl& control) {
   if (!encoder_) {
-    if (!options_.dictionary) options_.dictionary = io::bundledDictionary();
+    if (!options_.dictionary) options_.dictionary = materials::bundledDictionary();
     encoder_.emplace(options_.dictionary->ensemble);
     codedTable_ = onGrid(subject_.table, options_.dictionary->ensemble.grid, {.stop = control.stop});
   }
   dictionary::EncodeOptions encoding;
   encoding.coefficients = std::size_t(representation.budget);
   const dictionary::Encoded encoded = encoder_->encode(*codedTable_, encoding, control);
-  const std::vector<std::byte> file = io::encodeCode(encoded.code, options_.dictionary->id);
+  const std::vector<std::byte> file = materials::encodeCode(encoded.code, options_.dictionary->id);
   // Of what the file holds: with the values as they are rounded.
-  const dictionary::SparseCode stored = io::readCode(io::MemorySource(file)).code;
+  const dictionary::SparseCode stored = materials::readCode(io::MemorySource(file)).code;
   const dictionary::Ensemble& ensemble = options_.dictionary->ensemble;
   const bool sameNodes = subject_.table->grid() == ensemble.grid;
   BuiltRepresentation built{.brdf = dictionary::makeCodeBrdf(ensemble, stored),

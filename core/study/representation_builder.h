@@ -12,7 +12,7 @@
 #include "core/dictionary/principal_components.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_data.h"
-#include "core/io/dictionary_file.h"
+#include "core/materials/dictionary_file.h"
 #include "core/study/representation.h"
 
 namespace gonio::study {
@@ -27,7 +27,7 @@ struct StudySubject {
 /// What representations are made by.
 struct BuildOptions {
   fitting::FitOptions fit;
-  std::shared_ptr<const io::NamedEnsemble> dictionary;                     ///< null: the bundled one
+  std::shared_ptr<const materials::NamedEnsemble> dictionary;              ///< null: the bundled one
   std::shared_ptr<const dictionary::PrincipalComponents> components = {};  ///< of some training set; null: none
 };
 
@@ -40,6 +40,7 @@ struct BuiltRepresentation {
   /// Its values at the nodes of the subject's table, computed when they are asked for (a code is decoded in under 50
   /// ms, other things are sampled). From any thread, also when the builder is gone. @throws Cancelled.
   std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)> tabulated = {};
+  std::optional<fitting::FitResult> fit = {};  ///< of a fit
 };
 
 /// Makes representations of one material. What several budgets share is computed once: factors are nested; fits share

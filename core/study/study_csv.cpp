@@ -3,7 +3,7 @@
 #include "core/study/study_csv.h"
 
 #include "core/metrics/brdf_metric.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio::study {
 

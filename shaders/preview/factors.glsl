@@ -1,50 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// Twin of core/factorization/pdv_brdf.cpp: a reflectance straight from its factor curves, read from a small buffer that
-// widgets/preview/factor_texture.h fills: rgb by place, set, term, axis, the last fastest, so that all terms at a place
-// lie side by side. FACTOR_TERMS and FACTOR_AXES (2: F1 F2, 3: and F3) are set by the renderer.
+// Twin of core/factorization/pdv_brdf.cpp: BRDF values straight from factor curves, read from a small buffer that
+// widgets/preview/gl/factor_texture.h fills, one edit behind the other: rgb by place, set, term, axis, the last fastest,
+// so that all terms at a place lie side by side. `terms` and `axes` (2: F1 F2, 3: and F3) are constants of the step that
+// calls.
+//   FACTOR_EDITS  how many edits
 #include "preview/data_transform.glsl"
 
 uniform samplerBuffer factorCurves;
 uniform int factorPlaceCount;
-const int factorStride = 2 * FACTOR_TERMS * FACTOR_AXES;
-uniform vec3 factorEnds;           // of theta_R, |Dp|, |phi|
-uniform float factorHighest[2];    // edited, original
-uniform int factorTransform[2];    // DataTransform
+uniform int factorFirst[FACTOR_EDITS];          // texel of each edit
+uniform vec3 factorEnds[FACTOR_EDITS];          // of theta_R, |Dp|, |phi|
+uniform float factorHighest[2 * FACTOR_EDITS];  // edited, original
+uniform int factorTransform[2 * FACTOR_EDITS];  // DataTransform
 
 // The places are even in theta_R, in the root of |Dp| and in |phi|.
-vec3 factorPlaces(vec3 wi, vec3 wo) {
+vec3 factorPlaces(vec3 wi, vec3 wo, int edit, int axes) {
   float sinR = length(wo.xy);
   vec2 o = sinR > 0.0 ? wo.xy / sinR : vec2(1.0, 0.0);
   vec2 deviation = vec2(dot(o, wi.xy) + sinR, o.x * wi.y - o.y * wi.x);
   vec3 at = vec3(acuteAngle(sinR, wo.z), length(deviation), 0.0);
-#if FACTOR_AXES == 3
-  float acute = acuteAngle(abs(deviation.y), abs(deviation.x));
-  at.z = deviation.x < 0.0 ? pi - acute : acute;
-#endif
-  vec3 share = clamp(at / factorEnds, 0.0, 1.0);
+  if (axes == 3) {
+    float acute = acuteAngle(abs(deviation.y), abs(deviation.x));
+    at.z = deviation.x < 0.0 ? pi - acute : acute;
+  }
+  vec3 share = clamp(at / factorEnds[edit], 0.0, 1.0);
   share.y = sqrt(share.y);
   return share * float(factorPlaceCount - 1);
 }
 
 // By hand: drivers filter with weights of a few bits.
-vec3 factorCurve(int at, float share) {
-  return mix(texelFetch(factorCurves, at).rgb, texelFetch(factorCurves, at + factorStride).rgb, share);
+vec3 factorCurve(int at, int stride, float share) {
+  return mix(texelFetch(factorCurves, at).rgb, texelFetch(factorCurves, at + stride).rgb, share);
 }
 
 // Linear RGB in 1/sr of the edited (0) or the original (1) curves at factorPlaces().
-vec3 evaluateFactors(vec3 places, float cosines, int set) {
+vec3 evaluateFactors(vec3 places, float cosines, int edit, int set, int terms, int axes) {
+  int stride = 2 * terms * axes;
   vec3 sum = vec3(0.0);
   vec3 before = min(floor(places), float(factorPlaceCount - 2));
-  ivec3 at = ivec3(before) * factorStride + set * FACTOR_TERMS * FACTOR_AXES;
+  ivec3 at = factorFirst[edit] + ivec3(before) * stride + set * terms * axes;
   vec3 share = places - before;
-  for (int term = 0; term < FACTOR_TERMS; ++term) {
-    vec3 product = factorCurve(at.x, share.x) * factorCurve(at.y + 1, share.y);
-#if FACTOR_AXES == 3
-    product *= factorCurve(at.z + 2, share.z);
-#endif
-    at += FACTOR_AXES;
+  for (int term = 0; term < terms; ++term) {
+    vec3 product = factorCurve(at.x, stride, share.x) * factorCurve(at.y + 1, stride, share.y);
+    if (axes == 3) product *= factorCurve(at.z + 2, stride, share.z);
+    at += axes;
     sum += product;
   }
-  return inverseTransformed(factorTransform[set], clamp(sum, vec3(0.0), vec3(factorHighest[set])), cosines);
+  int curves = 2 * edit + set;
+  return inverseTransformed(factorTransform[curves], clamp(sum, vec3(0.0), vec3(factorHighest[curves])), cosines);
+}
+
+// BRDF values with an edit of the curves: by their difference (the detail kept), or the curves in their place.
+vec3 editedByFactors(vec3 value, vec3 wi, vec3 wo, int edit, int terms, int axes, bool keepDetail, float strength) {
+  vec3 places = factorPlaces(wi, wo, edit, axes);
+  float cosines = wi.z * wo.z;
+  vec3 edited = evaluateFactors(places, cosines, edit, 0, terms, axes);
+  vec3 from = value;
+  if (keepDetail) from = evaluateFactors(places, cosines, edit, 1, terms, axes);
+  return max(vec3(0.0), value + strength * (edited - from));
 }

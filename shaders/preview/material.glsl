@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// What is looked at: a measured table with or without its edits, a model alone, or a blend. The definitions are told in
+// What is looked at: a measured table with or without edits, a model alone, or a blend. The definitions are listed in
 // preview/scene.frag.
 // A file is put where it is first included: what several variants share comes before what only one has.
 #include "half_difference.glsl"
@@ -11,20 +11,18 @@
 #ifdef BLEND_TABLES
 #include "preview/blend.glsl"
 #endif
-#ifdef EDIT_FACTORS
+#ifdef FACTOR_EDITS
 #include "preview/factors.glsl"
-#endif
-
-#ifdef EDIT_MODEL
-uniform vec3 editedParameters[MODEL_PARAMETERS];
-uniform vec3 fittedParameters[MODEL_PARAMETERS];
-uniform float editStrength;
-#endif
-#ifdef EDIT_FACTORS
-uniform float factorStrength;
 #endif
 #ifdef MODEL_ALONE
 uniform vec3 modelParameters[MODEL_PARAMETERS];
+#endif
+
+// The steps that widgets/preview/gl/edit_chain puts together, each with the clamp of editing::applyEdits().
+#ifdef EDIT_STEPS
+EDIT_UNIFORMS
+#define MODEL_STEP(model, edited, fitted, strength) value = max(vec3(0.0), value + strength * (model(wi, wo, edited) - model(wi, wo, fitted)));
+#define FACTOR_STEP(edit, terms, axes, keepDetail, strength) value = editedByFactors(value, wi, wo, edit, terms, axes, keepDetail, strength);
 #endif
 
 vec3 evaluateBrdf(vec3 wi, vec3 wo) {
@@ -36,23 +34,9 @@ vec3 evaluateBrdf(vec3 wi, vec3 wo) {
 #else
   bool valid;
   vec3 value = evaluateTable(wi, wo, valid);
-#ifdef EDIT_FACTORS
+#ifdef EDIT_STEPS
   if (valid) {
-    vec3 places = factorPlaces(wi, wo);
-    float cosines = wi.z * wo.z;
-    vec3 edited = evaluateFactors(places, cosines, 0);
-#ifdef KEEP_DETAIL
-    vec3 from = evaluateFactors(places, cosines, 1);
-#else
-    vec3 from = value;
-#endif
-    value = max(vec3(0.0), value + factorStrength * (edited - from));
-  }
-#endif
-#ifdef EDIT_MODEL
-  if (valid) {
-    vec3 change = EVALUATE_MODEL(wi, wo, editedParameters) - EVALUATE_MODEL(wi, wo, fittedParameters);
-    value = max(vec3(0.0), value + editStrength * change);
+    EDIT_STEPS
   }
 #endif
   return value;

@@ -14,8 +14,8 @@
 //   SHOW_LAMPS           the camera sees their fronts
 //   SHADOWS              some object may stand in the light of another
 //   INTERREFLECTION      light is followed over `reflections` of them (else one)
-//   EDIT_MODEL           measured + strength (model(edited) - model(fitted)), with EVALUATE_MODEL and MODEL_PARAMETERS
-//   EDIT_FACTORS         the table changed by its factor curves, before EDIT_MODEL; KEEP_DETAIL: by their difference
+//   EDIT_STEPS           the edits of the table in their order, with EDIT_UNIFORMS (widgets/preview/gl/edit_chain)
+//   FACTOR_EDITS         how many of them are of factor curves (preview/factors.glsl)
 //   MODEL_ALONE          the model and no table, with EVALUATE_MODEL and MODEL_PARAMETERS
 //   BLEND_TABLES         several tables mixed (preview/blend.glsl), and nothing else
 #include "math.glsl"

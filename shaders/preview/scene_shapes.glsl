@@ -12,7 +12,7 @@ uniform vec3 rectangleSides[2 * RECTANGLES];  // half sides u, v
 #endif
 // Reflectance of a Lambertian object, or radiance of one that emits; in w what it is.
 uniform vec4 objectColours[OBJECTS];
-const float lookedAt = 0.0, diffuse = 1.0, emitting = 2.0;
+const float materialSlot = 0.0, diffuse = 1.0, emitting = 2.0;
 
 const float never = 3.0e38;
 const float nearest = 1e-4;  // nothing counts that lies closer to a ray's start

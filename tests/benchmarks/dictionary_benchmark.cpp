@@ -5,7 +5,7 @@
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/dictionary/encode.h"
-#include "core/io/dictionary_file.h"
+#include "core/materials/dictionary_file.h"
 #include "tests/benchmarks/materials.h"
 
 /// Sparse codes over the bundled dictionary. Floors to compare with: projectTable for encodeMaterial (which needs about
@@ -15,7 +15,7 @@ namespace {
 using namespace gonio;
 using namespace gonio::dictionary;
 
-const Ensemble& bundled() { return io::bundledDictionary()->ensemble; }
+const Ensemble& bundled() { return materials::bundledDictionary()->ensemble; }
 
 SparseCode plasticCode(std::size_t coefficients) {
   static const SparseCode code = Encoder(bundled()).encode(*benchmarks::plasticTable(), {.coefficients = 1024}).code;

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/fitting/fit.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 
 using namespace gonio;
 
@@ -11,7 +11,7 @@ namespace {
 
 /// A full table that none of the models but SGD explains, and SGD must search for.
 std::shared_ptr<const TabulatedBrdf> table() {
-  static const auto baked = io::readMaterial("library:sgd/alum-bronze").tabulated();
+  static const auto baked = materials::readMaterial("library:sgd/alum-bronze").tabulated();
   return baked;
 }
 

@@ -66,11 +66,10 @@ class TimedApplication : public QApplication {
 };
 
 PreviewSubject modelAlone(const char* id, double roughness) {
-  PreviewSubject subject{.table = nullptr, .lobe = {}};
-  subject.model = &models::findModel(id);
-  subject.parameters = models::defaultParameters(subject.model->spec());
-  if (const auto place = subject.model->spec().find("roughness")) subject.parameters.values[*place] = Rgb(roughness);
-  return subject;
+  const models::Model& model = models::findModel(id);
+  widgets::ModelAlone shown{&model, models::defaultParameters(model.spec())};
+  if (const auto place = model.spec().find("roughness")) shown.parameters.values[*place] = Rgb(roughness);
+  return {shown};
 }
 
 class Session {
@@ -102,7 +101,7 @@ class Session {
     const Scene spheres = openScene("two-spheres"), bowl = openScene("bowl");
     measure("another scene (new shader)", [&](int) { preview_.showScene(spheres); });
     measure("orbit", orbit, 60);
-    preview_.setOther({.table = table, .lobe = lobe}, "Other");
+    preview_.setOther(widgets::tableSubject(table, lobe), "Other");
     for (const auto& [mode, name] : {std::pair{CompareMode::split, "compare: split"},
                                      {CompareMode::difference, "compare: difference"},
                                      {CompareMode::twoUp, "compare: side by side"},

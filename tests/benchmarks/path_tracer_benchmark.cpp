@@ -15,9 +15,9 @@ namespace {
 constexpr int size = 64, samples = 8;
 
 PathTracer tracerOf(const Scene& scene, const EffectOverrides& overrides) {
-  static const auto plastic = std::make_shared<const TracedMaterial>(benchmarks::plastic());
-  const std::vector<std::shared_ptr<const TracedMaterial>> lookedAt(2, plastic);
-  const auto materials = bindMaterials(scene, lookedAt);
+  static const auto plastic = std::make_shared<const RenderMaterial>(benchmarks::plastic());
+  const std::vector<std::shared_ptr<const RenderMaterial>> slotMaterials(2, plastic);
+  const auto materials = bindMaterials(scene, slotMaterials);
   return PathTracer(scene, materials, planEffects(scene, materials, overrides));
 }
 

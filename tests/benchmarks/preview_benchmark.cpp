@@ -8,8 +8,8 @@
 
 #include "core/dictionary/decode.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/io/dictionary_file.h"
-#include "core/io/measured_library.h"
+#include "core/materials/dictionary_file.h"
+#include "core/materials/measured_library.h"
 #include "core/models/model.h"
 #include "core/rendering/scene_file.h"
 #include "tests/support/sphere_preview.h"
@@ -32,6 +32,9 @@ class PreviewFixture {
 
   widgets::PreviewRenderer renderer;
   editing::DifferentialEdit edit;
+  std::shared_ptr<const TabulatedBrdf> table;
+
+  void show(const editing::EditList& edits = {}) { renderer.setSubject({widgets::EditedTable{table, edits}, lobe_}); }
 
  private:
   PreviewFixture() : application_(argumentCount_, arguments_) {
@@ -41,8 +44,9 @@ class PreviewFixture {
     const models::Model& model = models::findModel("ggx");
     edit.model = &model;
     edit.fitted = models::defaultParameters(model.spec());
-    const auto table = bakeTable(*model.instantiate(edit.fitted));
-    renderer.setTable(table, estimateSamplingLobe(*table));
+    table = bakeTable(*model.instantiate(edit.fitted));
+    lobe_ = estimateSamplingLobe(*table);
+    show();
     renderer.setSize({512, 512});
   }
 
@@ -51,14 +55,13 @@ class PreviewFixture {
   char* arguments_[2] = {name_, nullptr};
   QGuiApplication application_;
   std::unique_ptr<tests::OffscreenContext> context_;
+  SamplingLobe lobe_;
 };
 
 void runFrames(benchmark::State& state, bool environment, bool edited) {
   PreviewFixture& fixture = PreviewFixture::instance();
-  SphereScene scene;
-  if (environment) scene.environment = studioEnvironment();
-  tests::showSphere(fixture.renderer, scene);
-  fixture.renderer.setEdit({});
+  tests::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
+  fixture.show();
   const auto roughness = *fixture.edit.model->spec().find("roughness");
   double value = 0.1;
   for (auto _ : state) {
@@ -66,7 +69,7 @@ void runFrames(benchmark::State& state, bool environment, bool edited) {
       value = value < 0.9 ? value + 0.01 : 0.1;
       fixture.edit.edited = fixture.edit.fitted;
       fixture.edit.edited.values[roughness] = Rgb(value);
-      fixture.renderer.setEdit(fixture.edit);
+      fixture.show({{fixture.edit}});
     }
     fixture.renderer.restart();
     fixture.renderer.accumulate(int(state.range(0)));
@@ -81,24 +84,21 @@ void environmentSliderStep(benchmark::State& state) { runFrames(state, true, tru
 /// The drag of a factor curve: new curves, their texels, the first frame.
 void runFactorDrag(benchmark::State& state, bool environment) {
   PreviewFixture& fixture = PreviewFixture::instance();
-  static const auto table = bakeTable(*fixture.edit.model->instantiate(fixture.edit.fitted));
-  const auto factors =
-      factorization::factorizePdv(*table, {.form = factorization::PdvForm::twoFactors, .terms = int(state.range(0))})
-          .factors;
-  SphereScene scene;
-  if (environment) scene.environment = studioEnvironment();
-  tests::showSphere(fixture.renderer, scene);
-  fixture.renderer.setEdit({});
+  const auto factors = factorization::factorizePdv(
+                           *fixture.table, {.form = factorization::PdvForm::twoFactors, .terms = int(state.range(0))})
+                           .factors;
+  tests::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
+  fixture.show();
   editing::FactorEdit edit{.original = std::make_shared<const factorization::PdvFactors>(factors), .edited = {}};
   double factor = 1;
   for (auto _ : state) {
     factor = factor < 4 ? factor * 1.1 : 1.1;
     edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, factor));
-    fixture.renderer.setFactors(edit);
+    fixture.show({{edit}});
     fixture.renderer.restart();
     fixture.renderer.accumulate(1);
   }
-  fixture.renderer.setFactors({});
+  fixture.show();
 }
 void directionalFactorDrag(benchmark::State& state) { runFactorDrag(state, false); }
 void environmentFactorDrag(benchmark::State& state) { runFactorDrag(state, true); }
@@ -118,9 +118,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
   }();
   const auto count = std::size_t(state.range(0));
   const auto blend = widgets::prepareBlend(space, {materials.begin(), materials.begin() + std::ptrdiff_t(count)});
-  SphereScene scene;
-  if (environment) scene.environment = studioEnvironment();
-  tests::showSphere(fixture.renderer, scene);
+  tests::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   const SamplingLobe lobe = fixture.renderer.subject().lobe;
   std::vector<double> weights(count);
   // Textures and shaders are there when the hand begins.
@@ -137,7 +135,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
     fixture.renderer.setSubject(subject);
     fixture.renderer.accumulate(1);
   }
-  fixture.renderer.setSubject({.table = materials[0].table, .lobe = lobe});
+  fixture.renderer.setSubject(widgets::tableSubject(materials[0].table, lobe));
 }
 void directionalLinearBlend(benchmark::State& state) {
   runBlendDrag(state, false, editing::InterpolationSpace::linear);
@@ -156,15 +154,16 @@ void environmentFactorBlend(benchmark::State& state) {
 /// A code into the texture that the preview samples: on the card, or on the CPU and uploaded. Both of the same code of
 /// the library, with so many coefficients a channel; until the card is done.
 struct CodeFixture : QOpenGLFunctions_4_1_Core {
-  std::shared_ptr<const io::NamedEnsemble> bundled = io::bundledDictionary();
+  std::shared_ptr<const materials::NamedEnsemble> bundled = materials::bundledDictionary();
   dictionary::SparseCode code;
   GLuint texture = 0;
 
   explicit CodeFixture(std::size_t coefficients) {
     PreviewFixture::instance();
     initializeOpenGLFunctions();
-    for (const io::MeasuredMaterial& material : io::measuredMaterials())
-      if (material.name == "cc_ibiza_sunset") code = io::measuredMaterial(material).code->truncated(coefficients);
+    for (const materials::MeasuredMaterial& material : materials::measuredMaterials())
+      if (material.name == "cc_ibiza_sunset")
+        code = materials::measuredMaterial(material).code->truncated(coefficients);
     dictionary::GridGeometry::of(code.grid);
   }
   ~CodeFixture() { glDeleteTextures(1, &texture); }
@@ -258,7 +257,7 @@ BENCHMARK(environmentSliderStep)
 void sceneFrame(benchmark::State& state, const std::string& name) {
   PreviewFixture& fixture = PreviewFixture::instance();
   const Scene scene = openScene(name, 3);
-  fixture.renderer.setEdit({});
+  fixture.show();
   fixture.renderer.setScene(scene, widgets::previewPlan(scene, diffuseMaterial(Rgb(0.5))));
   fixture.renderer.accumulate(1);  // compiles the shader and uploads the environment
   for (auto _ : state) {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "tests/benchmarks/materials.h"
 
 using namespace gonio;
@@ -15,7 +15,7 @@ namespace {
 const std::filesystem::path& merlFile() {
   struct File {
     std::filesystem::path path = std::filesystem::temp_directory_path() / "gonio_benchmark.binary";
-    File() { io::writeMerl(*benchmarks::plasticTable(), path); }
+    File() { materials::writeMaterial(*benchmarks::plasticTable(), path); }
     ~File() {
       std::error_code ignored;
       std::filesystem::remove(path, ignored);
@@ -33,17 +33,17 @@ BENCHMARK(readPlainBaseline)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// With conversion, validation and SHA-256. To stay within 3 times the baseline.
 void readMerl(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(io::readMaterial(merlFile()));
+  for (auto _ : state) benchmark::DoNotOptimize(materials::readMaterial(merlFile()));
 }
 BENCHMARK(readMerl)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void writeMerl(benchmark::State& state) {
-  for (auto _ : state) io::writeMerl(*benchmarks::plasticTable(), merlFile());
+  for (auto _ : state) materials::writeMaterial(*benchmarks::plasticTable(), merlFile());
 }
 BENCHMARK(writeMerl)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void bakeLibraryMaterial(benchmark::State& state) {
-  const io::Material material = io::readMaterial("library:sgd/chrome");
+  const materials::Material material = materials::readMaterial("library:sgd/chrome");
   for (auto _ : state) benchmark::DoNotOptimize(material.tabulated());
 }
 BENCHMARK(bakeLibraryMaterial)->Unit(benchmark::kMillisecond)->UseRealTime();

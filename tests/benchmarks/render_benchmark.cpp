@@ -2,36 +2,49 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <benchmark/benchmark.h>
 
-#include "core/rendering/sphere_renderer.h"
+#include "core/editing/differential_edit.h"
+#include "core/rendering/render_picture.h"
 #include "tests/benchmarks/materials.h"
 
 using namespace gonio;
 
 namespace {
 
-const SphereRenderOptions thumbnail = [] {
-  SphereRenderOptions options;
-  options.width = options.height = 128;
-  options.samples = 64;
-  return options;
-}();
+enum class Kind { model, table, edited };
 
-void renderSphereModel(benchmark::State& state) {
-  const auto brdf = benchmarks::plastic();
-  for (auto _ : state) benchmark::DoNotOptimize(renderSphere(*brdf, comparisonScene(), thumbnail));
+std::shared_ptr<const Brdf> materialOf(Kind kind) {
+  if (kind == Kind::model) return benchmarks::plastic();
+  if (kind == Kind::table) return benchmarks::plasticTable();
+  const models::ModelSpec& spec = models::ggx().spec();
+  editing::DifferentialEdit edit{
+      .model = &models::ggx(), .fitted = models::defaultParameters(spec), .edited = models::defaultParameters(spec)};
+  edit.edited.values[*spec.find("diffuse")] = Rgb(0.05, 0.3, 0.4);
+  return editing::applyEdits(benchmarks::plasticTable(), std::span(&edit, 1));
 }
-BENCHMARK(renderSphereModel)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-void renderSphereTable(benchmark::State& state) {
-  const auto table = benchmarks::plasticTable();
-  for (auto _ : state) benchmark::DoNotOptimize(renderSphere(*table, comparisonScene(), thumbnail));
+/// The lone sphere of previews, thumbnails and rendered SNRs.
+void renderSphere(benchmark::State& state, Kind kind, bool inStudio) {
+  const auto brdf = materialOf(kind);
+  const Scene scene = sphereScene(inStudio ? studioEnvironment() : nullptr);
+  const RenderOptions options{.width = 128, .height = 128, .samples = 64, .lobe = {}};
+  for (auto _ : state) benchmark::DoNotOptimize(renderPicture(*brdf, scene, options));
 }
-BENCHMARK(renderSphereTable)->Unit(benchmark::kMillisecond)->UseRealTime();
+void inStudio(benchmark::State& state, Kind kind) { renderSphere(state, kind, true); }
+void inDistantLight(benchmark::State& state, Kind kind) { renderSphere(state, kind, false); }
 
-void renderSphereDirectional(benchmark::State& state) {
-  const auto table = benchmarks::plasticTable();
-  for (auto _ : state) benchmark::DoNotOptimize(renderSphere(*table, SphereScene{}, thumbnail));
-}
-BENCHMARK(renderSphereDirectional)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(inStudio, model, Kind::model)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(inStudio, table, Kind::table)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(inStudio, edited, Kind::edited)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(inDistantLight, model, Kind::model)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(inDistantLight, table, Kind::table)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 }  // namespace

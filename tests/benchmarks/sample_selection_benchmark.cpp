@@ -11,8 +11,9 @@
 #include <numeric>
 
 #include "core/acquisition/sample_selection.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "tests/benchmarks/materials.h"
+#include "tests/core/acquisition/selection_test_support.h"
 
 /// Choosing the directions of a measurement over principal components of 137 materials, 1.1 million cells. The
 /// materials are the .binary files below the folder that the environment names in GONIO_BENCHMARK_MATERIALS, else
@@ -66,7 +67,7 @@ struct Training {
         materials,
         [&](std::size_t i) {
           const auto begin = Clock::now();
-          auto table = files.empty() ? syntheticMaterial(i) : io::readMaterial(files[i]).table;
+          auto table = files.empty() ? syntheticMaterial(i) : materials::readMaterial(files[i]).table;
           readSeconds += std::chrono::duration<double>(Clock::now() - begin).count();
           return table;
         },
@@ -115,7 +116,7 @@ void select(benchmark::State& state, SelectionMethod method) {
 std::vector<std::uint32_t> plainSelection(const dictionary::PrincipalComponents& basis, Eigen::Index count,
                                           Eigen::Index signals) {
   constexpr Eigen::Index block = 1024;
-  const std::vector<std::uint32_t> cells = measurableCells(basis, {});
+  const std::vector<std::uint32_t> cells = test::measurableCells(basis, {});
   Eigen::MatrixXd atoms(count, Eigen::Index(cells.size()));
   for (Eigen::Index i = 0, row = 0; i < atoms.cols(); ++i, ++row) {
     while (basis.mapping.cells[std::size_t(row)] != cells[std::size_t(i)]) ++row;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/io/basis_file.h"
-#include "core/io/code_file.h"
+#include "core/materials/basis_file.h"
+#include "core/materials/code_file.h"
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/smooth_materials.h"
 
@@ -51,7 +51,7 @@ inline Bytes codeSeed() {
                               .channels = {}};
   for (dictionary::ChannelCode& channel : code.channels)
     channel = {.dictionary = 1, .coefficients = {{7, 3.0f}, {59, -1.5f}, {0, 0.25f}}, .highest = 4};
-  return io::encodeCode(code, 1234);
+  return materials::encodeCode(code, 1234);
 }
 
 /// Two dictionaries of unit matrices over a grid of 2 x 3 x 2.
@@ -67,7 +67,7 @@ inline Bytes dictionarySeed() {
     }
   }
   const auto path = test::outputPath("fuzz/seed.dictionary");
-  io::writeDictionary(ensemble, path);
+  materials::writeDictionary(ensemble, path);
   return test::readFile(path);
 }
 
@@ -90,7 +90,7 @@ inline Bytes spectraSeed() {
 inline Bytes basisSeed() {
   const auto basis =
       testing::learnFrom(testing::smoothMaterials(2, {.thetaHCount = 3, .thetaDCount = 2, .phiDCount = 2}));
-  return io::encodeBasis(basis, 2, {"one", "two"});
+  return materials::encodeBasis(basis, 2, {"one", "two"});
 }
 
 /// Names of the rows, a byte 0, then a table of two rows.

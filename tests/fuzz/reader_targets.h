@@ -9,17 +9,17 @@
 
 #include "core/editing/edit_document.h"
 #include "core/geometry/mesh_intersector.h"
-#include "core/io/basis_file.h"
-#include "core/io/code_file.h"
 #include "core/io/image_io.h"
-#include "core/io/material.h"
-#include "core/io/npf_file.h"
 #include "core/io/obj_file.h"
-#include "core/io/pdv_file.h"
-#include "core/io/plan_file.h"
-#include "core/io/values_file.h"
+#include "core/materials/basis_file.h"
+#include "core/materials/code_file.h"
+#include "core/materials/material.h"
+#include "core/materials/pdv_file.h"
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
 #include "core/rendering/effect_plan.h"
 #include "core/rendering/scene_file.h"
+#include "tests/studies/research/baselines/npf_file.h"
 
 /// What is done with bytes that nobody vouches for. Each reads and uses the result; every outcome but a result that
 /// keeps its promises and a gonio::Error is a bug. Shared by the mutation test and the libFuzzer programs.
@@ -37,14 +37,14 @@ inline void checkValues(const Brdf& brdf) {
 
 /// @throws std::logic_error where a promise is broken; Error where the bytes are refused.
 inline void readMaterialBytes(std::span<const std::byte> bytes) {
-  const io::Material material = io::readMaterial(io::MemorySource(bytes));
+  const materials::Material material = materials::readMaterial(io::MemorySource(bytes));
   checkValues(*material.brdf);
   if (material.table && material.table->values().size() != material.table->grid().size())
     throw std::logic_error("a table of another size than its grid");
 }
 
 inline void readPdvBytes(std::span<const std::byte> bytes) {
-  checkValues(*factorization::makePdvBrdf(io::readPdv(io::MemorySource(bytes))));
+  checkValues(*factorization::makePdvBrdf(materials::readPdv(io::MemorySource(bytes))));
 }
 
 /// The names of the rows end at the first byte 0.
@@ -52,19 +52,20 @@ inline void readNpfBytes(std::span<const std::byte> bytes) {
   const auto end = std::find(bytes.begin(), bytes.end(), std::byte(0));
   const std::string_view names(reinterpret_cast<const char*>(bytes.data()), std::size_t(end - bytes.begin()));
   const auto table = bytes.subspan(std::min(names.size() + 1, bytes.size()));
-  for (const auto& [name, factors] : io::readNpf(io::MemorySource(table), names).materials)
+  for (const auto& [name, factors] : factorization::readNpf(io::MemorySource(table), names).materials)
     checkValues(*factorization::makeNonparametricBrdf(factors));
 }
 
 /// What was read packs and unpacks again.
 inline void readCodeBytes(std::span<const std::byte> bytes) {
-  const io::CodeFile file = io::readCode(io::MemorySource(bytes));
-  const auto again = io::readCode(io::MemorySource(io::encodeCode(file.code, file.dictionaryId, file.precision)));
+  const materials::CodeFile file = materials::readCode(io::MemorySource(bytes));
+  const auto again =
+      materials::readCode(io::MemorySource(materials::encodeCode(file.code, file.dictionaryId, file.precision)));
   if (again.code.coefficients() != file.code.coefficients()) throw std::logic_error("a code that is lost in its file");
 }
 
 inline void readDictionaryBytes(std::span<const std::byte> bytes) {
-  const auto dictionary = io::readDictionary(io::MemorySource(bytes));
+  const auto dictionary = materials::readDictionary(io::MemorySource(bytes));
   if (!(dictionary::orthonormalityError(dictionary->ensemble) < 1e-10))
     throw std::logic_error("a dictionary that is not orthonormal");
 }
@@ -75,8 +76,8 @@ inline std::string_view textOf(std::span<const std::byte> bytes) {
 
 /// What was read stands above the horizon and is the same when it is written and read again, to its six decimals.
 inline void readPlanBytes(std::span<const std::byte> bytes) {
-  const acquisition::SamplingPlan plan = io::parsePlan(textOf(bytes));
-  const acquisition::SamplingPlan again = io::parsePlan(io::planCsv(plan));
+  const acquisition::SamplingPlan plan = materials::parsePlan(textOf(bytes));
+  const acquisition::SamplingPlan again = materials::parsePlan(materials::planCsv(plan));
   for (std::size_t i = 0; i < plan.samples.size(); ++i) {
     const DirectionPair &pair = plan.samples[i].directions, &other = again.samples[i].directions;
     if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) throw std::logic_error("a direction below the horizon");
@@ -88,7 +89,7 @@ inline void readPlanBytes(std::span<const std::byte> bytes) {
 inline void readValuesBytes(std::span<const std::byte> bytes) {
   acquisition::SamplingPlan plan;
   for (const int index : {1, 2, 3}) plan.samples.push_back({index, {}, index});
-  const acquisition::MeasuredValues values = io::parseValues(textOf(bytes), plan);
+  const acquisition::MeasuredValues values = materials::parseValues(textOf(bytes), plan);
   if (values.rgb.size() != 3 || (!values.noise.empty() && values.noise.size() != 3))
     throw std::logic_error("not one value a sample");
   for (const auto* list : {&values.rgb, &values.noise})
@@ -99,7 +100,7 @@ inline void readValuesBytes(std::span<const std::byte> bytes) {
 
 /// What was read decodes.
 inline void readBasisBytes(std::span<const std::byte> bytes) {
-  const auto basis = io::readBasis(io::MemorySource(bytes));
+  const auto basis = materials::readBasis(io::MemorySource(bytes));
   dictionary::ComponentCode code;
   for (Eigen::VectorXf& channel : code.channels) channel.setOnes(basis->components.count());
   checkValues(*dictionary::decode(basis->components, code));
@@ -127,10 +128,10 @@ inline void readImageBytes(std::span<const std::byte> bytes) {
 inline void readDocumentBytes(std::span<const std::byte> bytes) {
   const auto document = editing::documentFromText(std::string(textOf(bytes)));
   for (const editing::Edit& edit : document.edits) {
-    if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit))
+    if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit.content))
       differential->model->instantiate(differential->edited);
     else
-      factorization::makePdvBrdf(*std::get<editing::FactorEdit>(edit).edited);
+      factorization::makePdvBrdf(*std::get<editing::FactorEdit>(edit.content).edited);
   }
   editing::toJson(document).dump();
 }
@@ -138,7 +139,7 @@ inline void readDocumentBytes(std::span<const std::byte> bytes) {
 /// What was read can be planned. Files that the text names are not opened.
 inline void readSceneBytes(std::span<const std::byte> bytes) {
   const Scene scene = parseScene(std::string(textOf(bytes)), 2);
-  const std::vector<std::shared_ptr<const TracedMaterial>> grey(2, diffuseMaterial(Rgb(0.5)));
+  const std::vector<std::shared_ptr<const RenderMaterial>> grey(2, diffuseMaterial(Rgb(0.5)));
   const EffectPlan plan = planEffects(scene, bindMaterials(scene, grey));
   if (plan.reflections < 0 || !(plan.remainder >= 0) || !(scene.camera.distance > 0))
     throw std::logic_error("a scene without a plan");

@@ -18,15 +18,15 @@
 #include <optional>
 #include <set>
 
-#include "core/acquisition/factor_measurement.h"
 #include "core/acquisition/reconstruction.h"
 #include "core/acquisition/sample_selection.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/rendering/rendered_comparison.h"
 #include "core/support/error.h"
 #include "tests/studies/acquisition_records.h"
 #include "tests/studies/comparison_judge.h"
+#include "tests/studies/research/acquisition/factor_measurement.h"
 #include "tests/studies/study_files.h"
 #include "tests/studies/study_main.h"
 
@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int folds = 10;
-constexpr SphereRenderOptions picture{.width = 128, .height = 128, .samples = 16};
+constexpr RenderOptions picture{.width = 128, .height = 128, .samples = 16};
 
 struct Selection {
   const char* id;
@@ -122,7 +122,7 @@ class HeldOut {
   explicit HeldOut(const fs::path& file)
       : name_(materialName(file)),
         collection_(collectionOf(file)),
-        table_(io::readMaterial(file).tabulated()),
+        table_(materials::readMaterial(file).tabulated()),
         comparison_(*table_, picture) {}
 
   const TabulatedBrdf& table() const { return *table_; }
@@ -193,8 +193,9 @@ class Trial {
 
   const dictionary::PrincipalComponents& basis() {
     if (!basis_)
-      basis_ = dictionary::learnPrincipalComponents(
-          training_.size(), [&](std::size_t material) { return io::readMaterial(training_[material]).tabulated(); });
+      basis_ = dictionary::learnPrincipalComponents(training_.size(), [&](std::size_t material) {
+        return materials::readMaterial(training_[material]).tabulated();
+      });
     return *basis_;
   }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 
 namespace gonio::study {
@@ -17,13 +17,13 @@ std::string collectionOf(const std::filesystem::path& file) {
 }
 
 ComparisonJudge::ComparisonJudge(const std::filesystem::path& file, std::string collection,
-                                 const SphereRenderOptions& picture)
+                                 const RenderOptions& picture)
     : material_(file.stem()),
       collection_(std::move(collection)),
-      table_(io::readMaterial(file).tabulated()),
+      table_(materials::readMaterial(file).tabulated()),
       comparison_(*table_, picture) {}
 
-ComparisonRecord ComparisonJudge::score(const std::string& model, const factorization::RivalModel& built,
+ComparisonRecord ComparisonJudge::score(const std::string& model, const factorization::ComparedModel& built,
                                         double seconds) const {
   const ComparisonPicture picture = comparison_.render(*built.brdf);
   return {.material = material_,

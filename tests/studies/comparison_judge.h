@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "core/factorization/rivals/rivals.h"
 #include "core/rendering/rendered_comparison.h"
 #include "tests/studies/comparison_records.h"
+#include "tests/studies/research/baselines/baselines.h"
 
 namespace gonio::study {
 
@@ -17,13 +17,13 @@ std::string collectionOf(const std::filesystem::path& file);
 class ComparisonJudge {
  public:
   /// Reads the material and renders its picture. @throws Error naming the file.
-  ComparisonJudge(const std::filesystem::path& file, std::string collection, const SphereRenderOptions& picture);
+  ComparisonJudge(const std::filesystem::path& file, std::string collection, const RenderOptions& picture);
 
   const std::string& material() const { return material_; }
   const std::shared_ptr<const TabulatedBrdf>& table() const { return table_; }
 
   /// All but the budget.
-  ComparisonRecord score(const std::string& model, const factorization::RivalModel& built, double seconds) const;
+  ComparisonRecord score(const std::string& model, const factorization::ComparedModel& built, double seconds) const;
 
  private:
   std::string material_, collection_;

@@ -117,19 +117,19 @@ std::string summaryLine(const std::string& model, int terms, const Records& ofMo
 
 std::string aheadLine(const std::string& model, const Records& mine, const Records& theirs) {
   std::vector<double> differences;
-  double ours = 0, rivals = 0;
+  double ours = 0, baselines = 0;
   for (const ComparisonRecord& their : theirs) {
     const auto my = std::ranges::find(mine, their.material, &ComparisonRecord::material);
     if (my == mine.end()) continue;
     differences.push_back(my->rendered - their.rendered);
     ours += my->rendered;
-    rivals += their.rendered;
+    baselines += their.rendered;
   }
   if (differences.empty()) return {};
   const double count = double(differences.size());
   char line[200];
   std::snprintf(line, sizeof line, "| %d | %s | %.0f | %.2f | %.2f | %.2f | %.2f | %td | %td | %td |\n",
-                theirs.front().terms, model.c_str(), count, ours / count, rivals / count, (ours - rivals) / count,
+                theirs.front().terms, model.c_str(), count, ours / count, baselines / count, (ours - baselines) / count,
                 median(differences), std::ranges::count_if(differences, [](double d) { return d > 0; }),
                 std::ranges::count(differences, 0.0),
                 std::ranges::count_if(differences, [](double d) { return d < 0; }));

@@ -25,8 +25,8 @@
 
 #include "core/fitting/fit_data.h"
 #include "core/fitting/fit_parameters.h"
-#include "core/io/dictionary_file.h"
-#include "core/io/material.h"
+#include "core/materials/dictionary_file.h"
+#include "core/materials/material.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
 #include "tests/studies/comparison_judge.h"
@@ -82,7 +82,7 @@ struct Options {
 class Fold {
  public:
   Fold(const fs::path& dictionary, const std::vector<fs::path>& files)
-      : dictionary_(io::readDictionary(dictionary)), encoder_(dictionary_->ensemble) {
+      : dictionary_(materials::readDictionary(dictionary)), encoder_(dictionary_->ensemble) {
     const std::vector<std::string>& seen = dictionary_->ensemble.learnedFrom;
     for (const fs::path& file : files)
       (std::ranges::find(seen, file.stem().string()) == seen.end() ? heldOut_ : learnedFrom_).push_back(file);
@@ -110,11 +110,13 @@ class Fold {
   dictionary::TrainingMaterials training() const {
     dictionary::TrainingMaterials materials{.names = {}, .grid = dictionary_->ensemble.grid, .load = {}};
     for (const fs::path& file : learnedFrom_) materials.names.push_back(file.stem());
-    materials.load = [this](std::size_t material) { return io::readMaterial(learnedFrom_[material]).tabulated(); };
+    materials.load = [this](std::size_t material) {
+      return materials::readMaterial(learnedFrom_[material]).tabulated();
+    };
     return materials;
   }
 
-  std::shared_ptr<const io::NamedEnsemble> dictionary_;
+  std::shared_ptr<const materials::NamedEnsemble> dictionary_;
   dictionary::Encoder encoder_;
   std::vector<fs::path> heldOut_, learnedFrom_;
   std::optional<dictionary::PrincipalComponents> components_;
@@ -130,12 +132,12 @@ class Trial {
   void run() {
     if (!records_.contains(file_.stem(), bySquares, *std::rbegin(counts))) addEnsemble();
     for (const int count : counts) budgets_.push_back(records_.find(file_.stem(), ours, count)->bytes);
-    using factorization::Rival;
-    const Rival& nonparametric = *std::ranges::find(factorization::rivals(), "nonparametric", &Rival::id);
+    using factorization::Baseline;
+    const Baseline& nonparametric = *std::ranges::find(factorization::baselines(), "nonparametric", &Baseline::id);
     add("components", [&] { return componentModels(fold_.components(), *court().table(), budgets_); });
     add("patches", [&] { return fold_.patches().models(*court().table(), budgets_); });
     add("nonparametric", [&] { return nonparametric.build(*court().table(), budgets_, {}); });
-    add("fit", [&] { return std::vector<RivalModel>(budgets_.size(), bestFit()); });
+    add("fit", [&] { return std::vector<ComparedModel>(budgets_.size(), bestFit()); });
   }
 
  private:
@@ -148,7 +150,7 @@ class Trial {
   const ComparisonJudge& court() {
     if (!court_)
       court_.emplace(file_, collectionOf(file_),
-                     SphereRenderOptions{.width = options_.size, .height = options_.size, .samples = options_.samples});
+                     RenderOptions{.width = options_.size, .height = options_.size, .samples = options_.samples});
     return *court_;
   }
 
@@ -163,10 +165,10 @@ class Trial {
     }
   }
 
-  void add(const std::string& model, const std::function<std::vector<RivalModel>()>& build) {
+  void add(const std::string& model, const std::function<std::vector<ComparedModel>()>& build) {
     if (!wanted(model)) return;
     const auto start = std::chrono::steady_clock::now();
-    const std::vector<RivalModel> models = build();
+    const std::vector<ComparedModel> models = build();
     const double seconds = secondsSince(start);
     ComparisonRecord record;
     for (std::size_t i = 0; i < models.size(); ++i) {
@@ -185,14 +187,14 @@ class Trial {
   }
 
   /// By the rendered SNR, of three common microfacet models: a ranking of all takes a minute a material.
-  RivalModel bestFit() {
+  ComparedModel bestFit() {
     const fitting::FitData data(*court().table(), {});
-    RivalModel best;
+    ComparedModel best;
     double highest = 0;
     for (const models::Model* model : {&models::sgd(), &models::abc(), &models::ggx()}) {
       const fitting::FitResult fit = fitting::fit(data, *model);
-      const RivalModel built{model->instantiate(fit.parameters),
-                             sizeof(float) * fitting::fittedParameterCount(model->spec())};
+      const ComparedModel built{model->instantiate(fit.parameters),
+                                sizeof(float) * fitting::fittedParameterCount(model->spec())};
       const double snr = court().score({}, built, 0).rendered;
       if (best.brdf && !(snr > highest)) continue;
       highest = snr;

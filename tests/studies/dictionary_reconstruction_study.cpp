@@ -15,10 +15,10 @@
 
 #include "core/acquisition/dictionary_reconstruction.h"
 #include "core/acquisition/reconstruction.h"
-#include "core/io/basis_file.h"
-#include "core/io/dictionary_file.h"
-#include "core/io/material.h"
-#include "core/io/plan_file.h"
+#include "core/materials/basis_file.h"
+#include "core/materials/dictionary_file.h"
+#include "core/materials/material.h"
+#include "core/materials/plan_file.h"
 #include "core/rendering/rendered_comparison.h"
 #include "core/support/error.h"
 #include "tests/studies/study_main.h"
@@ -62,7 +62,7 @@ dictionary::TrainingMaterials trainingOf(const dictionary::Ensemble& ensemble, s
   std::erase_if(files, [&](const fs::path& file) { return !known.contains(file.stem()); });
   dictionary::TrainingMaterials materials;
   for (const fs::path& file : files) materials.names.push_back(file.stem());
-  materials.load = [files](std::size_t m) { return io::readMaterial(files[m]).tabulated(); };
+  materials.load = [files](std::size_t m) { return materials::readMaterial(files[m]).tabulated(); };
   return materials;
 }
 
@@ -75,7 +75,7 @@ void print(const std::string& name, std::size_t samples, const Eigen::ArrayXd& s
 
 int run(int count, char** arguments) {
   const Options options(count, arguments);
-  const auto ensemble = io::readDictionary(options.dictionary);
+  const auto ensemble = materials::readDictionary(options.dictionary);
   const auto materials = trainingOf(ensemble->ensemble, options.training);
   std::printf("%zu materials\n", materials.names.size());
   const auto learn = [&](const DictionaryPriorOptions& prior) {
@@ -98,12 +98,12 @@ int run(int count, char** arguments) {
   std::printf(" |\n");
   std::map<std::size_t, Eigen::ArrayXd> sums;
   for (const fs::path& file : options.tested) {
-    const auto table = io::readMaterial(file).tabulated();
+    const auto table = materials::readMaterial(file).tabulated();
     const RenderedComparison comparison(*table, {.width = 128, .height = 128, .samples = 16});
     const auto score = [&](const Brdf& found) { return comparison.signalToNoiseRatio(comparison.render(found)); };
     for (const fs::path& path : options.plans) {
-      const SamplingPlan plan = io::readPlan(path);
-      const auto basis = io::readBasis(fs::path(path).replace_extension(".basis"));
+      const SamplingPlan plan = materials::readPlan(path);
+      const auto basis = materials::readBasis(fs::path(path).replace_extension(".basis"));
       const MeasuredValues values = measure(*table, plan);
       const auto ridge = reconstruct(basis->components, plan, values,
                                      {.ridge = std::nullopt, .components = 1 << 20, .uncertainty = false});

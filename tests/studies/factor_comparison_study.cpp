@@ -3,7 +3,7 @@
 //
 // factor_comparison_study [--size PIXELS] [--samples N] [--csv FILE] [--only ID]... [--npf FILE] [--materials] FILE...:
 // how well factorisations keep materials at equal bytes. Budgets are the bytes of the three-factor PDV model of 1, 2, 5
-// and 10 terms; the two-factor form and each rival get as many terms as a budget holds. A line a material, model and
+// and 10 terms; the two-factor form and each baseline get as many terms as a budget holds. A line a material, model and
 // budget: rendered SNR and PSNR in comparisonScene(), SNR of the reflectances, bytes, seconds. At the end a table of
 // means over the materials. With --csv records are kept in a file, and what is in it is not computed again; --only
 // leaves other models out; --npf adds Bagher's published table for the materials that it names; --materials prints all
@@ -20,13 +20,13 @@
 #include <vector>
 
 #include "core/factorization/pdv_factors.h"
-#include "core/factorization/rivals/rivals.h"
-#include "core/io/npf_file.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
 #include "core/support/error.h"
 #include "tests/studies/comparison_bounds.h"
 #include "tests/studies/comparison_judge.h"
 #include "tests/studies/comparison_records.h"
+#include "tests/studies/research/baselines/baselines.h"
+#include "tests/studies/research/baselines/npf_file.h"
 #include "tests/studies/study_main.h"
 
 using namespace gonio;
@@ -76,14 +76,14 @@ std::vector<std::size_t> byteBudgets() {
                      .channels = {}};
   for (const int terms : budgetTerms) {
     for (auto& channel : factors.channels) channel.resize(std::size_t(terms));
-    budgets.push_back(io::pdvFileBytes(factors));
+    budgets.push_back(materials::pdvFileBytes(factors));
   }
   return budgets;
 }
 
 using Table = std::shared_ptr<const TabulatedBrdf>;
 /// Models of all budgets, in their order; of a bound one.
-using Build = std::function<std::vector<RivalModel>(const Table& table, std::span<const std::size_t> budgets)>;
+using Build = std::function<std::vector<ComparedModel>(const Table& table, std::span<const std::size_t> budgets)>;
 struct Contestant {
   std::string id;
   Build build;
@@ -92,8 +92,8 @@ struct Contestant {
   int lastTerms() const { return isBound ? 0 : *std::rbegin(budgetTerms); }
 };
 
-std::vector<RivalModel> buildPdv(const TabulatedBrdf& table, std::span<const std::size_t> budgets, PdvForm form) {
-  const auto bytesOf = [](const PdvFactors& f) { return io::pdvFileBytes(f); };
+std::vector<ComparedModel> buildPdv(const TabulatedBrdf& table, std::span<const std::size_t> budgets, PdvForm form) {
+  const auto bytesOf = [](const PdvFactors& f) { return materials::pdvFileBytes(f); };
   const PdvFactors one = factorizePdv(table, {.form = form, .terms = 1}).factors;
   const std::size_t first = bytesOf(one);
   PdvFactors two = one;
@@ -104,7 +104,7 @@ std::vector<RivalModel> buildPdv(const TabulatedBrdf& table, std::span<const std
     terms.push_back(std::clamp(1 + int((std::max(budget, first) - first) / term), 1, mostPdvTerms));
   const PdvFactors all =
       factorizePdv(table, {.form = form, .terms = *std::max_element(terms.begin(), terms.end())}).factors;
-  std::vector<RivalModel> models;
+  std::vector<ComparedModel> models;
   for (const int count : terms) {
     const PdvFactors factors = all.truncated(count);
     models.push_back({makePdvBrdf(factors), bytesOf(factors)});
@@ -114,16 +114,16 @@ std::vector<RivalModel> buildPdv(const TabulatedBrdf& table, std::span<const std
 
 std::vector<Contestant> contestants(const Options& options) {
   const auto bound = [](auto make) {
-    return [make](const Table& table, auto) { return std::vector<RivalModel>{{make(table), 0}}; };
+    return [make](const Table& table, auto) { return std::vector<ComparedModel>{{make(table), 0}}; };
   };
   std::vector<Contestant> all = {
       {"symmetric", bound(study::symmetricMean), true},
       {"pdv-grid", bound(study::deviationGrid), true},
       {"pdv3", [](const Table& table, auto budgets) { return buildPdv(*table, budgets, PdvForm::threeFactors); }},
       {"pdv2", [](const Table& table, auto budgets) { return buildPdv(*table, budgets, PdvForm::twoFactors); }}};
-  for (const Rival& rival : rivals())
-    all.push_back({std::string(rival.id),
-                   [build = rival.build](const Table& table, auto budgets) { return build(*table, budgets, {}); }});
+  for (const Baseline& baseline : baselines())
+    all.push_back({std::string(baseline.id),
+                   [build = baseline.build](const Table& table, auto budgets) { return build(*table, budgets, {}); }});
   if (!options.only.empty()) std::erase_if(all, [&](const Contestant& c) { return !options.only.contains(c.id); });
   return all;
 }
@@ -132,7 +132,7 @@ std::vector<Contestant> contestants(const Options& options) {
 void judge(const study::ComparisonJudge& court, const Contestant& contestant, const std::vector<std::size_t>& budgets,
            ComparisonRecords& records) {
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<RivalModel> models = contestant.build(court.table(), budgets);
+  const std::vector<ComparedModel> models = contestant.build(court.table(), budgets);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ComparisonRecord record;
   for (std::size_t i = 0; i < models.size(); ++i) {
@@ -155,15 +155,15 @@ int run(const Options& options) {
   }
   ComparisonRecords records(options.csv);
   const std::vector<std::size_t> budgets = byteBudgets();
-  const std::optional<io::NpfTable> published =
-      options.npf.empty() ? std::nullopt : std::optional(io::readNpf(options.npf));
+  const std::optional<factorization::NpfTable> published =
+      options.npf.empty() ? std::nullopt : std::optional(factorization::readNpf(options.npf));
   std::printf("material                     model            L     SNR    PSNR    BRDF      KB      s\n");
   for (const std::filesystem::path& file : options.files) {
     std::vector<Contestant> all = contestants(options);
     if (const NonparametricFactors* factors = published ? published->find(file.stem().string()) : nullptr)
       all.push_back(
           {"npf-published", [factors](const Table&, auto sizes) {
-             return std::vector<RivalModel>(sizes.size(), {makeNonparametricBrdf(*factors), factors->bytes()});
+             return std::vector<ComparedModel>(sizes.size(), {makeNonparametricBrdf(*factors), factors->bytes()});
            }});
     std::erase_if(all, [&](const Contestant& c) { return records.contains(file.stem(), c.id, c.lastTerms()); });
     if (all.empty()) continue;

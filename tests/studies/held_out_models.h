@@ -7,21 +7,21 @@
 #include <vector>
 
 #include "core/dictionary/encode.h"
-#include "core/dictionary/patch_code.h"
 #include "core/dictionary/principal_components.h"
-#include "core/factorization/rivals/rivals.h"
+#include "tests/studies/research/baselines/baselines.h"
+#include "tests/studies/research/dictionary/patch_code.h"
 
 /// Models of a material that was held out of a training set: codes over the ensemble, and what the same set teaches
 /// other ways.
 namespace gonio::study {
 
 using Budgets = std::span<const std::size_t>;
-using factorization::RivalModel;
+using factorization::ComparedModel;
 
 /// A code as its file holds it, by either way to choose between the transforms.
 struct EnsembleModels {
-  RivalModel gamma;    ///< by the gamma-mapped error, as the encoder does
-  RivalModel squared;  ///< by the squared error; the same object where both choose the same
+  ComparedModel gamma;    ///< by the gamma-mapped error, as the encoder does
+  ComparedModel squared;  ///< by the squared error; the same object where both choose the same
 };
 
 /// @param coefficients a channel.
@@ -29,8 +29,8 @@ EnsembleModels ensembleModels(const dictionary::Encoder& encoder, const Tabulate
 
 /// Principal components of the training set (Nielsen et al. 2015): as many coefficients in half precision, and a scale
 /// a channel, as a budget holds, or all components.
-std::vector<RivalModel> componentModels(const dictionary::PrincipalComponents& components, const TabulatedBrdf& table,
-                                        Budgets budgets);
+std::vector<ComparedModel> componentModels(const dictionary::PrincipalComponents& components,
+                                           const TabulatedBrdf& table, Budgets budgets);
 
 /// Patches of the signals of `log-plus` over atoms that K-SVD learned (Aharon et al. 2006), written as the codes of an
 /// ensemble are: of each coefficient the distance of its index, seven bits a byte, and its value in half precision; an
@@ -38,7 +38,7 @@ std::vector<RivalModel> componentModels(const dictionary::PrincipalComponents& c
 class PatchModels {
  public:
   explicit PatchModels(const dictionary::TrainingMaterials& materials);
-  std::vector<RivalModel> models(const TabulatedBrdf& table, Budgets budgets) const;
+  std::vector<ComparedModel> models(const TabulatedBrdf& table, Budgets budgets) const;
 
  private:
   dictionary::SparseCode encoded(const std::array<Eigen::MatrixXd, 3>& patches, const TabulatedBrdf& table,

@@ -12,7 +12,7 @@
 #include "core/editing/interpolation/interpolation.h"
 #include "core/metrics/image_metrics.h"
 #include "core/models/registry.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 
 using namespace gonio;
 
@@ -70,15 +70,15 @@ void print(const Ends& ends) {
   const Rgb diffuse = (ends.firstDiffuse + ends.secondDiffuse) / 2.0;
   const double middle = std::sqrt(ends.firstRoughness * ends.secondRoughness);
   const auto truth = ggx(diffuse, middle);
-  const SphereScene scene = comparisonScene();
-  const SphereRenderOptions render{.width = 160, .height = 160, .samples = 48, .lobe = estimateSamplingLobe(*truth)};
-  const Image picture = renderSphere(*truth, scene, render);
+  const Scene scene = comparisonScene();
+  const RenderOptions render{.width = 160, .height = 160, .samples = 48, .lobe = estimateSamplingLobe(*truth)};
+  const Image picture = renderPicture(*truth, scene, render);
   Family family;
   constexpr int members = 25;
   for (int m = 0; m < members; ++m) {
     family.roughnesses.push_back(ends.firstRoughness *
                                  std::pow(ends.secondRoughness / ends.firstRoughness, double(m) / (members - 1)));
-    family.pictures.push_back(renderSphere(*ggx(diffuse, family.roughnesses.back()), scene, render));
+    family.pictures.push_back(renderPicture(*ggx(diffuse, family.roughnesses.back()), scene, render));
   }
   const std::vector<editing::InterpolationEnd> materials{
       {.table = bakeTable(*ggx(ends.firstDiffuse, ends.firstRoughness))},
@@ -86,7 +86,7 @@ void print(const Ends& ends) {
   std::printf("\n| roughness %g and %g, truth %.3g | SNR, dB | nearest: roughness | SNR, dB |\n|---|---|---|---|\n",
               ends.firstRoughness, ends.secondRoughness, middle);
   const auto tell = [&](const char* name, const Brdf& between) {
-    const Image result = renderSphere(between, scene, render);
+    const Image result = renderPicture(between, scene, render);
     std::size_t nearest = 0;
     std::vector<double> snr;
     for (const Image& member : family.pictures) snr.push_back(metrics::signalToNoiseRatio(member, result));

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "core/dictionary/training.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/support/error.h"
 #include "tests/studies/comparison_judge.h"
 #include "tests/studies/held_out_models.h"
@@ -30,7 +30,7 @@ const dictionary::TrainingOptions training{
 
 using Table = std::shared_ptr<const TabulatedBrdf>;
 
-Table read(const fs::path& file) { return io::readMaterial(file).tabulated(); }
+Table read(const fs::path& file) { return materials::readMaterial(file).tabulated(); }
 
 /// Invalid cells hold 0 and count as measured. (A table stores 0 in them already.)
 Table zeroFilled(const TabulatedBrdf& table) {

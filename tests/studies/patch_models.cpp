@@ -79,13 +79,13 @@ std::shared_ptr<const TabulatedBrdf> PatchModels::decoded(const SparseCode& code
   return std::make_shared<const TabulatedBrdf>(code.grid, std::move(values), geometry->aboveHorizon);
 }
 
-std::vector<RivalModel> PatchModels::models(const TabulatedBrdf& table, Budgets budgets) const {
+std::vector<ComparedModel> PatchModels::models(const TabulatedBrdf& table, Budgets budgets) const {
   const auto signals = signalsOf(table, DataTransform::logPlus, *GridGeometry::of(table.grid()));
   std::array<Eigen::MatrixXd, 3> patches;
   for (std::size_t c = 0; c < 3; ++c) patches[c] = patchesOf(signals[c], modeSizes(table.grid()), options_.patch);
   constexpr double bytesOfOne = 3 * 3.5;  // of three channels, about
   constexpr int corrections = 2;
-  std::vector<RivalModel> models;
+  std::vector<ComparedModel> models;
   for (const std::size_t budget : budgets) {
     double coefficients = double(budget) / bytesOfOne;
     SparseCode code;

@@ -13,18 +13,19 @@
 #include <functional>
 #include <random>
 
-#include "core/acquisition/factor_measurement.h"
 #include "core/brdf/lobe_mixture.h"
 #include "core/coordinates/half_difference.h"
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/factorization/pdv_sampler.h"
 #include "core/fitting/fit.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "core/rendering/environment.h"
 #include "core/rendering/rendered_comparison.h"
+#include "tests/studies/research/acquisition/factor_measurement.h"
+#include "tests/studies/research/factorization/printed_pdv_sampler.h"
 
 using namespace gonio;
 
@@ -115,7 +116,8 @@ void printWidths(const std::string& name, const TabulatedBrdf& table) {
 int main(int argc, char** argv) {
   std::vector<std::pair<std::string, std::shared_ptr<const TabulatedBrdf>>> materials;
   for (int i = 1; i < argc; ++i)
-    materials.emplace_back(std::filesystem::path(argv[i]).stem().string(), io::readMaterial(argv[i]).tabulated());
+    materials.emplace_back(std::filesystem::path(argv[i]).stem().string(),
+                           materials::readMaterial(argv[i]).tabulated());
   std::printf("| material | cosine | printed | exact | GGX fit |\n|---|---|---|---|---|\n");
   for (const auto& [name, table] : materials) printNoise(name, *table);
   std::printf("\n| material | deviation | symmetric | half-difference | half-out |\n|---|---|---|---|---|\n");

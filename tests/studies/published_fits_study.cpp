@@ -15,7 +15,7 @@
 
 #include "core/fitting/fit_data.h"
 #include "core/fitting/fit_parameters.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/models/registry.h"
 #include "tests/studies/study_main.h"
 #include "tests/support/published_fits.h"
@@ -107,7 +107,7 @@ struct Options {
 
 void addMaterial(const std::filesystem::path& file, const std::vector<testing::PublishedSet>& sets,
                  const Options& options, std::vector<Summary>& summaries) {
-  const auto table = io::readMaterial(file).tabulated();
+  const auto table = materials::readMaterial(file).tabulated();
   std::map<metrics::BrdfMetric, fitting::FitData> data;
   for (std::size_t s = 0; s < sets.size(); ++s)
     for (const testing::PublishedFit& published : sets[s].fits) {

@@ -12,9 +12,9 @@
 
 #include "core/acquisition/reconstruction.h"
 #include "core/brdf/log_relative.h"
-#include "core/io/basis_file.h"
-#include "core/io/material.h"
-#include "core/io/plan_file.h"
+#include "core/materials/basis_file.h"
+#include "core/materials/material.h"
+#include "core/materials/plan_file.h"
 #include "core/support/error.h"
 #include "tests/studies/study_main.h"
 
@@ -70,10 +70,10 @@ Figures figuresOf(const dictionary::PrincipalComponents& basis, const SamplingPl
 
 int run(int count, char** arguments) {
   if (count < 3) throw Error("uncertainty_study PLAN.csv MATERIAL...");
-  const SamplingPlan plan = io::readPlan(arguments[1]);
-  const auto basis = io::readBasis(std::filesystem::path(arguments[1]).replace_extension(".basis"));
+  const SamplingPlan plan = materials::readPlan(arguments[1]);
+  const auto basis = materials::readBasis(std::filesystem::path(arguments[1]).replace_extension(".basis"));
   std::vector<std::shared_ptr<const TabulatedBrdf>> tables;
-  for (int i = 2; i < count; ++i) tables.push_back(io::readMaterial(arguments[i]).tabulated());
+  for (int i = 2; i < count; ++i) tables.push_back(materials::readMaterial(arguments[i]).tabulated());
   std::printf(
       "| way | error | of samples left out | error / deviation | within one deviation |\n|---|---|---|---|---|\n");
   for (const Way& way : ways) {

@@ -3,13 +3,13 @@
 #include "tests/support/published_fits.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <span>
 #include <sstream>
 
-#include "core/support/error.h"
+#include "core/io/csv_text.h"
+#include "core/support/naming_file.h"
 
 namespace gonio::testing {
 
@@ -132,7 +132,7 @@ const std::vector<Recipe>& recipes() {
        "abc_merl100.csv",
        "abc",
        log,
-       {{"diffuse", "kD"}, {"a", "A"}, {"b", "B"}, {"c", "C"}, {"index-of-refraction", "ior"}}},
+       {{"diffuse", "kd"}, {"a", "a"}, {"b", "b"}, {"c", "c"}, {"index-of-refraction", "ior"}}},
       {"loew-smooth-e2",
        "published-fits/low_lowsmooth_E2.fit",
        "abc-smooth",
@@ -142,8 +142,8 @@ const std::vector<Recipe>& recipes() {
        "sgd_merl100.csv",
        "sgd",
        log,
-       {{"diffuse", "rhoD"},
-        {"specular", "rhoS"},
+       {{"diffuse", "rhod"},
+        {"specular", "rhos"},
         {"alpha", "alpha"},
         {"p", "p"},
         {"f0", "f0"},
@@ -185,15 +185,12 @@ std::optional<std::pair<std::string, Figures>> parseFitLine(const std::string& l
   return std::pair(line.substr(0, nameEnd), figures);
 }
 
-/// Columns "name" or "name_r", "name_g", "name_b" after the material.
-std::pair<std::string, Figures> parseCsvLine(const std::vector<std::string>& columns, const std::string& line) {
-  std::istringstream stream(line);
-  std::string cell, material;
-  std::getline(stream, material, ',');
+/// Columns "name" or "name_r", "name_g", "name_b" beside that of the material; texts become 0.
+Figures figuresOf(const io::CsvText& csv, const io::CsvText::Row& row) {
   Figures figures;
-  for (std::size_t i = 1; i < columns.size() && std::getline(stream, cell, ','); ++i) {
-    const std::string& column = columns[i];
-    const double value = std::strtod(cell.c_str(), nullptr);
+  for (std::size_t i = 0; i < csv.names.size(); ++i) {
+    const std::string& column = csv.names[i];
+    const double value = std::strtod(row.fields[i].c_str(), nullptr);
     const bool isChannel = column.size() > 2 && column[column.size() - 2] == '_';
     const std::size_t channel = isChannel ? std::string("rgb").find(column.back()) : std::string::npos;
     if (channel == std::string::npos)
@@ -201,25 +198,21 @@ std::pair<std::string, Figures> parseCsvLine(const std::vector<std::string>& col
     else
       figures[column.substr(0, column.size() - 2)][int(channel)] = value;
   }
-  return {material, figures};
+  return figures;
 }
 
 std::vector<std::pair<std::string, Figures>> readFigures(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw Error(path + ": cannot be read");
+  const std::string text = namingFile(path, [&] { return io::readText(path); });
   std::vector<std::pair<std::string, Figures>> rows;
-  std::vector<std::string> columns;
-  for (std::string line; std::getline(file, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (!path.ends_with(".csv")) {
-      if (auto row = parseFitLine(line)) rows.push_back(std::move(*row));
-    } else if (columns.empty()) {
-      std::istringstream stream(line);
-      for (std::string column; std::getline(stream, column, ',');) columns.push_back(column);
-    } else {
-      rows.push_back(parseCsvLine(columns, line));
-    }
+  if (path.ends_with(".csv")) {
+    const io::CsvText csv = io::readCsvText(text);
+    const std::size_t material = csv.neededColumn("material");
+    for (const io::CsvText::Row& row : csv.rows) rows.emplace_back(row.fields[material], figuresOf(csv, row));
+    return rows;
   }
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (auto row = parseFitLine(line)) rows.push_back(std::move(*row));
   return rows;
 }
 

@@ -6,9 +6,8 @@
 
 namespace gonio::tests {
 
-/// Has a renderer draw the one sphere.
-inline void showSphere(widgets::PreviewRenderer& renderer, const SphereScene& sphere) {
-  const Scene scene = sceneOf(sphere);
+/// Has a renderer draw a scene of one sphere.
+inline void showSphere(widgets::PreviewRenderer& renderer, const Scene& scene) {
   renderer.setScene(scene, widgets::previewPlan(scene, diffuseMaterial(Rgb(0.5))));
 }
 

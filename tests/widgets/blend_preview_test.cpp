@@ -5,7 +5,7 @@
 
 #include "core/metrics/image_metrics.h"
 #include "core/models/registry.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 #include "offscreen_context.h"
 #include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
@@ -48,7 +48,7 @@ class BlendPreviewTest : public QObject {
   std::unique_ptr<tests::OffscreenContext> m_context;
   std::unique_ptr<widgets::PreviewRenderer> m_renderer;
 
-  Image drawn(const widgets::PreviewSubject& subject, const SphereScene& scene, int samples) {
+  Image drawn(const widgets::PreviewSubject& subject, const Scene& scene, int samples) {
     m_renderer->setSubject(subject);
     tests::showSphere(*m_renderer, scene);
     m_renderer->setSize({side, side});
@@ -56,10 +56,10 @@ class BlendPreviewTest : public QObject {
     return m_renderer->readPicture();
   }
   /// SNR of the shader's picture against that of `brdf` on the CPU, dB.
-  double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const SphereScene& scene) {
+  double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const Scene& scene) {
     constexpr int samples = 512;
-    const Image reference =
-        renderSphere(brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
+    const Image reference = renderPicture(
+        brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
     return metrics::signalToNoiseRatio(reference, drawn(subject, scene, samples));
   }
 
@@ -106,7 +106,7 @@ class BlendPreviewTest : public QObject {
           std::vector<editing::Interpolation::Table>{blend.ends[0].table, blend.ends[1].table}, transform);
       blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
       const auto subject = widgets::blendSubject(blend, someWeights[0]);
-      QVERIFY(subject.blend.has_value());
+      QVERIFY(std::holds_alternative<widgets::PreviewBlend>(subject.shown));
       const double snr = agreement(subject, *widgets::subjectBrdf(subject), {});
       const QString what = QString("transform %1: %2 dB").arg(int(transform)).arg(snr);
       qInfo("%s", qPrintable(what));
@@ -116,7 +116,7 @@ class BlendPreviewTest : public QObject {
 
   /// All of the weight on one material: the same bits as that material alone, in every space.
   void aCornerIsTheMaterial() {
-    const Image alone = drawn({.table = ends(1)[0].table, .lobe = {}}, {}, 64);
+    const Image alone = drawn(widgets::tableSubject(ends(1)[0].table), {}, 64);
     for (const auto space : {InterpolationSpace::linear, InterpolationSpace::factors}) {
       auto subject = widgets::blendSubject(*widgets::prepareBlend(space, ends(2)), {1, 0});
       subject.lobe = {};
@@ -148,7 +148,7 @@ class BlendPreviewTest : public QObject {
     const auto blend = widgets::prepareBlend(InterpolationSpace::linear, {{full}, {empty}});
     const auto subject = widgets::blendSubject(*blend, {0.5, 0.5});
     const Image picture = drawn(subject, {}, 64);
-    const Image expected = drawn({.table = full, .lobe = {}}, {}, 64);
+    const Image expected = drawn(widgets::tableSubject(full), {}, 64);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
       QVERIFY(glm::length(picture.pixels[i] - 0.5f * expected.pixels[i]) < 1e-6f);
   }
@@ -159,7 +159,7 @@ class BlendPreviewTest : public QObject {
     const auto half = widgets::blendSubject(*blend, {0.5, 0.5});
     QVERIFY(widgets::sameSubject(half, widgets::blendSubject(*blend, {0.5, 0.5})));
     QVERIFY(!widgets::sameSubject(half, widgets::blendSubject(*blend, {0.4, 0.6})));
-    QVERIFY(!widgets::sameSubject(half, {.table = ends(1)[0].table, .lobe = half.lobe}));
+    QVERIFY(!widgets::sameSubject(half, widgets::tableSubject(ends(1)[0].table, half.lobe)));
     QVERIFY(!half.isEmpty() && !half.isMeasured());
   }
 };

@@ -223,10 +223,10 @@ void main() {
                                              {.ensemble = ensemble, .codeCoefficients = grid.size()});
     const std::vector<double> weights{0.4, 0.6};
     const auto subject = widgets::blendSubject(*blend, weights);
-    QVERIFY(subject.blend.has_value());
+    QVERIFY(std::holds_alternative<widgets::PreviewBlend>(subject.shown));
     auto pairs = pairsAmidValidCells();
     pairs.resize(256);
-    const auto values = shown(*subject.blend, pairs);
+    const auto values = shown(std::get<widgets::PreviewBlend>(subject.shown), pairs);
     std::vector<Rgb> expected(pairs.size());
     blend->interpolation->brdf(weights)->evaluate(pairs, expected);
     double worst = 0, largest = 0;

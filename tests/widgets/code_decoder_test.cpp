@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "code_decoding_bound.h"
-#include "core/io/dictionary_file.h"
-#include "core/io/measured_library.h"
+#include "core/materials/dictionary_file.h"
+#include "core/materials/measured_library.h"
 #include "core/support/error.h"
 #include "offscreen_context.h"
 #include "tests/support/sphere_preview.h"
@@ -110,11 +110,11 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
 
   /// The library's code of most coefficients, at every node of a MERL grid, in both transforms.
   void libraryMaterials() {
-    const auto bundled = io::bundledDictionary();
-    const auto& all = io::measuredMaterials();
+    const auto bundled = materials::bundledDictionary();
+    const auto& all = materials::measuredMaterials();
     const auto found = std::find_if(all.begin(), all.end(), [](const auto& m) { return m.name == "ilm_solo_m_68"; });
     QVERIFY(found != all.end());
-    SparseCode code = *io::measuredMaterial(*found).code;
+    SparseCode code = *materials::measuredMaterial(*found).code;
     QVERIFY(code.coefficients() > 1000);
     compareWithCore(bundled->ensemble, code);
     if (QTest::currentTestFailed()) return;
@@ -262,7 +262,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
       resources->setDecodesCodes(onTheCard);
       widgets::PreviewRenderer renderer(resources);
       renderer.initialize();
-      renderer.setSubject({.table = dictionary::decode(*ensemble, code->code), .lobe = {}, .code = code});
+      renderer.setSubject({widgets::EditedTable{dictionary::decode(*ensemble, code->code), {}, code}});
       tests::showSphere(renderer, {});
       renderer.setSize({32, 32});
       renderer.accumulate(4);

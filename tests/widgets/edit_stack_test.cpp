@@ -2,7 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/panels/edit_stack.h"
 
+#include <QDropEvent>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -25,12 +29,15 @@ class EditStackTest : public QObject {
     return nullptr;
   }
 
+  QListWidget* list() const { return m_stack->findChild<QListWidget*>(); }
+
  private Q_SLOTS:
   void init() {
     m_stack = std::make_unique<EditStack>();
     m_stack->resize(400, 200);
-    m_stack->setEntries({{"Factor curves", "", 0.5, true}, {"GGX", "", 1, false}}, "None");
+    m_stack->setEntries({{"Factor curves", "", 0.5, true}, {"GGX", "", 1, false}}, 0, "None");
     m_stack->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_stack.get()));
   }
 
   void showsWhatItIsTold() {
@@ -38,9 +45,10 @@ class EditStackTest : public QObject {
     QVERIFY(named<QToolButton>("Factor curves is shown")->isChecked());
     QVERIFY(!named<QToolButton>("GGX is shown")->isChecked());
     QVERIFY(!named<ParameterSlider>("Strength of GGX")->isEnabled());  // what is hidden has no strength to pull
-    m_stack->setEntries({}, "None");
-    QCOMPARE(m_stack->findChild<QLabel*>()->text(), QStringLiteral("None"));
-    QVERIFY(m_stack->findChild<QLabel*>()->isVisible());
+    m_stack->setEntries({}, -1, "None");
+    const auto* empty = m_stack->findChild<QLabel*>(QString(), Qt::FindDirectChildrenOnly);
+    QCOMPARE(empty->text(), QStringLiteral("None"));
+    QVERIFY(empty->isVisible() && !list()->isVisible());
   }
 
   /// By keyboard: the eye, the strength, the deletion of each entry; nothing is shown before it is told back.
@@ -66,10 +74,87 @@ class EditStackTest : public QObject {
     QCOMPARE(removed[0][0].toInt(), 1);
   }
 
+  /// By keyboard: the order, a copy, the deletion; at the ends there is nowhere to go.
+  void keysActOnTheSelectedEntry() {
+    QSignalSpy moved(m_stack.get(), &EditStack::moveRequested);
+    QSignalSpy removed(m_stack.get(), &EditStack::deleteRequested);
+    QSignalSpy chosen(m_stack.get(), &EditStack::selectionChosen);
+    QSignalSpy copied(m_stack.get(), &EditStack::duplicateRequested);
+    list()->setFocus();
+    QTest::keyClick(list(), Qt::Key_Up, Qt::AltModifier);
+    QCOMPARE(moved.count(), 0);
+    QTest::keyClick(list(), Qt::Key_Down, Qt::AltModifier);
+    QCOMPARE(moved.count(), 1);
+    QCOMPARE(moved[0], (QVariantList{0, 1}));
+    QTest::keyClick(list(), Qt::Key_Down);
+    QCOMPARE(chosen.count(), 1);
+    QCOMPARE(m_stack->selected(), 1);
+    QTest::keyClick(list(), Qt::Key_Up, Qt::AltModifier);
+    QCOMPARE(moved[1], (QVariantList{1, 0}));
+    QTest::keyClick(list(), Qt::Key_Delete);
+    QCOMPARE(removed[0][0].toInt(), 1);
+    for (QToolButton* button : m_stack->findChildren<QToolButton*>())
+      if (button->text() == "Duplicate") button->click();
+    QCOMPARE(copied[0][0].toInt(), 1);
+  }
+
+  /// A row that is dropped asks for a move: above the middle of another row before it, else behind it.
+  void aDropAsksForAMove() {
+    m_stack->setEntries({{"a"}, {"b"}, {"c"}}, 0, "None");
+    QSignalSpy moved(m_stack.get(), &EditStack::moveRequested);
+    const auto drop = [this](int from, int over, double share) {
+      list()->setCurrentRow(from);
+      const QRect row = list()->visualItemRect(list()->item(over));
+      const QPointF place(row.center().x(), row.top() + share * row.height());
+      const std::unique_ptr<QMimeData> data(list()->model()->mimeData({list()->currentIndex()}));
+      QDropEvent event(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
+      QCoreApplication::sendEvent(list()->viewport(), &event);
+      QCoreApplication::processEvents();
+    };
+    drop(0, 2, 0.8);
+    QCOMPARE(moved.count(), 1);
+    QCOMPARE(moved[0], (QVariantList{0, 2}));
+    drop(0, 1, 0.2);  // where it is
+    QCOMPARE(moved.count(), 1);
+    drop(2, 0, 0.2);
+    QCOMPARE(moved[1], (QVariantList{2, 0}));
+    drop(0, 1, 0.8);
+    QCOMPARE(moved[2], (QVariantList{0, 1}));
+    QCOMPARE(list()->count(), 3);  // the owner moves rows
+  }
+
+  /// F2 or a double click: Return takes the name, Escape leaves it; what the user named starts with its own name.
+  void anEntryIsRenamed() {
+    m_stack->setEntries({{"GGX"}, {"Wetter 2", "", 1, true, "Wetter"}}, 1, "None");
+    QSignalSpy renamed(m_stack.get(), &EditStack::renamed);
+    const auto field = [this] {
+      for (QLineEdit* one : m_stack->findChildren<QLineEdit*>())
+        if (one->accessibleName() == "Name of the edit" && one->isVisible()) return one;
+      return static_cast<QLineEdit*>(nullptr);
+    };
+    list()->setFocus();
+    QTest::keyClick(list(), Qt::Key_F2);
+    QVERIFY(field());
+    QCOMPARE(field()->text(), QStringLiteral("Wetter"));
+    QTest::keyClicks(field(), "Dry");
+    QTest::keyClick(field(), Qt::Key_Escape);
+    QVERIFY(!field());
+    QCOMPARE(renamed.count(), 0);
+    m_stack->beginRename(0);
+    QVERIFY(field()->text().isEmpty());
+    QTest::keyClicks(field(), "Base coat");
+    QTest::keyClick(field(), Qt::Key_Return);
+    QCOMPARE(renamed.count(), 1);
+    QCOMPARE(renamed[0], (QVariantList{0, "Base coat"}));
+    const QPoint name = list()->visualItemRect(list()->item(1)).center();
+    QTest::mouseDClick(list()->viewport(), Qt::LeftButton, {}, {name.x(), name.y()});
+    QVERIFY(field());
+  }
+
   /// One drag lies between start and end, and what comes back meanwhile leaves the slider in the hand.
   void aDragIsOneInteraction() {
     connect(m_stack.get(), &EditStack::strengthEdited, m_stack.get(), [this](int, double to) {
-      m_stack->setEntries({{"Factor curves", "", to, true}, {"GGX", "", 1, false}}, "None");
+      m_stack->setEntries({{"Factor curves", "", to, true}, {"GGX", "", 1, false}}, 0, "None");
     });
     QSignalSpy started(m_stack.get(), &EditStack::editingStarted);
     QSignalSpy finished(m_stack.get(), &EditStack::editingFinished);

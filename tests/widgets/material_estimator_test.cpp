@@ -13,11 +13,10 @@ using widgets::MaterialEstimator;
 namespace {
 
 widgets::PreviewSubject ggx(double roughness) {
-  widgets::PreviewSubject subject{.table = nullptr, .lobe = {}};
-  subject.model = &models::findModel("ggx");
-  subject.parameters = models::defaultParameters(subject.model->spec());
-  subject.parameters.values[*subject.model->spec().find("roughness")] = Rgb(roughness);
-  return subject;
+  const models::Model& model = models::findModel("ggx");
+  models::ParameterValues parameters = models::defaultParameters(model.spec());
+  parameters.values[*model.spec().find("roughness")] = Rgb(roughness);
+  return {widgets::ModelAlone{&model, parameters}};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/rendering/shape.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;
@@ -37,8 +38,8 @@ class PreviewNavigationTest : public QObject {
       for (const double aspect : {0.3, 1.0, 3.0}) {
         const CameraFrame frame = cameraFrame({.fieldOfView = fieldOfView});
         for (const auto& [x, y] : {std::pair(1.0, 0.0), {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}})
-          QVERIFY(!sphereHit(cameraRay(frame, x, y, aspect)));
-        QVERIFY(sphereHit(cameraRay(frame, 0, 0, aspect)));
+          QVERIFY(!nearestHit(Sphere{}, cameraRay(frame, x, y, aspect)));
+        QVERIFY(nearestHit(Sphere{}, cameraRay(frame, 0, 0, aspect)));
       }
   }
 

@@ -9,8 +9,8 @@
 #include "core/metrics/image_metrics.h"
 #include "core/models/model.h"
 #include "core/rendering/path_tracer.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
-#include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
 #include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
@@ -30,22 +30,51 @@ std::shared_ptr<const TabulatedBrdf> bakedModel(const char* id,
 }
 
 /// SNR of the shader's converged picture against the CPU's, dB.
-double agreement(widgets::PreviewRenderer& renderer, widgets::PreviewSubject subject, const SphereScene& scene) {
+double agreement(widgets::PreviewRenderer& renderer, widgets::PreviewSubject subject, const Scene& scene) {
   const std::shared_ptr<const Brdf> brdf = widgets::subjectBrdf(subject);
-  subject.lobe = estimateSamplingLobe(subject.table ? *subject.table : *brdf);
+  const auto table = subject.table();
+  subject.lobe = estimateSamplingLobe(table ? *table : *brdf);
   renderer.setSubject(subject);
   tests::showSphere(renderer, scene);
   renderer.setSize({side, side});
   const int samples = 512;
   for (int i = 0; i < samples / 64; ++i) renderer.accumulate(64);
   const Image reference =
-      renderSphere(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
+      renderPicture(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
   return metrics::signalToNoiseRatio(reference, renderer.readPicture());
 }
 
 double agreement(widgets::PreviewRenderer& renderer, const std::shared_ptr<const TabulatedBrdf>& table,
-                 const std::optional<editing::DifferentialEdit>& edit, const SphereScene& scene) {
-  return agreement(renderer, {.table = table, .lobe = {}, .edit = edit}, scene);
+                 const editing::EditList& edits, const Scene& scene) {
+  return agreement(renderer, {widgets::EditedTable{table, edits}}, scene);
+}
+
+/// A model's edit that changes its linear parameters.
+editing::Edit brighterEdit(const models::Model& model) {
+  editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
+  edit.edited = edit.fitted;
+  for (std::size_t i = 0; i < edit.edited.values.size(); ++i)
+    if (model.spec().parameters[i].linear) edit.edited.values[i] *= Rgb(1.4, 1.1, 0.8);
+  return {.content = edit, .strength = 0.7};
+}
+
+/// A model's edit of its roughness.
+editing::Edit rougherEdit(const char* id, const char* parameter, double roughness) {
+  const models::Model& model = models::findModel(id);
+  editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
+  edit.edited = edit.fitted;
+  edit.edited.values[*model.spec().find(parameter)] = Rgb(roughness);
+  return {edit};
+}
+
+editing::Edit widerEdit(const TabulatedBrdf& table, int terms, double factor, bool keepDetail) {
+  const auto found =
+      factorization::factorizePdv(table, {.form = factorization::PdvForm::twoFactors, .terms = terms}).factors;
+  return {.content = editing::FactorEdit{.original = std::make_shared<const factorization::PdvFactors>(found),
+                                         .edited = std::make_shared<const factorization::PdvFactors>(
+                                             factorization::widenF2(found, factor)),
+                                         .keepDetail = keepDetail},
+          .strength = 0.8};
 }
 
 }  // namespace
@@ -68,13 +97,13 @@ class PreviewRendererTest : public QObject {
   /// agree to 40 dB at least (the edge pixels' coverage differs by some percent).
   void pictureUnderADirectionalLight() {
     const auto table = bakedModel("ggx", {{"roughness", 0.2}});
-    QVERIFY2(agreement(*renderer_, table, {}, {}) > 40, "shader and CPU differ");
+    QVERIFY2(agreement(*renderer_, table, {}, sphereScene()) > 40, "shader and CPU differ");
   }
 
   /// Under an environment both are Monte Carlo estimates of the same integral with 512 samples of each kind.
   void pictureUnderTheStudio() {
-    SphereScene scene{
-        .camera = {.yaw = 0.4, .pitch = 0.2}, .environment = studioEnvironment(), .environmentRotation = 0.6};
+    Scene scene = sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2});
+    scene.environmentRotation = 0.6;
     for (const double roughness : {0.03, 0.2, 0.7}) {
       const auto table = bakedModel("ggx", {{"roughness", roughness}, {"f0", 0.5}});
       const double snr = agreement(*renderer_, table, {}, scene);
@@ -87,20 +116,20 @@ class PreviewRendererTest : public QObject {
   /// followed as far as the shader follows them.
   void scenesAreThoseOfThePathTracer() {
     const auto table = bakedModel("ggx", {{"roughness", 0.3}, {"f0", 0.6}});
-    const auto material = std::make_shared<const TracedMaterial>(table);
+    const auto material = std::make_shared<const RenderMaterial>(table);
     for (const std::string& name : bundledSceneNames()) {
       const Scene scene = openScene(name, 2);
       if (!widgets::SceneUniforms::canDraw(scene)) continue;
       EffectPlan plan = widgets::previewPlan(scene, material);
       plan.reflections = std::min(plan.reflections, widgets::SceneUniforms::mostReflections);
-      renderer_->setTable(table, estimateSamplingLobe(*table));
+      renderer_->setSubject(widgets::tableSubject(table, estimateSamplingLobe(*table)));
       renderer_->setScene(scene, plan);
       renderer_->setSize({side / 2, side / 2});  // so that each target is a new one: none may unbind a texture
       renderer_->setSize({side, side});
       for (int i = 0; i < 16; ++i) renderer_->accumulate(64);
       Film film(side, side);
-      const std::vector lookedAt(2, material);
-      PathTracer(scene, bindMaterials(scene, lookedAt), plan, 7).accumulate(film, 512);
+      const std::vector slotMaterials(2, material);
+      PathTracer(scene, bindMaterials(scene, slotMaterials), plan, 7).accumulate(film, 512);
       const double snr = metrics::signalToNoiseRatio(film.image(), renderer_->readPicture());
       qInfo("%s: %.1f dB", name.c_str(), snr);
       QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name.c_str()).arg(snr)));
@@ -108,7 +137,8 @@ class PreviewRendererTest : public QObject {
   }
 
   void orthographicViewWithTheEnvironmentShown() {
-    SphereScene scene{.camera = {.fieldOfView = 0}, .environment = skyEnvironment(), .showEnvironment = true};
+    Scene scene = sphereScene(skyEnvironment(), {.fieldOfView = 0});
+    scene.showEnvironment = true;
     const auto table = bakedModel("lambert", {});
     const double snr = agreement(*renderer_, table, {}, scene);
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
@@ -118,12 +148,7 @@ class PreviewRendererTest : public QObject {
   void editedPicture() {
     const auto table = bakedModel("ggx", {{"roughness", 0.3}});
     for (const models::Model* model : models::allModels()) {
-      editing::DifferentialEdit edit{.model = model, .fitted = models::defaultParameters(model->spec())};
-      edit.edited = edit.fitted;
-      for (std::size_t i = 0; i < edit.edited.values.size(); ++i)
-        if (model->spec().parameters[i].linear) edit.edited.values[i] *= Rgb(1.4, 1.1, 0.8);
-      edit.strength = 0.7;
-      const double snr = agreement(*renderer_, table, edit, {});
+      const double snr = agreement(*renderer_, table, {brighterEdit(*model)}, sphereScene());
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
   }
@@ -140,9 +165,8 @@ class PreviewRendererTest : public QObject {
           editing::FactorEdit edit{
               .original = std::make_shared<const factorization::PdvFactors>(found.factors.truncated(1)),
               .edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(found.factors, 2)),
-              .keepDetail = keepDetail,
-              .strength = 0.8};
-          const double snr = agreement(*renderer_, {.table = table, .lobe = {}, .factors = edit}, {});
+              .keepDetail = keepDetail};
+          const double snr = agreement(*renderer_, table, {{edit, "", 0.8}}, {});
           const auto what = QString("form %1, transform %2, detail %3: %4 dB")
                                 .arg(int(form))
                                 .arg(int(transform))
@@ -154,25 +178,100 @@ class PreviewRendererTest : public QObject {
       }
   }
 
+  /// Stacks of several edits, in the order of the list, each clamped: those of applyEdits(). The clamp counts: the
+  /// first of two may take away all that is there. Under one light: 40 dB at least, as for one edit.
+  void stacksOfEdits() {
+    const auto table = bakedModel("ggx", {{"roughness", 0.2}, {"f0", 0.5}});
+    const editing::Edit ggx = rougherEdit("ggx", "roughness", 0.5), ward = rougherEdit("ward", "roughness-x", 0.4),
+                        factors = widerEdit(*table, 2, 1.8, true), alone = widerEdit(*table, 1, 0.6, false);
+    editing::Edit darker = brighterEdit(models::findModel("ggx"));
+    auto& values = std::get<editing::DifferentialEdit>(darker.content);
+    for (Rgb& value : values.edited.values) value *= Rgb(0.3);
+    darker.strength = 1;
+    const auto hidden = [](editing::Edit edit) {
+      edit.enabled = false;
+      return edit;
+    };
+    const std::pair<const char*, editing::EditList> stacks[] = {{"ggx, factors", {ggx, factors}},
+                                                                {"factors, ggx", {factors, ggx}},
+                                                                {"factors, ggx, ward", {factors, ggx, ward}},
+                                                                {"ggx, ggx", {ggx, darker}},
+                                                                {"darker, ggx", {darker, ggx}},
+                                                                {"two of factors", {factors, alone}},
+                                                                {"factors, ward, factors", {alone, ward, factors}},
+                                                                {"an eye off in between", {factors, hidden(ggx), ward}},
+                                                                {"the first eye off", {hidden(alone), darker, factors}},
+                                                                {"all eyes off", {hidden(factors), hidden(ggx)}}};
+    for (const auto& [name, edits] : stacks) {
+      const double snr = agreement(*renderer_, table, edits, {});
+      qInfo("%s: %.1f dB", name, snr);
+      QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(name).arg(snr)));
+    }
+  }
+
+  /// Every model beside every other in one shader: no two files may have names in common.
+  void aStackOfAllModels() {
+    editing::EditList edits;
+    for (const models::Model* model : models::allModels()) {
+      edits.push_back(brighterEdit(*model));
+      edits.back().strength = 0.05;
+    }
+    const double snr = agreement(*renderer_, bakedModel("ggx", {{"roughness", 0.3}}), edits, {});
+    QVERIFY2(snr > 40, qPrintable(QString("%1 dB").arg(snr)));
+  }
+
+  /// Values are uniforms: one variant for all of them, another only for other kinds, models, or another order.
+  void variantsDependOnKindsAlone() {
+    const auto variantOf = [](const editing::EditList& edits) {
+      QStringList definitions, preamble;
+      widgets::EditChain::addVariant(edits, definitions, preamble);
+      return definitions.join('\n') + preamble.join('\n');
+    };
+    const auto table = bakedModel("ggx", {{"roughness", 0.2}});
+    const editing::Edit ggx = rougherEdit("ggx", "roughness", 0.5), ward = rougherEdit("ward", "roughness-x", 0.4),
+                        factors = widerEdit(*table, 2, 1.8, true);
+    editing::Edit weak = rougherEdit("ggx", "roughness", 0.1);
+    weak.strength = 0.1;
+    weak.name = "weak";
+    QCOMPARE(variantOf({weak, factors}), variantOf({ggx, widerEdit(*table, 2, 0.7, true)}));
+    const QString all[] = {variantOf({}),        variantOf({ggx}),          variantOf({ward}),
+                           variantOf({factors}), variantOf({ggx, factors}), variantOf({factors, ggx})};
+    for (const QString& one : all) QCOMPARE(std::count(std::begin(all), std::end(all), one), 1);
+    ward.enabled = false;
+    QCOMPARE(variantOf({ward, ggx}), variantOf({ggx}));
+  }
+
   /// A drag changes the texels in place: the picture is that of a renderer which knows the last curves alone.
   void draggedFactorsLeaveNothingBehind() {
     const auto table = bakedModel("ggx", {{"roughness", 0.15}});
     auto factors =
         factorization::factorizePdv(*table, {.form = factorization::PdvForm::twoFactors, .terms = 1}).factors;
     editing::FactorEdit edit{.original = std::make_shared<const factorization::PdvFactors>(factors), .edited = {}};
+    const editing::Edit other = widerEdit(*table, 2, 0.8, true);
+    editing::EditList before, behind;
     const auto shown = [&](double scale) {
       edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, scale));
-      renderer_->setFactors(edit);
+      editing::EditList edits = before;
+      edits.push_back({edit});
+      edits.insert(edits.end(), behind.begin(), behind.end());
+      renderer_->setSubject({widgets::EditedTable{table, edits}});
       renderer_->accumulate(4);
       return renderer_->readPicture().pixels;
     };
-    renderer_->setSubject({.table = table, .lobe = {}});
     tests::showSphere(*renderer_, {});
     renderer_->setSize({side, side});
     const auto expected = shown(0.5);
     QVERIFY(shown(2) != expected);
     QVERIFY(shown(0.5) == expected);
-    renderer_->setFactors({});
+    // Beside another edit of curves, whose texels stay.
+    for (editing::EditList* side : {&before, &behind}) {
+      before.clear();
+      *side = {other};
+      const auto beside = shown(0.5);
+      QVERIFY(beside != expected);
+      QVERIFY(shown(2) != beside);
+      QVERIFY(shown(0.5) == beside);
+    }
   }
 
   /// An anisotropic edit has the tangents of the core: under one light and under the studio, from the side and over the
@@ -187,11 +286,10 @@ class PreviewRendererTest : public QObject {
     edit.edited.values[2] = Rgb(0.15);
     edit.edited.values[3] = Rgb(0.5);
     for (const double pitch : {0.2, 1.4}) {
-      SphereScene scene{.camera = {.yaw = 0.4, .pitch = pitch}};
-      const double lit = agreement(*renderer_, table, edit, scene);
+      const OrbitCamera camera{.yaw = 0.4, .pitch = pitch};
+      const double lit = agreement(*renderer_, table, {{edit}}, sphereScene(nullptr, camera));
       QVERIFY2(lit > 40, qPrintable(QString("pitch %1: %2 dB").arg(pitch).arg(lit)));
-      scene.environment = studioEnvironment();
-      const double studio = agreement(*renderer_, table, edit, scene);
+      const double studio = agreement(*renderer_, table, {{edit}}, sphereScene(studioEnvironment(), camera));
       QVERIFY2(studio > 30, qPrintable(QString("pitch %1, studio: %2 dB").arg(pitch).arg(studio)));
     }
   }
@@ -200,30 +298,28 @@ class PreviewRendererTest : public QObject {
   /// one.
   void modelAlone() {
     for (const models::Model* model : models::allModels()) {
-      widgets::PreviewSubject subject{.table = nullptr, .lobe = {}};
-      subject.model = model;
-      subject.parameters = models::defaultParameters(model->spec());
-      const double snr = agreement(*renderer_, subject, {});
+      const double snr =
+          agreement(*renderer_, {widgets::ModelAlone{model, models::defaultParameters(model->spec())}}, sphereScene());
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
-    widgets::PreviewSubject subject{.table = nullptr, .lobe = {}};
-    subject.model = &models::findModel("ggx");
-    subject.parameters = models::defaultParameters(subject.model->spec());
-    const double snr = agreement(*renderer_, subject, {.environment = studioEnvironment()});
+    const models::Model& ggx = models::findModel("ggx");
+    const double snr = agreement(*renderer_, {widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}},
+                                 comparisonScene());
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 
-  /// With a model alone, the table behind it does not count: neither its values nor where it has none.
+  /// A model alone is the same picture whatever table was shown before it.
   void modelAloneIgnoresTheTable() {
-    widgets::PreviewSubject subject{.table = nullptr, .lobe = {}};
-    subject.model = &models::findModel("ggx");
-    subject.parameters = models::defaultParameters(subject.model->spec());
+    const models::Model& ggx = models::findModel("ggx");
+    const widgets::PreviewSubject subject{widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}};
     tests::showSphere(*renderer_, {});
     renderer_->setSize({side, side});
     renderer_->setSubject(subject);
     renderer_->accumulate(8);
     const Image alone = renderer_->readPicture();
-    subject.table = bakedModel("lambert", {});
+    renderer_->setSubject(widgets::tableSubject(bakedModel("lambert", {})));
+    renderer_->accumulate(8);
+    QVERIFY(renderer_->readPicture().pixels != alone.pixels);
     renderer_->setSubject(subject);
     renderer_->accumulate(8);
     QVERIFY(renderer_->readPicture().pixels == alone.pixels);
@@ -239,7 +335,7 @@ class PreviewRendererTest : public QObject {
     const auto texture = resources->table(table);
     QCOMPARE(resources->table(table), texture);
     for (widgets::PreviewRenderer* picture : {&first, &second}) {
-      picture->setTable(table, {});
+      picture->setSubject(widgets::tableSubject(table));
       tests::showSphere(*picture, {});
       picture->setSize({side, side});
     }
@@ -261,13 +357,12 @@ class PreviewRendererTest : public QObject {
     const models::Model& model = models::findModel("ggx");
     editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
     edit.edited = edit.fitted;
-    renderer_->setTable(table, {});
+    renderer_->setSubject(widgets::tableSubject(table));
     tests::showSphere(*renderer_, {});
     renderer_->setSize({side, side});
-    renderer_->setEdit({});
     renderer_->accumulate(8);
     const Image plain = renderer_->readPicture();
-    renderer_->setEdit(edit);
+    renderer_->setSubject({widgets::EditedTable{table, {{edit}}}});
     renderer_->accumulate(8);
     QVERIFY(renderer_->readPicture().pixels == plain.pixels);
   }
@@ -282,12 +377,11 @@ class PreviewRendererTest : public QObject {
     const auto full = std::make_shared<const TabulatedBrdf>(grid, values, all);
     const auto sparse = std::make_shared<const TabulatedBrdf>(grid, values, holes);
     tests::showSphere(*renderer_, {});
-    renderer_->setEdit({});
     renderer_->setSize({side, side});
-    renderer_->setTable(full, {});
+    renderer_->setSubject(widgets::tableSubject(full));
     renderer_->accumulate(4);
     const Image expected = renderer_->readPicture();
-    renderer_->setTable(sparse, {});
+    renderer_->setSubject(widgets::tableSubject(sparse));
     renderer_->accumulate(4);
     const Image actual = renderer_->readPicture();
     for (std::size_t i = 0; i < expected.pixels.size(); ++i)

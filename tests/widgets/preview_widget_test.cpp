@@ -7,8 +7,8 @@
 
 #include "core/metrics/image_metrics.h"
 #include "core/models/model.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
-#include "core/rendering/sphere_renderer.h"
 #include "offscreen_context.h"
 #include "tests/support/test_program.h"
 #include "widgets/preview/false_colour_legend.h"
@@ -164,15 +164,14 @@ class PreviewWidgetTest : public QObject {
     edit.edited = edit.fitted;
     edit.edited.values[*model.spec().find("roughness")] = Rgb(0.01);
     const auto rough = bakeTable(*model.instantiate(edit.fitted));
-    SphereScene scene;
-    scene.environment = studioEnvironment();
-    widget_->setScene(sceneOf(scene));
-    widget_->setSubject({.table = rough, .lobe = estimateSamplingLobe(*rough), .edit = edit});
+    const Scene scene = comparisonScene();
+    widget_->setScene(scene);
+    widget_->setSubject({widgets::EditedTable{rough, {{edit}}}, estimateSamplingLobe(*rough)});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const Image shown = widget_->linearPicture();
-    const auto edited = editing::applyEdits(rough, std::span(&edit, 1));
+    const auto edited = editing::applyEdits(rough, editing::EditList{{edit}});
     const Image reference =
-        renderSphere(*edited, scene, {.width = shown.width, .height = shown.height, .samples = 256, .seed = 3});
+        renderPicture(*edited, scene, {.width = shown.width, .height = shown.height, .samples = 256, .seed = 3});
     const double snr = metrics::signalToNoiseRatio(reference, shown);
     QVERIFY2(snr > 25, qPrintable(QString("%1 dB").arg(snr)));
   }
@@ -181,8 +180,8 @@ class PreviewWidgetTest : public QObject {
   /// more.
   void comparisonOfTwoSubjects() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
-    widget_->setSubject({.table = table_, .lobe = {}}, "Grey");
-    widget_->setOther({.table = black, .lobe = {}}, "Black");
+    widget_->setSubject(widgets::tableSubject(table_), "Grey");
+    widget_->setOther(widgets::tableSubject(black), "Black");
     widget_->setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
     QVERIFY(widget_->isComparing());
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
@@ -202,8 +201,8 @@ class PreviewWidgetTest : public QObject {
 
   /// The bar follows the mouse and the keys, and tells its place.
   void splitBarMoves() {
-    widget_->setSubject({.table = table_, .lobe = {}}, "A");
-    widget_->setOther({.table = table_, .lobe = {}}, "B");
+    widget_->setSubject(widgets::tableSubject(table_), "A");
+    widget_->setOther(widgets::tableSubject(table_), "B");
     widget_->setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
     QSignalSpy moves(widget_.get(), &PreviewWidget::splitMoved);
     widgets::SplitBar* bar = widget_->overlay()->splitBar();
@@ -223,8 +222,8 @@ class PreviewWidgetTest : public QObject {
   /// The legend tells the range that the colours have: 0.18 against black is a difference of at most 0.18 here.
   void differenceFindsItsRange() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
-    widget_->setSubject({.table = table_, .lobe = {}}, "Grey");
-    widget_->setOther({.table = black, .lobe = {}}, "Black");
+    widget_->setSubject(widgets::tableSubject(table_), "Grey");
+    widget_->setOther(widgets::tableSubject(black), "Black");
     widget_->setComparison({.mode = widgets::CompareMode::difference});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     const double found = widget_->differenceRange();
@@ -248,7 +247,7 @@ class PreviewWidgetTest : public QObject {
     QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);
     const models::Model& model = models::findModel("cook-torrance");
     bool toldWhy = false;
-    widget_->setSubject({.model = &model, .parameters = models::defaultParameters(model.spec())});
+    widget_->setSubject({widgets::ModelAlone{&model, models::defaultParameters(model.spec())}});
     while (frames.isEmpty()) {
       QVERIFY(widget_->grabFramebuffer().pixelColor(110, 110).red() > 60);
       QTest::qWait(1);
@@ -264,11 +263,11 @@ class PreviewWidgetTest : public QObject {
     QSignalSpy failures(widget_.get(), &PreviewWidget::failed);
     const models::Model &ward = models::findModel("ward"), &ggx = models::findModel("ggx");
     qputenv("GONIO_SHADER_DIR", "/nowhere");
-    widget_->setSubject({.model = &ward, .parameters = models::defaultParameters(ward.spec())});
+    widget_->setSubject({widgets::ModelAlone{&ward, models::defaultParameters(ward.spec())}});
     QTRY_COMPARE_WITH_TIMEOUT(failures.count(), 1, 20000);
     QVERIFY(failures[0][0].toString().contains("/nowhere"));
     qunsetenv("GONIO_SHADER_DIR");
-    widget_->setSubject({.model = &ggx, .parameters = models::defaultParameters(ggx.spec())});
+    widget_->setSubject({widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     QCOMPARE(failures.count(), 1);
   }

@@ -46,18 +46,15 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
 
 PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights) {
   const auto heaviest = std::size_t(std::max_element(weights.begin(), weights.end()) - weights.begin());
-  PreviewSubject subject{.table = blend.ends[heaviest].table, .lobe = blend.lobes[heaviest]};
-  if (weights[heaviest] == 1) return subject;
-  if (blend.mixture) {
-    subject.table = nullptr;
-    subject.blend = {blend.interpolation, blend.mixture, weights, blend.interpolation->moves(weights)};
-  } else if (auto factors = blend.interpolation->factors(weights)) {
-    subject.factors = curvesAlone(std::move(*factors));
-  } else if (const auto parameters = blend.interpolation->parameters(weights)) {
-    subject.model = blend.model;
-    subject.parameters = *parameters;
-  }
-  return subject;
+  EditedTable table{blend.ends[heaviest].table};
+  const SamplingLobe& lobe = blend.lobes[heaviest];
+  if (weights[heaviest] == 1) return {table, lobe};
+  if (blend.mixture)
+    return {PreviewBlend{blend.interpolation, blend.mixture, weights, blend.interpolation->moves(weights)}, lobe};
+  if (const auto parameters = blend.interpolation->parameters(weights))
+    return {ModelAlone{blend.model, *parameters, table.table->grid()}, lobe};
+  if (auto factors = blend.interpolation->factors(weights)) table.edits = {{curvesAlone(std::move(*factors))}};
+  return {table, lobe};
 }
 
 QString spaceName(InterpolationSpace space) {

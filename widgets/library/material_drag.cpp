@@ -6,6 +6,9 @@
 #include <QMimeData>
 #include <QUrl>
 
+#include "core/editing/edit_document.h"
+#include "core/materials/material_formats.h"
+
 namespace gonio::widgets {
 
 namespace {
@@ -19,11 +22,18 @@ QMimeData* toDrag(const QString& id) {
   return data;
 }
 
-QString draggedMaterial(const QMimeData* data) {
+QString draggedFile(const QMimeData* data) {
   if (data->hasFormat(idFormat)) return QString::fromUtf8(data->data(idFormat));
   for (const QUrl& url : data->urls())
     if (url.isLocalFile()) return url.toLocalFile();
   return {};
+}
+
+QString draggedMaterial(const QMimeData* data) {
+  const QString file = draggedFile(data);
+  const std::string path = file.toStdString();
+  const bool isMaterial = data->hasFormat(idFormat) || editing::isDocumentName(path) || materials::isMaterialFile(path);
+  return isMaterial ? file : QString();
 }
 
 }  // namespace gonio::widgets

@@ -12,6 +12,8 @@ namespace gonio::widgets {
 QMimeData* toDrag(const QString& id);
 
 /// What a drag names: the id of a library's material, else the first local file; empty when it is neither.
+QString draggedFile(const QMimeData* data);
+/// The same where it is a material or a document, by its suffix or its content; else empty.
 QString draggedMaterial(const QMimeData* data);
 
 }  // namespace gonio::widgets

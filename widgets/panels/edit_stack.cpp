@@ -2,122 +2,181 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/panels/edit_stack.h"
 
+#include <QAction>
+#include <QDropEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QListWidget>
+#include <QMenu>
 #include <QToolButton>
 #include <algorithm>
 
-#include "widgets/inputs/icons.h"
-#include "widgets/inputs/number_field.h"
-#include "widgets/inputs/parameter_slider.h"
+#include "widgets/panels/edit_row.h"
 
 namespace gonio::widgets {
 
-namespace {
-constexpr double percentScale = 100;
-}
-
-struct EditStack::Row {
-  explicit Row(EditStack& stack)
-      : widget(new QWidget(&stack)),
-        eye(new QToolButton),
-        name(new QLabel),
-        slider(new ParameterSlider),
-        field(new NumberField),
-        remove(new QToolButton) {
-    const int em = widget->fontMetrics().height();
-    for (QToolButton* button : {eye, remove}) {
-      button->setAutoRaise(true);
-      button->setFocusPolicy(Qt::StrongFocus);
-    }
-    eye->setCheckable(true);
-    remove->setIcon(glyphIcon(Glyph::close));
-    name->setTextFormat(Qt::PlainText);
-    name->setMinimumWidth(1);  // a long name must not widen the whole inspector
-    slider->setRange(0, 1, models::ParameterScale::linear);
-    slider->setReference(1);
-    field->setRange(0, 1);
-    field->setUnit(QStringLiteral("%"), percentScale);
-    field->setStep(0.01);
-    field->setFixedWidth(em * 5);
-    auto* layout = new QHBoxLayout(widget);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(em / 3);
-    layout->addWidget(eye);
-    layout->addWidget(name, 1);
-    layout->addWidget(slider, 1);
-    layout->addWidget(field);
-    layout->addWidget(remove);
+/// As high as its rows. A drop asks for a move instead of making it.
+class EditStack::List : public QListWidget {
+ public:
+  explicit List(EditStack& stack) : m_stack(stack) {
+    setDragDropMode(QAbstractItemView::InternalMove);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    setAccessibleName(EditStack::tr("Edits"));
   }
 
-  void show(const EditEntry& entry) {
-    name->setText(entry.name);
-    name->setToolTip(entry.toolTip);
-    name->setEnabled(entry.enabled);
-    eye->setChecked(entry.enabled);
-    eye->setIcon(glyphIcon(entry.enabled ? Glyph::shown : Glyph::hidden));
-    eye->setToolTip(entry.enabled ? tr("Leave this edit out of the picture, the checks and exports")
-                                  : tr("Let this edit count again"));
-    eye->setAccessibleName(tr("%1 is shown").arg(entry.name));
-    slider->setNumber(entry.strength);
-    slider->setModified(entry.strength != 1);
-    slider->setToolTip(tr("How much of the change is added, in percent"));
-    slider->setAccessibleName(tr("Strength of %1").arg(entry.name));
-    field->setValue(entry.strength);
-    field->setAccessibleName(tr("Strength of %1").arg(entry.name));
-    remove->setToolTip(tr("Delete this edit"));
-    remove->setAccessibleName(tr("Delete %1").arg(entry.name));
-    for (QWidget* control : std::initializer_list<QWidget*>{slider, field}) control->setEnabled(entry.enabled);
+  QSize sizeHint() const override {
+    int height = 2 * frameWidth();
+    for (int row = 0; row < count(); ++row) height += sizeHintForRow(row);
+    return {10 * fontMetrics().height(), height};
   }
 
-  QWidget* widget;
-  QToolButton* eye;
-  QLabel* name;
-  ParameterSlider* slider;
-  NumberField* field;
-  QToolButton* remove;
+ protected:
+  void dropEvent(QDropEvent* event) override {
+    stopAutoScroll();
+    setState(NoState);
+    viewport()->update();
+    // The view would take the row away after a move: the owner does.
+    event->setDropAction(Qt::IgnoreAction);
+    event->accept();
+    const QPoint place = event->position().toPoint();
+    const QModelIndex below = indexAt(place);
+    int to = below.isValid() ? below.row() : count();
+    if (below.isValid() && place.y() > visualRect(below).center().y()) ++to;
+    const int from = currentRow();
+    if (to > from) --to;
+    if (from < 0 || to == from) return;
+    // When the drag is over: the rows are built anew.
+    QMetaObject::invokeMethod(
+        &m_stack, [this, from, to] { Q_EMIT m_stack.moveRequested(from, to); }, Qt::QueuedConnection);
+  }
+
+ private:
+  EditStack& m_stack;
 };
 
-EditStack::EditStack(QWidget* parent) : QWidget(parent), m_layout(new QVBoxLayout(this)), m_empty(new QLabel) {
-  m_layout->setContentsMargins(0, 0, 0, 0);
-  m_layout->setSpacing(2);
+EditStack::EditStack(QWidget* parent)
+    : QWidget(parent),
+      m_list(new List(*this)),
+      m_empty(new QLabel),
+      m_addMenu(new QMenu(this)),
+      m_add(new QToolButton) {
   m_empty->setWordWrap(true);
   m_empty->setForegroundRole(QPalette::PlaceholderText);
-  m_layout->addWidget(m_empty);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_list);
+  layout->addWidget(m_empty);
+  buildActions();
+  buildButtons();
+  connect(m_list, &QListWidget::currentRowChanged, this, [this](int row) {
+    updateActions();
+    if (row >= 0) Q_EMIT selectionChosen(row);
+  });
+  connect(m_list, &QListWidget::itemDoubleClicked, this, [this] { beginRename(selected()); });
+  setEntries({}, -1, {});
 }
 
 EditStack::~EditStack() = default;
 
-void EditStack::setEntries(const std::vector<EditEntry>& entries, const QString& emptyText) {
+void EditStack::buildActions() {
+  const auto add = [this](const QString& text, const QString& toolTip, const QKeySequence& keys, auto&& act) {
+    auto* action = new QAction(text, this);
+    action->setToolTip(toolTip);
+    action->setShortcut(keys);
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    connect(action, &QAction::triggered, this, act);
+    addAction(action);
+    return action;
+  };
+  m_rename = add(tr("Rename"), tr("Gives the selected edit a name of your own (F2)"), Qt::Key_F2,
+                 [this] { beginRename(selected()); });
+  m_duplicate = add(tr("Duplicate"), tr("Adds a copy of the selected edit behind it"), {},
+                    [this] { Q_EMIT duplicateRequested(selected()); });
+  m_up = add(tr("Move up"), tr("Applies the selected edit earlier (Alt+Up)"), QKeySequence(Qt::ALT | Qt::Key_Up),
+             [this] { Q_EMIT moveRequested(selected(), selected() - 1); });
+  m_down = add(tr("Move down"), tr("Applies the selected edit later (Alt+Down)"), QKeySequence(Qt::ALT | Qt::Key_Down),
+               [this] { Q_EMIT moveRequested(selected(), selected() + 1); });
+  m_delete = add(tr("Delete"), tr("Deletes the selected edit (Delete)"), Qt::Key_Delete,
+                 [this] { Q_EMIT deleteRequested(selected()); });
+  setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void EditStack::buildButtons() {
+  m_add->setText(tr("Add edit"));
+  m_add->setToolTip(tr("Adds another edit behind the selected one"));
+  m_add->setMenu(m_addMenu);
+  m_add->setPopupMode(QToolButton::InstantPopup);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(m_add);
+  for (QAction* action : {m_duplicate, m_rename}) {
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    buttons->addWidget(button);
+  }
+  buttons->addStretch();
+  for (auto* button : findChildren<QToolButton*>()) button->setFocusPolicy(Qt::StrongFocus);
+  static_cast<QVBoxLayout*>(layout())->addLayout(buttons);
+}
+
+int EditStack::selected() const { return m_list->currentRow(); }
+
+void EditStack::setEntries(const std::vector<EditEntry>& entries, int selected, const QString& emptyText) {
   const bool sameRows = std::equal(entries.begin(), entries.end(), m_entries.begin(), m_entries.end(),
                                    [](const EditEntry& a, const EditEntry& b) { return a.name == b.name; });
   m_entries = entries;
+  const QSignalBlocker blocker(m_list);
   // A slider that is dragged must not be taken out of the hand.
   if (!sameRows) rebuild();
   for (std::size_t i = 0; i < m_rows.size(); ++i) m_rows[i]->show(m_entries[i]);
+  m_list->setCurrentRow(selected);
+  m_list->setVisible(!m_entries.empty());
   m_empty->setText(emptyText);
   m_empty->setVisible(m_entries.empty());
+  m_add->setEnabled(!m_addMenu->isEmpty());
+  updateActions();
 }
 
 void EditStack::rebuild() {
-  // A row may be the sender: it goes when its event is done.
-  for (const auto& row : m_rows) {
-    row->widget->hide();
-    row->widget->deleteLater();
-  }
+  const QWidget* focus = focusWidget();
+  const bool focused = focus && focus->hasFocus() && m_list->isAncestorOf(focus);
+  m_list->clear();  // a row may be the sender: it goes when its event is done
   m_rows.clear();
   for (int i = 0; i < int(m_entries.size()); ++i) {
-    m_rows.push_back(std::make_unique<Row>(*this));
-    const Row& row = *m_rows.back();
-    m_layout->addWidget(row.widget);
-    connect(row.eye, &QToolButton::clicked, this, [this, i](bool enabled) { Q_EMIT enabledChosen(i, enabled); });
-    connect(row.remove, &QToolButton::clicked, this, [this, i] { Q_EMIT deleteRequested(i); });
-    connect(row.slider, &ParameterSlider::editingStarted, this, &EditStack::editingStarted);
-    connect(row.slider, &ParameterSlider::numberEdited, this, [this, i](double to) { Q_EMIT strengthEdited(i, to); });
-    connect(row.slider, &ParameterSlider::editingFinished, this, &EditStack::editingFinished);
-    connect(row.slider, &ParameterSlider::resetRequested, this, [this, i] { Q_EMIT strengthEdited(i, 1); });
-    connect(row.field, &NumberField::valueEdited, this, [this, i](double to) { Q_EMIT strengthEdited(i, to); });
+    auto* row = new EditRow;
+    m_rows.push_back(row);
+    connectRow(row, i);
+    row->show(m_entries[std::size_t(i)]);
+    auto* item = new QListWidgetItem(m_list);
+    item->setData(Qt::AccessibleTextRole, m_entries[std::size_t(i)].name);
+    item->setSizeHint({1, row->sizeHint().height()});
+    m_list->setItemWidget(item, row);
   }
+  m_list->updateGeometry();
+  if (focused) m_list->setFocus();
+}
+
+void EditStack::connectRow(EditRow* row, int entry) {
+  connect(row, &EditRow::enabledChosen, this, [=, this](bool enabled) { Q_EMIT enabledChosen(entry, enabled); });
+  connect(row, &EditRow::editingStarted, this, &EditStack::editingStarted);
+  connect(row, &EditRow::strengthEdited, this, [=, this](double to) { Q_EMIT strengthEdited(entry, to); });
+  connect(row, &EditRow::editingFinished, this, &EditStack::editingFinished);
+  connect(row, &EditRow::renamed, this, [=, this](const QString& name) { Q_EMIT renamed(entry, name); });
+  connect(row, &EditRow::deleteRequested, this, [=, this] { Q_EMIT deleteRequested(entry); });
+}
+
+void EditStack::updateActions() {
+  const int row = selected();
+  for (QAction* action : {m_rename, m_duplicate, m_delete}) action->setEnabled(row >= 0);
+  m_up->setEnabled(row > 0);
+  m_down->setEnabled(row >= 0 && row + 1 < int(m_rows.size()));
+}
+
+void EditStack::beginRename(int entry) {
+  if (entry >= 0 && entry < int(m_rows.size())) m_rows[std::size_t(entry)]->beginRename();
 }
 
 }  // namespace gonio::widgets

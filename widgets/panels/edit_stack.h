@@ -7,24 +7,30 @@
 #include <memory>
 #include <vector>
 
+class QAction;
 class QLabel;
-class QVBoxLayout;
+class QMenu;
+class QToolButton;
 
 namespace gonio::widgets {
 
+class EditRow;
+
 /// One edit of a stack, for people.
 struct EditEntry {
-  QString name;
+  QString name;  ///< shown
   QString toolTip = {};
   double strength = 1;  ///< [0, 1]
   bool enabled = true;
+  QString ownName = {};  ///< that the user gave it: what renaming starts from
 
   bool operator==(const EditEntry&) const = default;
 };
 
-/// The edits of a document in the order in which they are applied: an eye, the name, the strength as slider and
-/// number, a button that deletes. It shows what others own: it tells what the user wants and is told the result by
-/// setEntries().
+/// The edits of a document in the order in which they are applied: an eye, the name, the strength as slider and number,
+/// a button that deletes. One is selected. Rows are dragged to another place (or moved by Alt+Up, Alt+Down), renamed
+/// (F2 or a double click on the name), duplicated, added. It shows what others own: it signals what the user wants, and
+/// setEntries() shows the result.
 class EditStack : public QWidget {
   Q_OBJECT
 
@@ -32,26 +38,45 @@ class EditStack : public QWidget {
   explicit EditStack(QWidget* parent = nullptr);
   ~EditStack() override;
 
-  /// @param emptyText stands alone when there are none. Rows stay while their count and names do.
-  void setEntries(const std::vector<EditEntry>& entries, const QString& emptyText);
+  /// @param selected -1: none. @param emptyText stands alone when there are no entries. Rows stay while their count and
+  /// names do.
+  void setEntries(const std::vector<EditEntry>& entries, int selected, const QString& emptyText);
   const std::vector<EditEntry>& entries() const { return m_entries; }
+  int selected() const;
+  /// Of the button that adds an edit: the owner fills it.
+  QMenu& addMenu() { return *m_addMenu; }
+  /// Shows the name of an entry as a field to type in.
+  void beginRename(int entry);
 
  Q_SIGNALS:
+  void selectionChosen(int entry);
   void enabledChosen(int entry, bool enabled);
   /// Everything between these two is one step of the user's hand.
   void editingStarted();
   void strengthEdited(int entry, double strength);
   void editingFinished();
+  /// @param name empty: the name that the user gave before is taken away.
+  void renamed(int entry, const QString& name);
+  /// The entry `from` is to become number `to`.
+  void moveRequested(int from, int to);
+  void duplicateRequested(int entry);
   void deleteRequested(int entry);
 
  private:
-  struct Row;
+  class List;
+  void buildActions();
+  void buildButtons();
+  void connectRow(EditRow* row, int entry);
   void rebuild();
+  void updateActions();
 
-  QVBoxLayout* m_layout;
+  List* m_list;
   QLabel* m_empty;
+  QMenu* m_addMenu;
+  QToolButton* m_add;
+  QAction *m_rename, *m_duplicate, *m_up, *m_down, *m_delete;
   std::vector<EditEntry> m_entries;
-  std::vector<std::unique_ptr<Row>> m_rows;
+  std::vector<EditRow*> m_rows;  ///< owned by the list
 };
 
 }  // namespace gonio::widgets

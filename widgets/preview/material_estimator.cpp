@@ -37,7 +37,7 @@ void MaterialEstimator::start(const PreviewSubject& subject) {
       const std::shared_ptr<const Brdf> brdf = subjectBrdf(subject);
       // The lobe of a table as it is has come with it.
       const SamplingLobe lobe = subject.isMeasured() ? subject.lobe : estimateSamplingLobe(*brdf);
-      outcome.estimate = {lobe, std::make_shared<const TracedMaterial>(brdf, lobe)};
+      outcome.estimate = {lobe, std::make_shared<const RenderMaterial>(brdf, lobe)};
     });
     return outcome;
   }));

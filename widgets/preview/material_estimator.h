@@ -6,7 +6,7 @@
 #include <QObject>
 #include <optional>
 
-#include "core/rendering/traced_material.h"
+#include "core/rendering/render_material.h"
 #include "widgets/preview/gl/preview_subject.h"
 
 namespace gonio::widgets {
@@ -14,7 +14,7 @@ namespace gonio::widgets {
 /// What rendering wants to know of a subject.
 struct MaterialEstimate {
   SamplingLobe lobe;
-  std::shared_ptr<const TracedMaterial> material;
+  std::shared_ptr<const RenderMaterial> material;
 };
 
 /// Estimates how a subject is sampled and what it reflects in another thread: some 10 ms; some 100 for a blend of codes

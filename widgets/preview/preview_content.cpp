@@ -51,7 +51,7 @@ bool PreviewContent::isComparing() const {
 
 /// What the side's picture simulates.
 void PreviewContent::plan(PreviewSide& side) {
-  static const std::shared_ptr<const TracedMaterial> grey = diffuseMaterial(Rgb(0.5));
+  static const std::shared_ptr<const RenderMaterial> grey = diffuseMaterial(Rgb(0.5));
   adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, m_others));
 }
 
@@ -64,7 +64,7 @@ void PreviewContent::adoptPlan(PreviewSide& side, const EffectPlan& plan) {
 void PreviewContent::trace(PreviewSide& side) {
   if (!isTraced() || !side.material() || side.subject().isEmpty()) return side.tracer().stop();
   if (&side == &m_second && !isComparing()) return;
-  side.tracer().trace(m_scene, lookedAtMaterials(m_scene, side.material(), m_others), side.plan(), pictureSize(),
+  side.tracer().trace(m_scene, materialsInSlots(m_scene, side.material(), m_others), side.plan(), pictureSize(),
                       wantedSamples());
 }
 
@@ -114,12 +114,12 @@ void PreviewContent::setEnvironment(const std::shared_ptr<const EnvironmentMap>&
 
 bool PreviewContent::isTraced() const {
   if (!SceneUniforms::canDraw(m_scene)) return true;
-  const auto shown = std::min(m_others.size(), std::size_t(std::max(1, lookedAtCount(m_scene)) - 1));
+  const auto shown = std::min(m_others.size(), std::size_t(std::max(1, materialSlotCount(m_scene)) - 1));
   return std::any_of(m_others.begin(), m_others.begin() + std::ptrdiff_t(shown),
                      [](const auto& material) { return material != nullptr; });
 }
 
-void PreviewContent::setOthers(const TracedMaterials& others) {
+void PreviewContent::setOthers(const RenderMaterials& others) {
   if (others == m_others) return;
   m_others = others;
   setScene(m_scene);

@@ -39,8 +39,8 @@ class PreviewContent : public QObject {
   /// Puts an environment into the scene; null: a distant light in its place.
   void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
   /// What the scene's other places show: number i is others[i - 1]; the subject itself where that is null or missing.
-  void setOthers(const TracedMaterials& others);
-  const TracedMaterials& others() const { return m_others; }
+  void setOthers(const RenderMaterials& others);
+  const RenderMaterials& others() const { return m_others; }
   /// Effects that the user forces on or off.
   void setOverrides(const EffectOverrides& overrides);
   const EffectOverrides& overrides() const { return m_overrides; }
@@ -85,7 +85,7 @@ class PreviewContent : public QObject {
   PreviewComparison m_comparison;
   Scene m_scene, m_home;
   EffectOverrides m_overrides;
-  TracedMaterials m_others;
+  RenderMaterials m_others;
   QSize m_viewport{1, 1};
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rendering/shape.h"
+
 namespace gonio::widgets {
 
 namespace {
@@ -30,17 +32,19 @@ OrbitCamera zoomed(const OrbitCamera& camera, double steps) {
 double environmentTurn(double dx) { return orbitPerPixel * dx; }
 
 Direction lightTowards(const OrbitCamera& camera, double x, double y, double aspect) {
-  const CameraRay ray = cameraRay(cameraFrame(camera), x, y, aspect);
-  const Direction nearest = ray.origin - glm::dot(ray.origin, ray.direction) * ray.direction;
-  const Direction normal = sphereHit(ray).value_or(glm::normalize(nearest));
+  const Ray ray = cameraRay(cameraFrame(camera), x, y, aspect);
+  const Direction closest = ray.origin - glm::dot(ray.origin, ray.direction) * ray.direction;
+  const std::optional<ShapeHit> hit = nearestHit(Sphere{}, ray);
+  const Direction normal = hit ? hit->shadingNormal : glm::normalize(closest);
   return glm::normalize(ray.direction - 2 * glm::dot(ray.direction, normal) * normal);
 }
 
 std::optional<double> viewerPolarAngle(const OrbitCamera& camera, double x, double y, double aspect) {
-  const CameraRay ray = cameraRay(cameraFrame(camera), x, y, aspect);
-  const std::optional<Direction> normal = sphereHit(ray);
-  if (!normal) return std::nullopt;
-  return std::atan2(glm::length(glm::cross(*normal, ray.direction)), std::max(0.0, -glm::dot(*normal, ray.direction)));
+  const Ray ray = cameraRay(cameraFrame(camera), x, y, aspect);
+  const std::optional<ShapeHit> hit = nearestHit(Sphere{}, ray);
+  if (!hit) return std::nullopt;
+  const Direction& normal = hit->shadingNormal;
+  return std::atan2(glm::length(glm::cross(normal, ray.direction)), std::max(0.0, -glm::dot(normal, ray.direction)));
 }
 
 }  // namespace gonio::widgets

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/rendering/sphere_scene.h"
+#include "core/rendering/camera.h"
 
 namespace gonio::widgets {
 

@@ -25,7 +25,7 @@ class PreviewSide : public QObject {
   void setPlan(const EffectPlan& plan) { m_plan = plan; }
   const EffectPlan& plan() const { return m_plan; }
   /// As rendering takes the subject; null while it is not known.
-  const std::shared_ptr<const TracedMaterial>& material() const { return m_material; }
+  const std::shared_ptr<const RenderMaterial>& material() const { return m_material; }
   SceneTracer& tracer() { return m_tracer; }
   const SceneTracer& tracer() const { return m_tracer; }
   bool isEstimating() const { return m_estimator.isBusy(); }
@@ -45,7 +45,7 @@ class PreviewSide : public QObject {
   int m_number = 0;  ///< of the subject and its lobe
   QString m_name;
   MaterialEstimator m_estimator;
-  std::shared_ptr<const TracedMaterial> m_material;
+  std::shared_ptr<const RenderMaterial> m_material;
   EffectPlan m_plan;
   SceneTracer m_tracer;
 };

@@ -62,7 +62,7 @@ void PreviewWidget::connectContent() {
 }
 
 void PreviewWidget::setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe) {
-  setSubject({.table = std::move(table), .lobe = lobe});
+  setSubject(tableSubject(std::move(table), lobe));
 }
 
 void PreviewWidget::setFlickering(bool flickering) {

@@ -45,13 +45,13 @@ class PreviewWidget : public QOpenGLWidget {
   void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
     m_content.setEnvironment(environment);
   }
-  void setOthers(const TracedMaterials& others) { m_content.setOthers(others); }
-  const TracedMaterials& others() const { return m_content.others(); }
+  void setOthers(const RenderMaterials& others) { m_content.setOthers(others); }
+  const RenderMaterials& others() const { return m_content.others(); }
   void setOverrides(const EffectOverrides& overrides) { m_content.setOverrides(overrides); }
   const EffectOverrides& overrides() const { return m_content.overrides(); }
   const EffectPlan& plan() const { return m_content.plan(); }
   bool isTraced() const { return m_content.isTraced(); }
-  const std::shared_ptr<const TracedMaterial>& material() const { return m_content.first().material(); }
+  const std::shared_ptr<const RenderMaterial>& material() const { return m_content.first().material(); }
   bool hasMaterial() const { return m_content.hasMaterial(); }
   void setPicking(bool picking) { m_input->setPicking(picking); }
   void frameObject() { m_input->frameObject(); }

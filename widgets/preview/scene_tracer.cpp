@@ -48,8 +48,8 @@ void SceneTracer::stop() {
   m_isDone = false;
 }
 
-void SceneTracer::trace(const Scene& scene, const TracedMaterials& lookedAt, const EffectPlan& plan, const QSize& size,
-                        int samples) {
+void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials, const EffectPlan& plan,
+                        const QSize& size, int samples) {
   stop();
   m_stop = std::stop_source();
   m_samples = samples;
@@ -66,7 +66,7 @@ void SceneTracer::trace(const Scene& scene, const TracedMaterials& lookedAt, con
   m_future = QtConcurrent::run([=, before = m_future, control = TaskControl{m_stop.get_token(), {}}]() mutable {
     before.waitForFinished();  // it was told to stop: two at once would take each other's cores
     const QString failure = TaskFailure::of([&] {
-      traceProgressively(PathTracer(scene, bindMaterials(scene, lookedAt), plan), size, samples, control, tell);
+      traceProgressively(PathTracer(scene, bindMaterials(scene, slotMaterials), plan), size, samples, control, tell);
     });
     if (!failure.isEmpty()) tellFailure(failure);
   });

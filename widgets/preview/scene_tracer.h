@@ -20,8 +20,8 @@ class SceneTracer : public QObject {
   explicit SceneTracer(QObject* parent = nullptr);
   ~SceneTracer() override;
 
-  /// @param lookedAt the materials that the scene looks at. The picture before stays until the first new one is there.
-  void trace(const Scene& scene, const TracedMaterials& lookedAt, const EffectPlan& plan, const QSize& size,
+  /// @param slotMaterials of the scene's slots. The picture before stays until the first new one is there.
+  void trace(const Scene& scene, const RenderMaterials& slotMaterials, const EffectPlan& plan, const QSize& size,
              int samples);
   void stop();
 

@@ -4,8 +4,8 @@
 #include <QComboBox>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
-#include "core/io/plan_file.h"
-#include "core/io/values_file.h"
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
 
 namespace gonio::app {
 
@@ -19,14 +19,14 @@ QStringList AcquisitionPanel::planComments() const {
 QString AcquisitionPanel::planText() const {
   std::vector<std::string> comments;
   for (const QString& comment : planComments()) comments.push_back(comment.toStdString());
-  return QString::fromStdString(io::planCsv(m_session.samplingPlan(), comments));
+  return QString::fromStdString(materials::planCsv(m_session.samplingPlan(), comments));
 }
 
 void AcquisitionPanel::savePlan(const QString& path) {
   std::vector<std::string> comments;
   for (const QString& comment : planComments()) comments.push_back(comment.toStdString());
   try {
-    io::writePlan(m_session.samplingPlan(), path.toStdString(), comments);
+    materials::writePlan(m_session.samplingPlan(), path.toStdString(), comments);
     Q_EMIT exported(path);
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot save the plan"), QString::fromUtf8(error.what()));
@@ -35,7 +35,7 @@ void AcquisitionPanel::savePlan(const QString& path) {
 
 void AcquisitionPanel::readPlan(const QString& path) {
   try {
-    const acquisition::SamplingPlan plan = io::readPlan(path.toStdString());
+    const acquisition::SamplingPlan plan = materials::readPlan(path.toStdString());
     takeOpenMaterial();
     m_controls->setSamples(int(plan.samples.size()));
     m_session.plan(m_controls->planSettings(), plan);
@@ -47,7 +47,7 @@ void AcquisitionPanel::readPlan(const QString& path) {
 void AcquisitionPanel::paste(const QString& text) {
   try {
     if (text.trimmed().isEmpty()) throw Error(tr("There is no text on the clipboard.").toStdString());
-    m_session.setValues(io::parseValues(text.toStdString(), m_session.samplingPlan()), tr("pasted"));
+    m_session.setValues(materials::parseValues(text.toStdString(), m_session.samplingPlan()), tr("pasted"));
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
   }
@@ -55,7 +55,7 @@ void AcquisitionPanel::paste(const QString& text) {
 
 void AcquisitionPanel::readValues(const QString& path) {
   try {
-    m_session.setValues(io::readValues(path.toStdString(), m_session.samplingPlan()), path.section('/', -1));
+    m_session.setValues(materials::readValues(path.toStdString(), m_session.samplingPlan()), path.section('/', -1));
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
   }

@@ -8,7 +8,7 @@
 
 #include "app/gonio/acquisition/acquisition_training.h"
 #include "app/gonio/library/thumbnail.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/rendering/false_colour.h"
 #include "widgets/preview/gl/preview_comparison.h"
@@ -51,13 +51,13 @@ void addErrorMap(AcquisitionResult& result, const Image& picture, const Image& a
 
 }  // namespace
 
-SphereRenderOptions acquisitionPicture() {
+RenderOptions acquisitionPicture() {
   return {.width = comparedSide, .height = comparedSide, .samples = comparedSamples, .lobe = {}};
 }
 
 AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& name,
-                                             std::shared_ptr<const TabulatedBrdf> table,
-                                             const SphereRenderOptions& picture, const TaskControl& control) {
+                                             std::shared_ptr<const TabulatedBrdf> table, const RenderOptions& picture,
+                                             const TaskControl& control) {
   auto reference = std::make_shared<AcquisitionReference>();
   reference->id = id;
   reference->name = name;
@@ -67,10 +67,10 @@ AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& n
   return reference;
 }
 
-AcquisitionReferencePtr readAcquisitionReference(const QString& id, const SphereRenderOptions& picture,
+AcquisitionReferencePtr readAcquisitionReference(const QString& id, const RenderOptions& picture,
                                                  const TaskControl& control) {
   constexpr double readShare = 0.6;
-  const io::Material material = io::readMaterial(id.toStdString(), control.between(0, readShare / 2));
+  const materials::Material material = materials::readMaterial(id.toStdString(), control.between(0, readShare / 2));
   auto table = material.tabulated(control.between(readShare / 2, readShare));
   return acquisitionReference(id, QString::fromStdString(material.name), std::move(table), picture,
                               control.between(readShare, 1));

@@ -23,14 +23,14 @@ struct AcquisitionReference {
 using AcquisitionReferencePtr = std::shared_ptr<const AcquisitionReference>;
 
 /// Size and samples of the pictures: every reconstruction that is compared has one.
-SphereRenderOptions acquisitionPicture();
+RenderOptions acquisitionPicture();
 
 /// Renders the picture: some tenths of a second. @throws Cancelled.
 AcquisitionReferencePtr acquisitionReference(const QString& id, const QString& name,
-                                             std::shared_ptr<const TabulatedBrdf> table,
-                                             const SphereRenderOptions& picture, const TaskControl& control = {});
+                                             std::shared_ptr<const TabulatedBrdf> table, const RenderOptions& picture,
+                                             const TaskControl& control = {});
 /// The same of a material that is read first. @throws Error naming the file; Cancelled.
-AcquisitionReferencePtr readAcquisitionReference(const QString& id, const SphereRenderOptions& picture,
+AcquisitionReferencePtr readAcquisitionReference(const QString& id, const RenderOptions& picture,
                                                  const TaskControl& control = {});
 
 /// How far a reconstruction is from its reference.

@@ -2,11 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/acquisition/acquisition_session.h"
 
+#include "app/gonio/document/material_files.h"
+
 #include <QDir>
 #include <QPointer>
 #include <algorithm>
 
-#include "core/io/material.h"
+#include "core/materials/material.h"
 
 namespace gonio::app {
 
@@ -16,9 +18,9 @@ const QString referenceKey = QStringLiteral("acquisition reference"), openKey = 
 /// A file of this name that is not there yet: "name.binary", "name 2.binary". Another document may stand on the first.
 QString freePath(const QString& folder, QString name) {
   name.replace('/', '-');
-  QString path = QDir(folder).filePath(name + QStringLiteral(".binary"));
+  QString path = QDir(folder).filePath(name + tableSuffix());
   for (int i = 2; QFile::exists(path); ++i)
-    path = QDir(folder).filePath(QStringLiteral("%1 %2.binary").arg(name).arg(i));
+    path = QDir(folder).filePath(QStringLiteral("%1 %2%3").arg(name).arg(i).arg(tableSuffix()));
   return path;
 }
 }  // namespace
@@ -209,7 +211,7 @@ void AcquisitionSession::open(Document& document, const QString& folder) {
       [table = m_result->reconstruction->table, folder, name](const TaskControl& control) {
         if (!QDir().mkpath(folder)) throw Error(folder.toStdString() + ": the folder cannot be made");
         const std::string path = freePath(folder, name).toStdString();
-        io::writeMerl(*table, path);
+        materials::writeMaterial(*table, path);
         return loadMaterial(path, control);
       },
       [&document, name](const LoadedMaterialPtr& material) {

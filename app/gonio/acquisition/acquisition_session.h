@@ -42,7 +42,7 @@ class AcquisitionSession : public QObject {
   explicit AcquisitionSession(BackgroundTasks& tasks, QObject* parent = nullptr);
 
   /// Of the pictures that are rendered from now on.
-  void setPicture(const SphereRenderOptions& picture) { m_picture = picture; }
+  void setPicture(const RenderOptions& picture) { m_picture = picture; }
   /// The material that is measured and compared with; read in the background.
   void setReference(const QString& id);
   /// The same of a table that is made in the background.
@@ -137,7 +137,7 @@ class AcquisitionSession : public QObject {
   AcquisitionInput input() const;
 
   BackgroundTasks& m_tasks;
-  SphereRenderOptions m_picture = acquisitionPicture();
+  RenderOptions m_picture = acquisitionPicture();
   QString m_referenceId, m_referenceName;
   AcquisitionReferencePtr m_reference;
   PlanSettings m_settings;

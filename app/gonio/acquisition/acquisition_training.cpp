@@ -6,9 +6,9 @@
 #include <QDir>
 #include <QRegularExpression>
 
-#include "app/gonio/library/material_files.h"
-#include "core/io/bundled_library.h"
-#include "core/io/material.h"
+#include "app/gonio/document/material_files.h"
+#include "core/materials/bundled_library.h"
+#include "core/materials/material.h"
 
 namespace gonio::app {
 
@@ -20,9 +20,9 @@ struct AcquisitionTrainingText {
 
 QStringList libraryIds(const QString& collection) {
   QStringList ids;
-  for (const io::LibraryEntry& entry : io::bundledLibrary())
+  for (const materials::LibraryEntry& entry : materials::bundledLibrary())
     if (const QString id = QString::fromStdString(entry.id); id.startsWith(collection))
-      ids << QString::fromUtf8(io::libraryScheme.data(), qsizetype(io::libraryScheme.size())) + id;
+      ids << QString::fromUtf8(materials::libraryScheme.data(), qsizetype(materials::libraryScheme.size())) + id;
   return ids;
 }
 
@@ -39,7 +39,7 @@ TrainingSet fittedTraining() {
 TrainingSet folderTraining(const QString& folder) {
   const QDir dir(folder);
   TrainingSet set{AcquisitionTrainingText::tr("files of %1").arg(dir.dirName()), {}};
-  for (const QFileInfo& file : dir.entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name))
+  for (const QFileInfo& file : dir.entryInfoList(measurementFilePatterns(), QDir::Files | QDir::Readable, QDir::Name))
     set.ids << file.absoluteFilePath();
   return set;
 }
@@ -63,7 +63,7 @@ std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringL
     throw Error("The training set has " + std::to_string(ids.size()) + " materials, expected 2 or more.");
   const auto load = [&](std::size_t material) {
     const std::string id = ids[qsizetype(material)].toStdString();
-    return io::readMaterial(id, {control.stop, {}}).tabulated({control.stop, {}});
+    return materials::readMaterial(id, {control.stop, {}}).tabulated({control.stop, {}});
   };
   return std::make_shared<const dictionary::PrincipalComponents>(
       dictionary::learnPrincipalComponents(std::size_t(ids.size()), load, {}, control));

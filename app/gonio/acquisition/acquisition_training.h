@@ -13,7 +13,7 @@ namespace gonio::app {
 /// Materials from which an acquisition learns what materials are like.
 struct TrainingSet {
   QString name;     ///< for people: "measured materials of the library"
-  QStringList ids;  ///< as io::readMaterial() takes them
+  QStringList ids;  ///< as materials::readMaterial() takes them
 
   bool operator==(const TrainingSet&) const = default;
 };

@@ -23,7 +23,8 @@ constexpr std::array allSides{ComparedSubject::measured, ComparedSubject::fit, C
 ComparisonController::ComparisonController(Document& document, BackgroundTasks& tasks, widgets::PreviewWidget& preview,
                                            widgets::ComparisonBar& bar, QObject* parent)
     : QObject(parent), m_document(document), m_tasks(tasks), m_preview(preview), m_bar(bar) {
-  for (const auto signal : {&Document::materialChanged, &Document::stateChanged, &Document::editChanged})
+  for (const auto signal :
+       {&Document::materialChanged, &Document::stateChanged, &Document::editChanged, &Document::selectionChanged})
     connect(&document, signal, this, &ComparisonController::refresh);
   connect(&bar, &widgets::ComparisonBar::comparisonEdited, this, &ComparisonController::setComparison);
   connect(&bar, &widgets::ComparisonBar::sidesEdited, this, &ComparisonController::setSides);
@@ -70,10 +71,7 @@ void ComparisonController::setComparison(const widgets::PreviewComparison& compa
   Q_EMIT comparisonChanged();
 }
 
-bool ComparisonController::isEdited() const {
-  const auto edits = m_document.edits();
-  return !std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); });
-}
+bool ComparisonController::isEdited() const { return !editing::isIdentity(m_document.edits()); }
 
 void ComparisonController::chooseUsualSides() {
   m_sides = {isEdited() || standIn() || code() ? ComparedSubject::edited : ComparedSubject::fit,
@@ -122,24 +120,15 @@ widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) cons
   if (const auto kind = standIn(); side == ComparedSubject::edited && kind)
     return *m_standIns[std::size_t(*kind)].subject;
   const LoadedMaterialPtr& material = side == ComparedSubject::reference ? m_reference : m_document.material();
-  if (!material) return {.table = nullptr, .lobe = {}};
-  widgets::PreviewSubject subject{.table = material->table, .lobe = material->lobe};
-  if (side == ComparedSubject::edited) {
-    if (code()) {
-      subject.table = code()->table;
-      subject.lobe = code()->lobe;
-      subject.code = code()->stored;
-    }
-    subject.edit = m_document.edit();
-    subject.factors = m_document.factors();
-  }
-  if (side == ComparedSubject::fit) {
-    const auto& edit = m_document.edit();
-    if (!edit) return {.table = nullptr, .lobe = {}};
-    subject.model = edit->model;
-    subject.parameters = edit->fitted;
-  }
-  return subject;
+  if (!material) return {};
+  if (side == ComparedSubject::edited && code())
+    return {widgets::EditedTable{code()->table, m_document.edits(), code()->stored}, code()->lobe};
+  if (side == ComparedSubject::edited)
+    return {widgets::EditedTable{material->table, m_document.edits()}, material->lobe};
+  if (side != ComparedSubject::fit) return widgets::tableSubject(material->table, material->lobe);
+  const auto* edit = m_document.active<editing::DifferentialEdit>();
+  if (!edit) return {};
+  return {widgets::ModelAlone{edit->model, edit->fitted, material->table->grid()}, material->lobe};
 }
 
 QString ComparisonController::name(ComparedSubject side) const {
@@ -151,9 +140,9 @@ QString ComparisonController::name(ComparedSubject side) const {
   if (!material) return {};
   if (side == ComparedSubject::measured) return sourceKind(*material);
   if (side == ComparedSubject::edited && code()) return isEdited() ? tr("Encoded, edited") : tr("Encoded");
-  if (!m_document.edit()) return side == ComparedSubject::edited ? tr("Edited") : QString();
-  return side == ComparedSubject::edited ? tr("Edited")
-                                         : tr("Fit: %1").arg(widgets::fromView(m_document.edit()->model->spec().name));
+  if (side == ComparedSubject::edited) return tr("Edited");
+  const auto* edit = m_document.active<editing::DifferentialEdit>();
+  return edit ? tr("Fit: %1").arg(widgets::fromView(edit->model->spec().name)) : QString();
 }
 
 void ComparisonController::refresh() {

@@ -19,14 +19,6 @@ struct ComparisonNumbersText {
   Q_DECLARE_TR_FUNCTIONS(ComparisonNumbers)
 };
 
-std::shared_ptr<const TabulatedBrdf> tabulated(const widgets::PreviewSubject& subject, const TaskControl& control) {
-  if (subject.isMeasured()) return subject.table;
-  if (subject.blend) return subject.blend->interpolation->table(subject.blend->weights, control);
-  if (!subject.model) return editing::bakeEdits(subject.table, subject.edits(), control);
-  return bakeTable(*widgets::subjectBrdf(subject), subject.table ? subject.table->grid() : HalfDifferenceGrid{},
-                   {control.stop, {}});
-}
-
 QString quoted(const QString& text) { return '"' + QString(text).replace('"', QStringLiteral("\"\"")) + '"'; }
 
 }  // namespace
@@ -34,8 +26,8 @@ QString quoted(const QString& text) { return '"' + QString(text).replace('"', QS
 ComparisonReferencePtr comparisonReference(const widgets::PreviewSubject& subject, const TaskControl& control) {
   auto reference = std::make_shared<ComparisonReference>();
   reference->subject = subject;
-  reference->table = tabulated(subject, {control.stop, {}});
-  SphereRenderOptions options;
+  reference->table = widgets::subjectTable(subject, {control.stop, {}});
+  RenderOptions options;
   options.width = options.height = comparisonSide;
   options.samples = comparisonSamples;
   reference->picture = std::make_unique<const RenderedComparison>(*widgets::subjectBrdf(subject), options,

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gonio/library/material_files.h"
+#include "app/gonio/document/material_files.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/library_view.h"
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/document/autosave.h"
 
+#include "app/gonio/document/material_files.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -52,7 +54,7 @@ void Autosave::update() {
     const QString id = QUuid::createUuid().toString(QUuid::WithoutBraces);
     QDir().mkpath(m_dataFolder);
     m_record = m_dataFolder + '/' + id + recordSuffix;
-    m_copy = m_documentPath.isEmpty() ? m_dataFolder + '/' + id + ".gonio" : m_documentPath + ".autosave";
+    m_copy = m_documentPath.isEmpty() ? m_dataFolder + '/' + id + documentSuffix() : m_documentPath + ".autosave";
     m_lock = std::make_unique<QLockFile>(m_record + ".lock");
     m_lock->setStaleLockTime(0);
     m_lock->tryLock();

@@ -6,92 +6,27 @@
 
 namespace gonio::app {
 
-/// Changes one parameter of the edit. Steps of one interaction (a drag of a slider) merge into one; a drag that ends
-/// where it began leaves no step.
-class ChangeParameterCommand final : public Command {
+/// Replaces the list of edits. Steps of one interaction (a drag of a slider or a curve) merge into one; a drag that
+/// ends where it began leaves no step.
+class ReplaceEditsCommand final : public Command {
  public:
-  ChangeParameterCommand(Document& document, int parameter, const Rgb& value, int interaction, bool reset = false);
+  ReplaceEditsCommand(Document& document, EditState after, const QString& text, int interaction);
 
   int id() const override { return 1; }
   bool mergeWith(const QUndoCommand* other) override;
-  std::size_t bytes() const override { return sizeof(*this); }
-
- protected:
-  void apply() override { m_document.setEditedValue(m_parameter, m_after); }
-  void revert() override { m_document.setEditedValue(m_parameter, m_before); }
-  void release() override {}
-
- private:
-  void describe();
-
-  Document& m_document;
-  int m_parameter, m_interaction;
-  bool m_reset;
-  Rgb m_before, m_after;
-};
-
-/// Changes the edit of factors. Steps of one interaction (a drag of a curve) merge into one; a drag that ends where it
-/// began leaves no step.
-class ChangeFactorsCommand final : public Command {
- public:
-  using Factors = std::optional<editing::FactorEdit>;
-  ChangeFactorsCommand(Document& document, const Factors& after, int interaction, const QString& text);
-
-  int id() const override { return 2; }
-  bool mergeWith(const QUndoCommand* other) override;
+  /// Curves that both lists hold do not count: other steps or the document hold them too.
   std::size_t bytes() const override;
+  /// An edit that exists on both sides of this step, behind all others.
+  void append(const editing::Edit& edit);
 
  protected:
-  void apply() override { m_document.replaceFactors(m_after); }
-  void revert() override { m_document.replaceFactors(m_before); }
+  void apply() override { m_document.setState(m_after); }
+  void revert() override { m_document.setState(m_before); }
   void release() override { m_before = m_after = {}; }
 
  private:
   Document& m_document;
   int m_interaction;
-  Factors m_before, m_after;
-};
-
-/// Changes how much of the model's edit counts, and whether it does. Steps of one interaction merge into one.
-class ChangeEditShareCommand final : public Command {
- public:
-  ChangeEditShareCommand(Document& document, double strength, bool enabled, int interaction, const QString& text);
-
-  int id() const override { return 3; }
-  bool mergeWith(const QUndoCommand* other) override;
-  std::size_t bytes() const override { return sizeof(*this); }
-
- protected:
-  void apply() override { m_document.setEditShare(m_after.strength, m_after.enabled); }
-  void revert() override { m_document.setEditShare(m_before.strength, m_before.enabled); }
-  void release() override {}
-
- private:
-  struct Share {
-    double strength;
-    bool enabled;
-    bool operator==(const Share&) const = default;
-  };
-
-  Document& m_document;
-  int m_interaction;
-  Share m_before, m_after;
-};
-
-/// Replaces the whole edit state: choosing a fit, resetting everything, pasting.
-class ReplaceStateCommand final : public Command {
- public:
-  ReplaceStateCommand(Document& document, EditState after, const QString& text);
-
-  std::size_t bytes() const override;
-
- protected:
-  void apply() override { m_document.setState(m_after); }
-  void revert() override { m_document.setState(m_before); }
-  void release() override;
-
- private:
-  Document& m_document;
   EditState m_before, m_after;
 };
 
@@ -106,19 +41,13 @@ class ReplaceMaterialCommand final : public Command {
  protected:
   void apply() override;
   void revert() override;
-  void release() override;
+  void release() override { m_before = m_after = {}; }
 
  private:
-  struct Content {
-    LoadedMaterialPtr material;
-    EditState state;
-    QString path;
-  };
-  Content current() const;
-  void show(const Content& content);
+  void show(const Document::Content& content);
 
   Document& m_document;
-  Content m_before, m_after;
+  Document::Content m_before, m_after;
 };
 
 }  // namespace gonio::app

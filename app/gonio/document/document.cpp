@@ -3,179 +3,174 @@
 #include "app/gonio/document/document.h"
 
 #include <QFileInfo>
+#include <algorithm>
 
 #include "app/gonio/document/commands.h"
+#include "core/editing/edit_list.h"
 
 namespace gonio::app {
 
-editing::DifferentialEdit identityEdit(const fitting::FitResult& fit) {
-  editing::DifferentialEdit edit;
-  edit.model = fit.model;
-  edit.fitted = edit.edited = fit.parameters;
-  return edit;
+using editing::DifferentialEdit;
+using editing::EditList;
+
+namespace {
+
+/// Whether the same models start from the same fits, in the same order.
+bool sameFits(const EditList& a, const EditList& b) {
+  const auto next = [](const EditList& list, std::size_t& i) -> const DifferentialEdit* {
+    while (i < list.size())
+      if (const auto* edit = std::get_if<DifferentialEdit>(&list[i++].content)) return edit;
+    return nullptr;
+  };
+  for (std::size_t i = 0, k = 0;;) {
+    const DifferentialEdit *one = next(a, i), *other = next(b, k);
+    if (!one || !other) return one == other;
+    if (one->model != other->model || one->fitted != other->fitted) return false;
+  }
 }
+
+}  // namespace
+
+DifferentialEdit identityEdit(const fitting::FitResult& fit) { return {fit.model, fit.parameters, fit.parameters}; }
 
 Document::Document(QObject* parent) : QObject(parent) {
   connect(&m_history, &QUndoStack::cleanChanged, this, &Document::titleChanged);
 }
 
 QString Document::name() const {
-  if (!m_path.isEmpty()) return QFileInfo(m_path).completeBaseName();
-  return m_material ? QString::fromStdString(m_material->material.name) : tr("Untitled");
+  if (!m_content.path.isEmpty()) return QFileInfo(m_content.path).completeBaseName();
+  return material() ? QString::fromStdString(material()->material.name) : tr("Untitled");
 }
 
-void Document::setContent(LoadedMaterialPtr material, const EditState& state, const QString& path) {
-  m_material = std::move(material);
-  m_state = state;
-  m_path = path;
+void Document::select(int edit) {
+  if (edit == state().selected) return;
+  m_content.state.selected = edit;
+  Q_EMIT selectionChanged();
+}
+
+void Document::setContent(Content content) {
+  m_content = std::move(content);
   m_interacting = false;
   Q_EMIT materialChanged();
   Q_EMIT stateChanged();
+  Q_EMIT selectionChanged();
   Q_EMIT titleChanged();
 }
 
-void Document::startAnew(LoadedMaterialPtr material, const EditState& state, const QString& path) {
+void Document::startAnew(Content content) {
   m_history.clear();
   m_history.setClean();
-  setContent(std::move(material), state, path);
+  setContent(std::move(content));
 }
 
 void Document::replaceMaterial(LoadedMaterialPtr material, const QString& text) {
   m_history.add(new ReplaceMaterialCommand(*this, std::move(material), text));
 }
 
-void Document::setMaterial(LoadedMaterialPtr material) { startAnew(std::move(material), {}, {}); }
+void Document::setMaterial(LoadedMaterialPtr material) { startAnew({std::move(material), {}, {}, {}}); }
 
 void Document::setMaterial(LoadedMaterialPtr material, const editing::EditDocument& stored, const QString& path) {
-  EditState state;
-  for (const editing::Edit& edit : stored.edits) {
-    const auto* differential = std::get_if<editing::DifferentialEdit>(&edit);
-    if (differential ? state.edit.has_value() : state.factors || state.edit)
-      throw Error(path.toStdString() + ": holds " + std::to_string(stored.edits.size()) +
-                  " edits; this version of the editor opens documents with one of factors, then one of a model");
-    if (differential)
-      state.edit = *differential;
-    else
-      state.factors = std::get<editing::FactorEdit>(edit);
-  }
-  startAnew(std::move(material), state, path);
-}
-
-void Document::adoptFit(const fitting::FitResult& fit) { setState({fit, identityEdit(fit), m_state.factors}); }
-
-void Document::chooseFit(const fitting::FitResult& fit) {
-  const QString text = tr("Fit %1").arg(QString::fromUtf8(fit.model->spec().name.data()));
-  m_history.add(new ReplaceStateCommand(*this, {fit, identityEdit(fit), m_state.factors}, text));
+  startAnew({std::move(material), {stored.edits, int(stored.edits.size()) - 1}, path, {}});
 }
 
 void Document::beginInteraction() {
   ++m_interaction;
   m_interacting = true;
+  m_atBegin = state();
 }
 
-void Document::endInteraction() { m_interacting = false; }
+void Document::addStep(EditState after, const QString& text) {
+  if (after.edits == edits()) return;
+  after.selected = std::min(after.selected, int(after.edits.size()) - 1);
+  m_history.add(new ReplaceEditsCommand(*this, std::move(after), text, m_interaction));
+}
 
-void Document::setParameter(int parameter, const Rgb& value) {
-  if (!m_state.edit || m_state.edit->edited.values[std::size_t(parameter)] == value) return;
+void Document::replaceEdits(EditList edits, const QString& text, std::optional<int> selected) {
   if (!m_interacting) ++m_interaction;
-  m_history.add(new ChangeParameterCommand(*this, parameter, value, m_interaction));
+  addStep({std::move(edits), selected.value_or(state().selected)}, text);
 }
 
-void Document::resetParameter(int parameter) {
-  if (!m_state.edit) return;
-  const Rgb fitted = m_state.edit->fitted.values[std::size_t(parameter)];
-  if (m_state.edit->edited.values[std::size_t(parameter)] == fitted) return;
-  m_history.add(new ChangeParameterCommand(*this, parameter, fitted, ++m_interaction, true));
+void Document::installEdits(EditList edits, const QString& text, std::optional<int> selected) {
+  ++m_interaction;
+  addStep({std::move(edits), selected.value_or(state().selected)}, text);
+  // What is dragged goes on as another step.
+  ++m_interaction;
+  m_atBegin = state();
 }
 
-void Document::resetAll() {
-  if (!m_state.edit || m_state.edit->edited == m_state.edit->fitted) return;
-  editing::DifferentialEdit edit = *m_state.edit;
-  edit.edited = edit.fitted;
-  m_history.add(new ReplaceStateCommand(*this, {m_state.fit, edit, m_state.factors}, tr("Reset all parameters")));
+void Document::rememberFit(fitting::FitResult fit) {
+  std::erase_if(m_content.fits, [&](const fitting::FitResult& known) {
+    return known.model == fit.model && known.parameters == fit.parameters;
+  });
+  m_content.fits.push_back(std::move(fit));
 }
 
-void Document::changeEditShare(double strength, bool enabled, const QString& text) {
-  if (!m_state.edit || (m_state.edit->strength == strength && m_state.edit->enabled == enabled)) return;
-  if (!m_interacting) ++m_interaction;
-  m_history.add(new ChangeEditShareCommand(*this, strength, enabled, m_interaction, text));
+const fitting::FitResult* Document::knownFit(const models::Model& model) const {
+  const auto& fits = m_content.fits;
+  const auto found = std::find_if(fits.rbegin(), fits.rend(), [&](const auto& fit) { return fit.model == &model; });
+  return found == fits.rend() ? nullptr : &*found;
 }
 
-void Document::setEditStrength(double strength) {
-  if (m_state.edit)
-    changeEditShare(strength, m_state.edit->enabled,
-                    tr("Strength of the model's edit %1 %").arg(100 * strength, 0, 'f', 0));
+const fitting::FitResult* Document::fitOf(const DifferentialEdit& edit) const {
+  const auto& fits = m_content.fits;
+  const auto found = std::find_if(fits.rbegin(), fits.rend(), [&](const auto& fit) {
+    return fit.model == edit.model && fit.parameters == edit.fitted;
+  });
+  return found == fits.rend() ? nullptr : &*found;
 }
 
-void Document::setEditEnabled(bool enabled) {
-  if (m_state.edit)
-    changeEditShare(m_state.edit->strength, enabled,
-                    enabled ? tr("Show the model's edit") : tr("Hide the model's edit"));
+void Document::adoptFit(const fitting::FitResult& fit) {
+  rememberFit(fit);
+  const editing::Edit edit{identityEdit(fit)};
+  const auto append = [&](int step) {
+    auto* command = dynamic_cast<ReplaceEditsCommand*>(const_cast<QUndoCommand*>(m_history.command(step)));
+    if (command) command->append(edit);
+    return command != nullptr;
+  };
+  // Of this material, before and after the present state; those of another lie behind a ReplaceMaterialCommand.
+  for (int i = m_history.index() - 1; i >= 0 && append(i); --i) {
+  }
+  for (int i = m_history.index(); i < m_history.count() && append(i); ++i) {
+  }
+  EditState after = state();
+  after.edits.push_back(edit);
+  if (after.selected < 0) after.selected = int(after.edits.size()) - 1;
+  m_atBegin.edits.push_back(edit);
+  setState(after);
 }
 
-void Document::deleteEdit() {
-  if (!m_state.edit) return;
-  editing::DifferentialEdit edit = *m_state.edit;
-  edit.edited = edit.fitted;
-  edit.strength = 1;
-  edit.enabled = true;
-  m_history.add(new ReplaceStateCommand(*this, {m_state.fit, edit, m_state.factors}, tr("Delete the model's edit")));
-}
-
-void Document::paste(const std::optional<editing::FactorEdit>& factors,
-                     const std::optional<editing::DifferentialEdit>& edit,
-                     const std::optional<fitting::FitResult>& fit) {
-  if (!edit) return factors ? setFactors(factors, tr("Paste factor curves")) : void();
-  EditState state = m_state;
-  state.edit = edit;
-  if (factors) state.factors = factors;
-  if (fit) state.fit = fit;
-  if (!fit && state.factors == m_state.factors && state.edit == m_state.edit) return;
-  m_history.add(new ReplaceStateCommand(*this, state, tr("Paste edits")));
-}
-
-void Document::setFactors(const std::optional<editing::FactorEdit>& factors, const QString& text) {
-  if (factors == m_state.factors) return;
-  if (!m_interacting) ++m_interaction;
-  m_history.add(new ChangeFactorsCommand(*this, factors, m_interaction, text));
+void Document::chooseFit(fitting::FitResult fit) {
+  rememberFit(fit);
+  const QString text = tr("Fit %1").arg(QString::fromUtf8(fit.model->spec().name.data()));
+  const int active = activeIndex<DifferentialEdit>(state());
+  if (active < 0)
+    return installEdits(editing::inserted(edits(), edits().size(), {identityEdit(fit)}), text, int(edits().size()));
+  const auto anew = [&](editing::Edit& edit) { edit = {identityEdit(fit), edit.name}; };
+  installEdits(editing::withEdit(edits(), std::size_t(active), anew), text);
 }
 
 editing::EditDocument Document::toEditDocument() const {
   editing::EditDocument document;
-  if (m_material) {
-    document.sourcePath = m_material->material.source.path.string();
-    document.sourceSha256 = m_material->material.source.sha256;
-    document.blend = m_material->blend;
+  if (material()) {
+    document.sourcePath = material()->material.source.path.string();
+    document.sourceSha256 = material()->material.source.sha256;
+    document.blend = material()->blend;
   }
   document.edits = edits();
   return document;
 }
 
 void Document::markSaved(const QString& path) {
-  m_path = path;
+  m_content.path = path;
   m_history.setClean();
   Q_EMIT titleChanged();
 }
 
 void Document::setState(const EditState& state) {
-  m_state = state;
-  Q_EMIT stateChanged();
-}
-
-void Document::setEditedValue(int parameter, const Rgb& value) {
-  m_state.edit->edited.values[std::size_t(parameter)] = value;
-  Q_EMIT editChanged();
-}
-
-void Document::setEditShare(double strength, bool enabled) {
-  m_state.edit->strength = strength;
-  m_state.edit->enabled = enabled;
-  Q_EMIT editChanged();
-}
-
-void Document::replaceFactors(const std::optional<editing::FactorEdit>& factors) {
-  m_state.factors = factors;
-  Q_EMIT editChanged();
+  const bool fits = sameFits(state.edits, edits()), selection = state.selected == m_content.state.selected;
+  m_content.state = state;
+  Q_EMIT(fits ? editChanged() : stateChanged());
+  if (!selection) Q_EMIT selectionChanged();
 }
 
 }  // namespace gonio::app

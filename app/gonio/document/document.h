@@ -4,7 +4,6 @@
 
 #include <QObject>
 #include <QString>
-#include <optional>
 
 #include "app/gonio/document/history.h"
 #include "app/gonio/document/loaded_material.h"
@@ -13,36 +12,59 @@
 
 namespace gonio::app {
 
-/// What undo steps change: the fitted model and the edit on it.
+/// What undo steps change.
 struct EditState {
-  std::optional<fitting::FitResult> fit;  ///< absent while the parameters come from a .gonio file
-  std::optional<editing::DifferentialEdit> edit;
-  std::optional<editing::FactorEdit> factors;  ///< absent while nobody touched the factor curves
+  editing::EditList edits;
+  int selected = -1;  ///< the edit that the panels change; -1: none
 };
 
-/// An open material and its edit. The material is immutable; every change of the edit by the user is an undo step.
-/// Opening, the automatic first fit, saving, camera and light are not.
+/// The edit that the panel of a kind of content shows and changes: the selected one where it is of that kind, else the
+/// last of the kind; -1 where there is none.
+template <class Content>
+int activeIndex(const EditState& state) {
+  const auto holds = [&](int i) { return std::holds_alternative<Content>(state.edits[std::size_t(i)].content); };
+  if (state.selected >= 0 && holds(state.selected)) return state.selected;
+  int index = int(state.edits.size()) - 1;
+  while (index >= 0 && !holds(index)) --index;
+  return index;
+}
+
+/// An open material and its edits. The material is immutable; every change of the edits by the user is an undo step.
+/// Opening, the automatic first fit, saving, selecting an edit, camera and light are not.
 class Document : public QObject {
   Q_OBJECT
 
  public:
+  /// A material with what stands beside it.
+  struct Content {
+    LoadedMaterialPtr material;
+    EditState state;
+    QString path;                          ///< of the .gonio file; empty while it was never saved
+    std::vector<fitting::FitResult> fits;  ///< of the material, as far as they are known; the newest last
+  };
+
   explicit Document(QObject* parent = nullptr);
 
-  const LoadedMaterialPtr& material() const { return m_material; }
-  const EditState& state() const { return m_state; }
-  const std::optional<editing::DifferentialEdit>& edit() const { return m_state.edit; }
-  const std::optional<editing::FactorEdit>& factors() const { return m_state.factors; }
-  /// All edits in the order in which they are applied.
-  std::vector<editing::Edit> edits() const { return editing::editStack(m_state.factors, m_state.edit); }
+  const LoadedMaterialPtr& material() const { return m_content.material; }
+  const EditState& state() const { return m_content.state; }
+  /// In the order in which they are applied.
+  const editing::EditList& edits() const { return m_content.state.edits; }
+  /// What activeIndex() finds; null where there is none.
+  template <class Kind>
+  const Kind* active() const {
+    const int index = activeIndex<Kind>(state());
+    return index < 0 ? nullptr : &std::get<Kind>(edits()[std::size_t(index)].content);
+  }
+  void select(int edit);
+
   const History& history() const { return m_history; }
   History& history() { return m_history; }
   bool isModified() const { return !m_history.isClean(); }
-  /// Of the .gonio file; empty while it was never saved.
-  QString path() const { return m_path; }
+  QString path() const { return m_content.path; }
   /// For titles: the file's name, else the material's, else "Untitled".
   QString name() const;
 
-  /// Starts anew with a material, without an edit; or with the edit of a .gonio file.
+  /// Starts anew with a material, without edits; or with the edits of a .gonio file.
   void setMaterial(LoadedMaterialPtr material);
   void setMaterial(LoadedMaterialPtr material, const editing::EditDocument& stored, const QString& path);
   /// Counts as unsaved from now on (a recovered document).
@@ -52,63 +74,64 @@ class Document : public QObject {
   /// material with its edits and its file.
   void replaceMaterial(LoadedMaterialPtr material, const QString& text);
 
-  /// The automatic fit after opening: no undo step.
-  void adoptFit(const fitting::FitResult& fit);
-  /// One undo step with the old and the new values. The edit starts anew at the fitted values.
-  void chooseFit(const fitting::FitResult& fit);
-
-  /// All changes of one parameter between these two are one undo step.
+  /// Other edits: one undo step, named `text`; none where nothing changes. All steps between beginInteraction() and
+  /// endInteraction() are one.
+  /// @param selected which of them is selected then; kept where it is left out.
+  void replaceEdits(editing::EditList edits, const QString& text, std::optional<int> selected = {});
   void beginInteraction();
-  void endInteraction();
-  void setParameter(int parameter, const Rgb& value);
-  void resetParameter(int parameter);
-  void resetAll();
-  /// The model's edit: how much of its change is added, in [0, 1], and whether it counts at all.
-  void setEditStrength(double strength);
-  void setEditEnabled(bool enabled);
-  /// Back to the fitted values at full strength: one undo step.
-  void deleteEdit();
-  /// One undo step; of one interaction, all together. Absent: no edit of factors.
-  void setFactors(const std::optional<editing::FactorEdit>& factors, const QString& text);
-  /// Replaces those edits that are given, in one undo step; `fit` too when the model's is one of another model.
-  void paste(const std::optional<editing::FactorEdit>& factors, const std::optional<editing::DifferentialEdit>& edit,
-             const std::optional<fitting::FitResult>& fit = {});
+  void endInteraction() { m_interacting = false; }
+  /// What the present step starts from: the state at beginInteraction() while one is under way, else the present one.
+  const EditState& stepBase() const { return m_interacting ? m_atBegin : state(); }
+
+  /// A fit of the material that is known from now on.
+  void rememberFit(fitting::FitResult fit);
+  /// The newest fit of a model; null where none is known.
+  const fitting::FitResult* knownFit(const models::Model& model) const;
+  /// The fit that an edit starts from; null where its values come from a .gonio file.
+  const fitting::FitResult* fitOf(const editing::DifferentialEdit& edit) const;
+  /// The automatic fit after opening: an edit that changes nothing yet, and no undo step. The steps before it get the
+  /// edit too, so that undoing them keeps it.
+  void adoptFit(const fitting::FitResult& fit);
+  /// The active differential edit starts anew at a fit, or a new one does where there is none. One undo step, never
+  /// part of an interaction.
+  void chooseFit(fitting::FitResult fit);
+  /// As replaceEdits(), but never part of an interaction: what was computed in the background.
+  void installEdits(editing::EditList edits, const QString& text, std::optional<int> selected = {});
 
   /// What is written to a .gonio file.
   editing::EditDocument toEditDocument() const;
   void markSaved(const QString& path);
 
   /// For commands only.
-  void setContent(LoadedMaterialPtr material, const EditState& state, const QString& path);
+  const Content& content() const { return m_content; }
+  void setContent(Content content);
   void setState(const EditState& state);
-  void setEditedValue(int parameter, const Rgb& value);
-  void setEditShare(double strength, bool enabled);
-  void replaceFactors(const std::optional<editing::FactorEdit>& factors);
 
  Q_SIGNALS:
   void materialChanged();
   /// By an undo step: the history goes on. After materialChanged().
   void materialReplaced();
-  /// The model, the fit or all values changed.
+  /// The models of the edits or the fits that they start from changed.
   void stateChanged();
-  /// Only edited values changed.
+  /// Anything else of the edits changed.
   void editChanged();
+  /// Another edit is selected.
+  void selectionChanged();
   /// Name, path or modified state changed.
   void titleChanged();
 
  private:
-  void changeEditShare(double strength, bool enabled, const QString& text);
-  void startAnew(LoadedMaterialPtr material, const EditState& state, const QString& path);
+  void startAnew(Content content);
+  void addStep(EditState after, const QString& text);
 
-  LoadedMaterialPtr m_material;
-  EditState m_state;
-  QString m_path;
+  Content m_content;
   History m_history;
+  EditState m_atBegin;
   int m_interaction = 0;
   bool m_interacting = false;
 };
 
-/// The identity edit on a fit.
+/// The edit that a fit starts with: it changes nothing yet.
 editing::DifferentialEdit identityEdit(const fitting::FitResult& fit);
 
 }  // namespace gonio::app

@@ -4,8 +4,11 @@
 
 #include <QFileInfo>
 #include <algorithm>
+#include <set>
 
+#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/document/edit_transfer.h"
+#include "app/gonio/document/material_files.h"
 #include "core/editing/factor_transfer.h"
 #include "core/io/image_io.h"
 #include "core/rendering/path_tracer.h"
@@ -19,7 +22,6 @@ const QString openKey = QStringLiteral("open"), fitKey = QStringLiteral("fit"), 
               pasteKey = QStringLiteral("paste-factors");
 constexpr int exrSide = 1024, exrSamples = 128;
 
-bool isDocument(const QString& path) { return path.endsWith(".gonio", Qt::CaseInsensitive); }
 QString shortName(const QString& path) { return path.section('/', -1); }
 
 editing::FactorEdit carriedOver(const editing::FactorEdit& edit, const TabulatedBrdf& table,
@@ -36,8 +38,8 @@ const models::Model& defaultModel() { return models::findModel("ggx"); }
 DocumentController::DocumentController(Document& document, BackgroundTasks& tasks, QObject* parent)
     : QObject(parent), m_document(document), m_tasks(tasks) {
   connect(&document, &Document::materialReplaced, this, [this] {
-    forgetFits();
-    if (!m_document.edit()) automaticFit();
+    dropTasks();
+    if (!hasModelEdit()) automaticFit();
   });
 }
 
@@ -80,7 +82,7 @@ void DocumentController::start(const QString& path, const QString& documentPath,
 
 void DocumentController::install(const Opened& opened, const QString& path, const QString& documentPath,
                                  bool recovered) {
-  forgetFits();
+  dropTasks();
   if (!opened.stored) {
     m_document.setMaterial(opened.material);
   } else {
@@ -100,22 +102,21 @@ void DocumentController::install(const Opened& opened, const QString& path, cons
                     .arg(QString::fromStdString(opened.material->material.source.path.string())));
   }
   Q_EMIT this->opened(recovered ? documentPath : path);
-  if (!m_document.edit()) automaticFit();
+  if (!hasModelEdit()) automaticFit();
 }
 
-void DocumentController::forgetFits() {
+void DocumentController::dropTasks() {
   m_tasks.drop(fitKey);
   m_tasks.drop(pasteKey);
-  m_fits.clear();
   m_proposal.reset();
 }
 
 void DocumentController::automaticFit() {
   runFit(defaultModel(), [this](const fitting::FitResult& fit) {
-    if (!m_document.edit())
-      m_document.adoptFit(fit);
-    else
+    if (hasModelEdit())
       m_document.chooseFit(fit);
+    else
+      m_document.adoptFit(fit);
   });
 }
 
@@ -133,7 +134,7 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
       },
       [this, name, done = std::move(done)](const fitting::FitResult& fit) {
         if (!fit.cancelled) {
-          m_fits[fit.model] = fit;
+          m_document.rememberFit(fit);
           for (const std::string& warning : fit.warnings) Q_EMIT warned(QString::fromStdString(warning));
           return done(fit);
         }
@@ -146,18 +147,25 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
 }
 
 void DocumentController::chooseModel(const models::Model& model) {
-  if (const auto known = m_fits.find(&model); known != m_fits.end()) {
+  const auto* active = m_document.active<editing::DifferentialEdit>();
+  if (const fitting::FitResult* known = m_document.knownFit(model)) {
     m_tasks.drop(fitKey);
-    if (!m_document.edit() || m_document.edit()->model != &model) m_document.chooseFit(known->second);
+    if (!active || active->model != &model) m_document.chooseFit(*known);
     return;
   }
   runFit(model, [this](const fitting::FitResult& fit) { m_document.chooseFit(fit); });
 }
 
+void DocumentController::addModelEdit() {
+  const auto* active = m_document.active<editing::DifferentialEdit>();
+  if (!active) return chooseModel(defaultModel());
+  addEdit(m_document, {editing::DifferentialEdit{active->model, active->fitted, active->fitted}});
+}
+
 void DocumentController::fit() {
   const auto use = [this](const fitting::FitResult& fit) { m_document.chooseFit(fit); };
-  if (const auto& edit = m_document.edit())
-    runFit(*edit->model, use, edit->edited);
+  if (const auto* active = m_document.active<editing::DifferentialEdit>())
+    runFit(*active->model, use, active->edited);
   else
     runFit(defaultModel(), use);
 }
@@ -184,15 +192,15 @@ bool DocumentController::save(const QString& path, const nlohmann::json& view) {
 void DocumentController::exportMerl(const QString& path) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
-  const std::vector<editing::Edit> edits = m_document.edits();
+  const editing::EditList edits = m_document.edits();
   m_tasks.run<bool>(
       {tr("Exporting %1").arg(shortName(path)), exportKey},
       [material, edits, path](const TaskControl& control) {
         const std::filesystem::path target = path.toStdString();
-        if (std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); }))
-          io::writeMerl(material->material, target, control);
+        if (isIdentity(edits))
+          materials::writeMaterial(material->material, target, control);
         else
-          io::writeMerl(*editing::bakeEdits(material->table, edits, control), target);
+          materials::writeMaterial(*editing::bakeEdits(material->table, edits, control), target);
         return true;
       },
       [this, path, edits](bool) {
@@ -205,15 +213,15 @@ void DocumentController::exportMerl(const QString& path) {
 }
 
 void DocumentController::exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
-                                   const TracedMaterials& others) {
+                                   const RenderMaterials& others) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
-  const std::vector<editing::Edit> edits = m_document.edits();
+  const editing::EditList edits = m_document.edits();
   m_tasks.run<bool>(
       {tr("Rendering %1").arg(shortName(path)), exportKey},
       [material, edits, scene, overrides, others, path](const TaskControl& control) {
-        const auto edited = std::make_shared<const TracedMaterial>(editing::applyEdits(material->table, edits));
-        const TracedMaterials materials = bindMaterials(scene, lookedAtMaterials(scene, edited, others));
+        const auto edited = std::make_shared<const RenderMaterial>(editing::applyEdits(material->table, edits));
+        const RenderMaterials materials = bindMaterials(scene, materialsInSlots(scene, edited, others));
         constexpr std::uint64_t seed = 1;
         const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides), seed);
         Film film(exrSide, exrSide);
@@ -226,30 +234,35 @@ void DocumentController::exportExr(const QString& path, const Scene& scene, cons
       [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(shortName(path)), error); });
 }
 
-void DocumentController::paste(const std::vector<editing::Edit>& edits) {
+const models::ParameterValues* DocumentController::fittedValues(const models::Model& model) const {
+  const auto* active = m_document.active<editing::DifferentialEdit>();
+  if (active && active->model == &model) return &active->fitted;
+  const fitting::FitResult* known = m_document.knownFit(model);
+  return known ? &known->parameters : nullptr;
+}
+
+void DocumentController::paste(const editing::EditList& edits) {
   const LoadedMaterialPtr material = m_document.material();
-  if (!material) return;
-  Pasted pasted;
+  if (!material || edits.empty()) return;
+  bool factors = false;
+  std::set<const models::Model*> missing;
   for (const editing::Edit& edit : edits)
-    if (const auto* factors = std::get_if<editing::FactorEdit>(&edit))
-      pasted.factors = *factors;
-    else
-      pasted.edit = std::get<editing::DifferentialEdit>(edit);
-  const auto& current = m_document.edit();
-  const models::Model* missing =
-      pasted.edit && !(current && current->model == pasted.edit->model) ? pasted.edit->model : nullptr;
-  if (const auto known = m_fits.find(missing); known != m_fits.end()) {
-    pasted.fit = known->second;
-    missing = nullptr;
-  }
-  if (!pasted.factors && !missing) return install(pasted);
+    if (const auto* differential = std::get_if<editing::DifferentialEdit>(&edit.content); !differential)
+      factors = true;
+    else if (!fittedValues(*differential->model))
+      missing.insert(differential->model);
+  if (!factors && missing.empty()) return install({edits, {}});
   m_tasks.run<Pasted>(
       {tr("Carrying the edits over"), pasteKey},
-      [material, pasted, missing](const TaskControl& control) {
-        Pasted carried = pasted;
-        if (pasted.factors) carried.factors = carriedOver(*pasted.factors, *material->table, control);
-        if (missing) carried.fit = fitting::fit(*material->table, *missing, {}, control);
-        if (carried.fit && carried.fit->cancelled) throw Cancelled();
+      [material, edits, missing](const TaskControl& control) {
+        Pasted carried{edits, {}};
+        for (editing::Edit& edit : carried.edits)
+          if (auto* curves = std::get_if<editing::FactorEdit>(&edit.content))
+            *curves = carriedOver(*curves, *material->table, control);
+        for (const models::Model* model : missing) {
+          carried.fits.push_back(fitting::fit(*material->table, *model, {}, control));
+          if (carried.fits.back().cancelled) throw Cancelled();
+        }
         return carried;
       },
       [this](const Pasted& carried) { install(carried); },
@@ -257,22 +270,21 @@ void DocumentController::paste(const std::vector<editing::Edit>& edits) {
 }
 
 void DocumentController::install(const Pasted& pasted) {
-  std::optional<editing::DifferentialEdit> edit = pasted.edit;
-  if (pasted.fit) {
-    m_tasks.drop(fitKey);  // a fit under way would replace what is pasted
-    m_fits[pasted.fit->model] = *pasted.fit;
-    for (const std::string& warning : pasted.fit->warnings) Q_EMIT warned(QString::fromStdString(warning));
+  if (!pasted.fits.empty()) m_tasks.drop(fitKey);  // a fit under way would replace what is pasted
+  for (const fitting::FitResult& fit : pasted.fits) {
+    m_document.rememberFit(fit);
+    for (const std::string& warning : fit.warnings) Q_EMIT warned(QString::fromStdString(warning));
   }
-  if (edit) {
-    const auto& current = m_document.edit();
-    const bool inUse = !pasted.fit && current && current->model == edit->model;
-    // Another model was chosen meanwhile.
-    if (!inUse && !pasted.fit) return paste(editing::editStack(pasted.factors, pasted.edit));
-    const models::ParameterValues& fitted = inUse ? current->fitted : pasted.fit->parameters;
-    edit->edited = transferredEdit(*edit, fitted);
-    edit->fitted = fitted;
-  }
-  m_document.paste(pasted.factors, edit, pasted.fit);
+  editing::EditList edits = pasted.edits;
+  for (editing::Edit& edit : edits)
+    if (auto* differential = std::get_if<editing::DifferentialEdit>(&edit.content)) {
+      const models::ParameterValues* fitted = fittedValues(*differential->model);
+      // The edit that its fit came with was deleted meanwhile.
+      if (!fitted) return paste(pasted.edits);
+      differential->edited = transferredEdit(*differential, *fitted);
+      differential->fitted = *fitted;
+    }
+  pasteEdits(m_document, edits);
 }
 
 }  // namespace gonio::app

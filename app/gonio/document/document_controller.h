@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QObject>
-#include <map>
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
@@ -28,8 +27,8 @@ class DocumentController : public QObject {
 
   /// Uses the fit that is known of this material, or makes it. One undo step.
   void chooseModel(const models::Model& model);
-  /// A fit of the open material that is known from now on: choosing its model costs nothing.
-  void rememberFit(const fitting::FitResult& fit) { m_fits[fit.model] = fit; }
+  /// A second edit with the fit that is in use; where there is none, one with the default model.
+  void addModelEdit();
   /// Fits the current model again, with the conventions that are chosen in the edit.
   void fit();
   void applyProposal();
@@ -39,13 +38,13 @@ class DocumentController : public QObject {
   /// Writes the .gonio file. Returns false after failed().
   bool save(const QString& path, const nlohmann::json& view);
   void exportMerl(const QString& path);
-  /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see lookedAtMaterials().
+  /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see materialsInSlots().
   void exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
-                 const TracedMaterials& others = {});
+                 const RenderMaterials& others = {});
 
-  /// Pastes edits, carried over to the open material, in one undo step. The factors that one of curves needs are found
-  /// first, and the fit that a model's needs where the model is another one.
-  void paste(const std::vector<editing::Edit>& edits);
+  /// Pastes edits, carried over to the open material, in the place of those of their kinds, in one undo step. The
+  /// factors that edits of curves need are found first, and the fits that edits of models need where none is in use.
+  void paste(const editing::EditList& edits);
 
  Q_SIGNALS:
   /// `path` is empty for recovered work that was never saved.
@@ -72,19 +71,20 @@ class DocumentController : public QObject {
   /// @param choices the conventions to keep, as fitting::fit() takes them.
   void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
               const models::ParameterValues& choices = {});
-  void forgetFits();
+  void dropTasks();
   void automaticFit();
+  bool hasModelEdit() const { return m_document.active<editing::DifferentialEdit>() != nullptr; }
   struct Pasted {
-    std::optional<editing::FactorEdit> factors;     ///< carried over
-    std::optional<editing::DifferentialEdit> edit;  ///< as it was copied
-    std::optional<fitting::FitResult> fit;          ///< of its model, where another one is in use
+    editing::EditList edits;               ///< those of factors carried over, others as they were copied
+    std::vector<fitting::FitResult> fits;  ///< of models that no fit was known of
   };
   void install(const Pasted& pasted);
+  /// What an edit of a model that is pasted starts from; null where no fit of it is known.
+  const models::ParameterValues* fittedValues(const models::Model& model) const;
 
   Document& m_document;
   BackgroundTasks& m_tasks;
   QString m_opening;
-  std::map<const models::Model*, fitting::FitResult> m_fits;  ///< of the open material
   std::optional<fitting::FitResult> m_proposal;
 };
 

@@ -38,14 +38,14 @@ QMimeData* toClipboard(const editing::EditDocument& document) {
   return data;
 }
 
-std::vector<editing::Edit> editsFromClipboard(const QMimeData* data) {
+editing::EditList editsFromClipboard(const QMimeData* data) {
   if (!data) return {};
   const QByteArray text = data->hasFormat(mimeType) ? data->data(mimeType) : data->text().toUtf8();
   try {
-    std::vector<editing::Edit> edits = editing::documentFromText(text.toStdString()).edits;
-    std::vector<editing::Edit> changes;
+    editing::EditList edits = editing::documentFromText(text.toStdString()).edits;
+    editing::EditList changes;
     for (const editing::Edit& edit : edits)
-      if (!isIdentity(edit)) changes.push_back(edit);
+      if (!edit.isIdentity()) changes.push_back(edit);
     return changes.empty() ? edits : changes;
   } catch (const std::exception&) {
     // Some other text: nothing to paste.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QString>
-#include <vector>
 
 #include "core/editing/edit_document.h"
 
@@ -16,9 +15,9 @@ namespace gonio::app {
 /// fit.
 models::ParameterValues transferredEdit(const editing::DifferentialEdit& edit, const models::ParameterValues& fitted);
 
-/// A document's edit on the clipboard: its JSON, as text too, so that it can be pasted into a .gonio file.
+/// A document's edits on the clipboard: their JSON, as text too, so that they can be pasted into a .gonio file.
 QMimeData* toClipboard(const editing::EditDocument& document);
 /// The edits on a clipboard, those that change nothing only where there is no other; empty when it holds none.
-std::vector<editing::Edit> editsFromClipboard(const QMimeData* data);
+editing::EditList editsFromClipboard(const QMimeData* data);
 
 }  // namespace gonio::app

@@ -4,11 +4,11 @@
 
 #include <QCoreApplication>
 
-#include "core/io/sgd_library.h"
+#include "core/materials/sgd_library.h"
 
 namespace gonio::app {
 
-LoadedMaterialPtr measuredMaterial(io::Material material, std::shared_ptr<const editing::BlendSource> blend,
+LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
                                    const TaskControl& control) {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material = std::move(material);
@@ -29,7 +29,7 @@ LoadedMaterialPtr measuredMaterial(io::Material material, std::shared_ptr<const 
 
 LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control) {
   constexpr double readShare = 0.3;
-  return measuredMaterial(io::readMaterial(path, control.between(0, readShare)), nullptr,
+  return measuredMaterial(materials::readMaterial(path, control.between(0, readShare)), nullptr,
                           control.between(readShare, 1));
 }
 
@@ -42,7 +42,7 @@ LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskCo
 QString sourceKind(const LoadedMaterial& loaded) {
   const auto text = [](const char* kind) { return QCoreApplication::translate("LoadedMaterial", kind); };
   if (loaded.blend) return text("Kept blend");
-  return loaded.material.source.format == io::sgdFormat ? text("Published fit") : text("Measured");
+  return loaded.material.source.format == materials::sgdFormat ? text("Published fit") : text("Measured");
 }
 
 }  // namespace gonio::app

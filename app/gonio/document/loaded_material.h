@@ -9,7 +9,7 @@
 #include "core/brdf/sampling_lobe.h"
 #include "core/brdf/statistics.h"
 #include "core/editing/blend_source.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 
 namespace gonio::app {
 
@@ -18,7 +18,7 @@ namespace gonio::app {
 struct LoadedMaterial {
   static constexpr std::array<int, 4> albedoDegrees{0, 30, 60, 80};
 
-  io::Material material;
+  materials::Material material;
   std::shared_ptr<const editing::BlendSource> blend = nullptr;  ///< of a material without a file of its own
   std::shared_ptr<const TabulatedBrdf> table;
   SamplingLobe lobe;
@@ -36,7 +36,7 @@ LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskCont
 /// What a document of resolved paths is about, without its edits. @throws Error, Cancelled.
 LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control = {});
 /// The same of a material that is there already.
-LoadedMaterialPtr measuredMaterial(io::Material material, std::shared_ptr<const editing::BlendSource> blend,
+LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
                                    const TaskControl& control = {});
 
 /// What a material is before its edits: "Measured" (also where a file holds its code or its factors), "Published fit"

@@ -10,7 +10,7 @@
 #include "app/gonio/document/transform_text.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
-#include "core/io/code_file.h"
+#include "core/materials/code_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/study/evaluation_time.h"
 
@@ -25,7 +25,7 @@ QString number(double value) { return QString::number(value, 'g', 3); }
 
 /// Prepared once, in the background; matrices in single precision, some MB.
 struct Coder {
-  std::shared_ptr<const io::NamedEnsemble> dictionary = io::bundledDictionary();
+  std::shared_ptr<const materials::NamedEnsemble> dictionary = materials::bundledDictionary();
   dictionary::Encoder encoder{dictionary->ensemble};
 };
 
@@ -78,11 +78,11 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   options.coefficients = coefficients;
   code.encoded = coder().encoder.encode(*material->table, options, control);
   control.throwIfStopped();
-  const std::vector<std::byte> file = io::encodeCode(code.encoded.code, code.dictionary->id);
+  const std::vector<std::byte> file = materials::encodeCode(code.encoded.code, code.dictionary->id);
   code.bytes = file.size();
   const std::shared_ptr<const dictionary::Ensemble> ensemble(code.dictionary, &code.dictionary->ensemble);
   code.stored = std::make_shared<const widgets::EnsembleCode>(
-      widgets::EnsembleCode{ensemble, io::readCode(io::MemorySource(file)).code});
+      widgets::EnsembleCode{ensemble, materials::readCode(io::MemorySource(file)).code});
   const auto start = Clock::now();
   code.table = dictionary::decode(*ensemble, code.stored->code);
   code.decodeSeconds = std::chrono::duration<double>(Clock::now() - start).count();

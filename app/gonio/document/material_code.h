@@ -4,7 +4,7 @@
 
 #include "app/gonio/document/loaded_material.h"
 #include "core/dictionary/encode.h"
-#include "core/io/dictionary_file.h"
+#include "core/materials/dictionary_file.h"
 #include "widgets/panels/fact_list.h"
 #include "widgets/preview/gl/code_texels.h"
 
@@ -14,7 +14,7 @@ namespace gonio::app {
 /// now, of what its file would hold.
 struct MaterialCode {
   LoadedMaterialPtr material;
-  std::shared_ptr<const io::NamedEnsemble> dictionary;
+  std::shared_ptr<const materials::NamedEnsemble> dictionary;
   std::size_t coefficients = 0;  ///< a channel, as they were asked for
   dictionary::Encoded encoded;
   std::shared_ptr<const widgets::EnsembleCode> stored;  ///< what the file holds, which is rounded

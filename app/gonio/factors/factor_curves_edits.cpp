@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 // What the user's hand does to the factor curves: each an undo step of the document.
+#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/factors/factor_curves_panel.h"
+#include "core/editing/edit_list.h"
 #include "core/factorization/pdv_operations.h"
 
 namespace gonio::app {
@@ -24,9 +26,29 @@ void FactorCurvesPanel::change(const PdvFactors& edited, const QString& text) {
   apply(edit, text);
 }
 
-void FactorCurvesPanel::apply(const FactorEdit& edit, const QString& text) {
-  const bool untouched = edit.isIdentity() && edit.keepDetail && edit.enabled && edit.strength == 1;
-  m_document.setFactors(untouched ? std::nullopt : std::optional(edit), text);
+void FactorCurvesPanel::apply(const FactorEdit& content, const QString& text) {
+  // From the begin of the interaction: a drag that comes back leaves the list as it was.
+  const EditState& base = m_document.stepBase();
+  const int active = activeIndex<FactorEdit>(base);
+  editing::Edit edit = active < 0 ? editing::Edit{} : base.edits[std::size_t(active)];
+  edit.content = content;
+  const bool untouched = content.isIdentity() && edit.enabled && edit.strength == 1 && edit.name.empty();
+  if (active < 0) {
+    // Next to the measurement, whose curves they are.
+    if (untouched) return m_document.replaceEdits(base.edits, text, base.selected);
+    return m_document.replaceEdits(editing::inserted(base.edits, 0, edit), text, 0);
+  }
+  if (untouched) return m_document.replaceEdits(editing::removed(base.edits, std::size_t(active)), text);
+  m_document.replaceEdits(editing::withEdit(base.edits, std::size_t(active), [&](editing::Edit& one) { one = edit; }),
+                          text);
+}
+
+void FactorCurvesPanel::addEdit() {
+  const FactorEdit edit = current();
+  if (edit.original)
+    app::addEdit(m_document, {FactorEdit{edit.original, edit.original, edit.keepDetail}});
+  else
+    m_addWhenKnown = true;
 }
 
 void FactorCurvesPanel::curvesEdited(FactorAxis axis, const widgets::ChannelCurves& curves) {
@@ -51,8 +73,9 @@ void FactorCurvesPanel::widen(double factor) {
 void FactorCurvesPanel::chooseTerms(int terms) {
   if (!m_measured) return;
   m_original = shared(m_measured->factorization.factors.truncated(terms));
-  if (!m_document.factors()) return refresh();
-  FactorEdit edit = *m_document.factors();
+  const int active = activeIndex<FactorEdit>(m_document.state());
+  if (active < 0) return refresh();
+  FactorEdit edit = current();
   PdvFactors edited = edit.edited->truncated(terms);
   // Terms that the edit did not have yet come as they were found.
   if (MeasuredFactors::Kind{edited.form, edited.transform} == m_requested &&
@@ -62,16 +85,24 @@ void FactorCurvesPanel::chooseTerms(int terms) {
         edited.channels[c].push_back(m_original->channels[c][i]);
   edit.original = m_original;
   edit.edited = shared(factorization::withRoomForEdits(edited));
-  m_document.setFactors(edit, terms == 1 ? tr("Use 1 term") : tr("Use %1 terms").arg(terms));
+  m_document.replaceEdits(
+      editing::withEdit(m_document.edits(), std::size_t(active), [&](editing::Edit& one) { one.content = edit; }),
+      terms == 1 ? tr("Use 1 term") : tr("Use %1 terms").arg(terms));
 }
 
 void FactorCurvesPanel::chooseForm() {
   forget();
-  m_document.setFactors({}, tr("Drop the edit of the factor curves"));
+  editing::EditList edits = m_document.edits();
+  std::erase_if(edits, [](const auto& edit) { return std::holds_alternative<FactorEdit>(edit.content); });
+  m_document.replaceEdits(std::move(edits), tr("Delete the edits of the factor curves"));
   request();
 }
 
-void FactorCurvesPanel::resetAll() { m_document.setFactors({}, tr("Reset the factor curves")); }
+void FactorCurvesPanel::resetAll() {
+  const int active = activeIndex<FactorEdit>(m_document.state());
+  if (active >= 0)
+    m_document.replaceEdits(editing::removed(m_document.edits(), std::size_t(active)), tr("Reset the factor curves"));
+}
 
 void FactorCurvesPanel::takeOver(FactorAxis axis, const QString& id) {
   const FactorEdit edit = current();
@@ -79,7 +110,7 @@ void FactorCurvesPanel::takeOver(FactorAxis axis, const QString& id) {
   m_tasks.run<PdvFactors>(
       {tr("Taking F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)), swapKey},
       [id, edited = edit.edited](const TaskControl& control) {
-        const auto table = io::readMaterial(id.toStdString(), {control.stop, {}}).tabulated({control.stop, {}});
+        const auto table = materials::readMaterial(id.toStdString(), {control.stop, {}}).tabulated({control.stop, {}});
         factorization::PdvOptions options{.form = edited->form, .transform = edited->transform, .terms = 1};
         options.deviationNodes = edited->deviationNodes;
         return factorizePdv(*table, options, control).factors;

@@ -65,7 +65,7 @@ void FactorCurvesPanel::buildControls() {
   m_form->setAccessibleName(tr("Form of the factors"));
   m_form->setToolTip(
       tr("Round highlights, or also their change with the azimuth about the mirror direction.\n"
-         "Another form factorises the measurement anew and drops the edit of its curves."));
+         "Another form factorises the measurement anew and deletes the edits of its curves."));
   m_logarithmic->setToolTip(tr("The axis of the values: logarithmic over four decades, or linear from 0"));
   m_keepDetail->setToolTip(
       tr("On: the change of the curves is added to the measurement, so that what they do not explain stays.\n"
@@ -128,11 +128,12 @@ void FactorCurvesPanel::connectDocument() {
   // A step may lead to an edit of another form: its terms are measured then.
   connect(&m_document, &Document::stateChanged, this, &FactorCurvesPanel::request);
   connect(&m_document, &Document::editChanged, this, &FactorCurvesPanel::request);
+  connect(&m_document, &Document::selectionChanged, this, &FactorCurvesPanel::request);
 }
 
 void FactorCurvesPanel::forget() {
   m_tasks.drop(factorKey);
-  m_running = m_refused = false;
+  m_running = m_refused = m_addWhenKnown = false;
   m_measured.reset();
   m_original.reset();
 }
@@ -150,17 +151,15 @@ void FactorCurvesPanel::showLimits(double thetaR) {
 bool FactorCurvesPanel::isSettled() const { return !isVisible() || (!m_running && !m_tasks.isRunning(swapKey)); }
 
 MeasuredFactors::Kind FactorCurvesPanel::kind() const {
-  if (m_document.factors()) return {m_document.factors()->edited->form, m_document.factors()->edited->transform};
+  if (const auto* edit = m_document.active<FactorEdit>()) return {edit->edited->form, edit->edited->transform};
   return {m_form->currentIndex() == 0 ? PdvForm::twoFactors : PdvForm::threeFactors};
 }
 
 int FactorCurvesPanel::channel() const { return m_channel->currentIndex() - 1; }
 
 FactorEdit FactorCurvesPanel::current() const {
-  if (m_document.factors()) return *m_document.factors();
-  FactorEdit edit;
-  edit.original = edit.edited = m_original;
-  return edit;
+  const auto* edit = m_document.active<FactorEdit>();
+  return edit ? *edit : FactorEdit{m_original, m_original};
 }
 
 void FactorCurvesPanel::showEvent(QShowEvent* event) {
@@ -197,6 +196,7 @@ void FactorCurvesPanel::adopt(const MeasuredFactors& measured) {
   m_running = false;
   m_measured = std::make_shared<const MeasuredFactors>(measured);
   m_original = std::make_shared<const PdvFactors>(m_measured->factorization.factors.truncated(m_terms->terms()));
+  if (std::exchange(m_addWhenKnown, false)) return addEdit();
   refresh();
 }
 
@@ -209,7 +209,7 @@ void FactorCurvesPanel::refresh() {
   m_columns[2]->setVisible(!flat);
   m_keepDetail->setChecked(edit.keepDetail);
   m_keepDetail->setEnabled(known);
-  m_resetAll->setEnabled(m_document.factors().has_value());
+  m_resetAll->setEnabled(m_document.active<FactorEdit>());
   m_form->setEnabled(m_document.material() != nullptr);
   for (FactorColumn* column : m_columns) {
     widgets::CurveEditor& editor = column->editor();

@@ -19,7 +19,8 @@ namespace gonio::app {
 class FactorTermsView;
 
 /// The content of the Factor curves dock: the PDV factors of the document's material under the hand. Factorises in the
-/// background when it is first shown; every change is an undo step of the document, whose edit of factors it is.
+/// background when it is first shown. It changes the document's active edit of factor curves, or makes one where there
+/// is none; every change is an undo step.
 class FactorCurvesPanel : public QWidget {
   Q_OBJECT
 
@@ -34,6 +35,8 @@ class FactorCurvesPanel : public QWidget {
   void operate(FactorAxis axis, FactorOperation operation);
   /// Stretches F2 of all terms and channels.
   void widen(double factor);
+  /// A new edit of the curves, once they are known; the panel has to be shown.
+  void addEdit();
   /// Takes F1 or F2 of a material over, by its id in the library: read and factorised in the background, an undo step.
   void takeOver(FactorAxis axis, const QString& id);
 
@@ -60,10 +63,10 @@ class FactorCurvesPanel : public QWidget {
   void showResiduals(FactorColumn& column);
   MeasuredFactors::Kind kind() const;
   int channel() const;
-  /// The document's edit, or the one that changes nothing yet. Without curves while nothing is known.
+  /// The content of the active edit, or one that changes nothing yet. Without curves while nothing is known.
   editing::FactorEdit current() const;
   void change(const factorization::PdvFactors& edited, const QString& text);
-  /// What changes nothing is no edit.
+  /// What changes nothing and has no name is no edit.
   void apply(const editing::FactorEdit& edit, const QString& text);
   void curvesEdited(FactorAxis axis, const widgets::ChannelCurves& curves);
   void chooseTerms(int terms);
@@ -80,7 +83,7 @@ class FactorCurvesPanel : public QWidget {
   std::shared_ptr<const MeasuredFactors> m_measured;
   Curves m_original;                  ///< those of m_measured with the chosen number of terms
   MeasuredFactors::Kind m_requested;  ///< of m_measured, or of what is being measured
-  bool m_running = false, m_refused = false;
+  bool m_running = false, m_refused = false, m_addWhenKnown = false;
 };
 
 }  // namespace gonio::app

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/factors/measured_factors.h"
 
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
 #include "core/study/evaluation_time.h"
 
 namespace gonio::app {
@@ -18,7 +18,7 @@ MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const Measured
   for (int terms = 1; terms <= measured.factorization.factors.terms(); ++terms) {
     control.throwIfStopped();
     const auto factors = measured.factorization.factors.truncated(terms);
-    measured.bytes.push_back(io::pdvFileBytes(factors));
+    measured.bytes.push_back(materials::pdvFileBytes(factors));
     measured.nanoseconds.push_back(study::measureEvaluation(*factorization::makePdvBrdf(factors)).median);
   }
   return measured;

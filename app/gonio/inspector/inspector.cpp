@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/inspector/inspector.h"
 
+#include <QMenu>
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/inspector/plausibility_monitor.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/inspector/source_facts.h"
@@ -18,6 +20,8 @@
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
+
+using editing::DifferentialEdit;
 
 namespace {
 const QString sectionKeys[] = {QStringLiteral("inspector/source"), QStringLiteral("inspector/representation"),
@@ -81,8 +85,12 @@ void Inspector::connectDocument() {
   connect(&m_document, &Document::materialChanged, this, &Inspector::showSource);
   connect(m_tableError, &TableErrorMonitor::measured, this, &Inspector::showSource);
   connect(&m_document, &Document::stateChanged, this, &Inspector::showModel);
+  connect(&m_document, &Document::selectionChanged, this, &Inspector::showModel);
   connect(&m_document, &Document::editChanged, this, &Inspector::showValues);
-  connect(&m_tasks, &BackgroundTasks::changed, this, [this] { m_model->setBusy(m_controller.isFitting()); });
+  connect(&m_tasks, &BackgroundTasks::changed, this, [this] {
+    m_model->setBusy(m_controller.isFitting());
+    if (!m_shownModel && m_noSliders != noSlidersText()) showModel();
+  });
   connect(m_model, &widgets::ModelPanel::fitRequested, &m_controller, &DocumentController::fit);
   connect(m_model, &widgets::ModelPanel::modelChosen, this, [this](const models::Model* model) {
     if (m_document.material()) m_controller.chooseModel(*model);
@@ -92,9 +100,11 @@ void Inspector::connectDocument() {
 
 void Inspector::connectParameters() {
   connect(m_parameters, &widgets::ParameterPanel::editingStarted, &m_document, &Document::beginInteraction);
-  connect(m_parameters, &widgets::ParameterPanel::valueEdited, &m_document, &Document::setParameter);
+  connect(m_parameters, &widgets::ParameterPanel::valueEdited, this,
+          [this](int parameter, const Rgb& value) { setParameter(m_document, parameter, value); });
   connect(m_parameters, &widgets::ParameterPanel::editingFinished, &m_document, &Document::endInteraction);
-  connect(m_parameters, &widgets::ParameterPanel::resetRequested, &m_document, &Document::resetParameter);
+  connect(m_parameters, &widgets::ParameterPanel::resetRequested, this,
+          [this](int parameter) { resetParameter(m_document, parameter); });
 }
 
 void Inspector::showSource() {
@@ -106,60 +116,69 @@ void Inspector::showSource() {
 }
 
 void Inspector::showModel() {
-  const auto& edit = m_document.edit();
+  const auto* edit = m_document.active<DifferentialEdit>();
   const models::Model* model = edit ? edit->model : nullptr;
-  const auto& fit = m_document.state().fit;
+  const fitting::FitResult* fit = edit ? m_document.fitOf(*edit) : nullptr;
   m_model->setModel(model, fit ? fitSummary(*fit) : edit ? tr("Parameters from the document.") : QString());
   m_model->setEnabled(m_document.material() != nullptr);
   if (!model || model != m_shownModel) {
-    m_parameters->setModel(model ? &model->spec() : nullptr, m_document.material()
-                                                                 ? tr("The sliders appear when the fit is done.")
-                                                                 : tr("Open a material to edit it."));
+    m_noSliders = noSlidersText();
+    m_parameters->setModel(model ? &model->spec() : nullptr, m_noSliders);
     m_shownModel = model;
   }
   showValues();
 }
 
+QString Inspector::noSlidersText() const {
+  if (!m_document.material()) return tr("Open a material to edit it.");
+  if (m_controller.isFitting()) return tr("Fitting... sliders will appear shortly.");
+  return tr("No edit of a model. Choose a model above or add an edit to change its parameters.");
+}
+
 void Inspector::showValues() {
-  if (const auto& edit = m_document.edit()) m_parameters->setValues(edit->edited, edit->fitted);
+  if (const auto* edit = m_document.active<DifferentialEdit>()) m_parameters->setValues(edit->edited, edit->fitted);
   showEdits();
 }
 
 void Inspector::connectEdits() {
   using widgets::EditStack;
-  const auto onFactors = [this](int entry) { return entry == 0 && m_document.factors(); };
+  connect(m_edits, &EditStack::selectionChosen, &m_document, &Document::select);
   connect(m_edits, &EditStack::editingStarted, &m_document, &Document::beginInteraction);
   connect(m_edits, &EditStack::editingFinished, &m_document, &Document::endInteraction);
-  connect(m_edits, &EditStack::enabledChosen, this, [this, onFactors](int entry, bool enabled) {
-    if (!onFactors(entry)) return m_document.setEditEnabled(enabled);
-    editing::FactorEdit factors = *m_document.factors();
-    factors.enabled = enabled;
-    m_document.setFactors(factors, enabled ? tr("Show the factor curves' edit") : tr("Hide the factor curves' edit"));
-  });
-  connect(m_edits, &EditStack::strengthEdited, this, [this, onFactors](int entry, double strength) {
-    if (!onFactors(entry)) return m_document.setEditStrength(strength);
-    editing::FactorEdit factors = *m_document.factors();
-    factors.strength = strength;
-    m_document.setFactors(factors, tr("Strength of the factor curves %1 %").arg(100 * strength, 0, 'f', 0));
-  });
-  connect(m_edits, &EditStack::deleteRequested, this, [this, onFactors](int entry) {
-    if (onFactors(entry))
-      m_document.setFactors({}, tr("Delete the factor curves' edit"));
-    else
-      m_document.deleteEdit();
-  });
+  connect(m_edits, &EditStack::enabledChosen, this,
+          [this](int edit, bool enabled) { setEditEnabled(m_document, edit, enabled); });
+  connect(m_edits, &EditStack::strengthEdited, this,
+          [this](int edit, double strength) { setEditStrength(m_document, edit, strength); });
+  connect(m_edits, &EditStack::renamed, this,
+          [this](int edit, const QString& name) { renameEdit(m_document, edit, name); });
+  connect(m_edits, &EditStack::moveRequested, this, [this](int from, int to) { moveEdit(m_document, from, to); });
+  connect(m_edits, &EditStack::duplicateRequested, this, [this](int edit) { duplicateEdit(m_document, edit); });
+  connect(m_edits, &EditStack::deleteRequested, this, [this](int edit) { deleteEdit(m_document, edit); });
+  QMenu& menu = m_edits->addMenu();
+  menu.setToolTipsVisible(true);
+  menu.addAction(tr("Model"), &m_controller, &DocumentController::addModelEdit)
+      ->setToolTip(tr("Another edit of the model in use, from the same fit"));
+  menu.addAction(tr("Factor curves"), this, &Inspector::factorEditWanted)
+      ->setToolTip(tr("Another edit of the factor curves of the measurement"));
+  for (QAction* action : menu.actions()) action->setEnabled(false);
 }
 
 void Inspector::showEdits() {
+  const editing::EditList& edits = m_document.edits();
   std::vector<widgets::EditEntry> entries;
-  if (const auto& factors = m_document.factors())
-    entries.push_back({tr("Factor curves"), tr("What the Factor curves dock changes, next to the measurement"),
-                       factors->strength, factors->enabled});
-  const auto& edit = m_document.edit();
-  if (edit && (edit->edited != edit->fitted || edit->strength != 1 || !edit->enabled))
-    entries.push_back({widgets::fromView(edit->model->spec().name),
-                       tr("What the sliders change: added to what lies above it"), edit->strength, edit->enabled});
-  m_edits->setEntries(entries, tr("None yet: the sliders below and the factor curves make them."));
+  for (int i = 0; i < int(edits.size()); ++i) {
+    const editing::Edit& edit = edits[std::size_t(i)];
+    const bool curves = std::holds_alternative<editing::FactorEdit>(edit.content);
+    QString tip = curves ? tr("A change of the factor curves (Factor curves dock)")
+                         : tr("A change of the parameters of %1 (sliders)")
+                               .arg(widgets::fromView(std::get<DifferentialEdit>(edit.content).model->spec().name));
+    if (edit.isIdentity() && edit.enabled && edit.strength > 0) tip += tr("\nIt changes nothing yet.");
+    entries.push_back({editName(edits, i), tip, edit.strength, edit.enabled, QString::fromStdString(edit.name)});
+  }
+  for (QAction* action : m_edits->addMenu().actions()) action->setEnabled(m_document.material() != nullptr);
+  m_edits->setEntries(
+      entries, m_document.state().selected,
+      m_document.material() ? tr("No edits: the material is shown as measured.") : tr("Open a material to edit it."));
 }
 
 void Inspector::unfoldRepresentation() { m_sections[representationSection]->setExpanded(true); }

@@ -44,11 +44,16 @@ class Inspector : public QScrollArea {
 
   QSize sizeHint() const override;
 
+ Q_SIGNALS:
+  /// Another edit of factor curves is wanted: the factor curves make it.
+  void factorEditWanted();
+
  private:
   void connectDocument();
   void connectParameters();
   void showSource();
   void showModel();
+  QString noSlidersText() const;
   void showValues();
   void connectEdits();
   void showEdits();
@@ -65,7 +70,8 @@ class Inspector : public QScrollArea {
   widgets::ParameterPanel* m_parameters;
   widgets::EditStack* m_edits;
   QList<widgets::CollapsibleSection*> m_sections;
-  const models::Model* m_shownModel = nullptr;
+  const models::Model* m_shownModel = nullptr;  ///< of the sliders
+  QString m_noSliders;                          ///< stands in their place where there is no model
 };
 
 }  // namespace gonio::app

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/gonio/comparison/comparison_numbers.h"
-#include "core/io/sgd_library.h"
+#include "core/materials/sgd_library.h"
 #include "widgets/inputs/number_field.h"
 
 namespace gonio::app {
@@ -48,8 +48,8 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
     fact.toolTip += '\n' + SourceFactsText::tr("The material is this table: nothing was sampled.");
     return fact;
   }
-  const QString source =
-      loaded.material.source.format == io::sgdFormat ? SourceFactsText::tr("the fit") : SourceFactsText::tr("the file");
+  const QString source = loaded.material.source.format == materials::sgdFormat ? SourceFactsText::tr("the fit")
+                                                                               : SourceFactsText::tr("the file");
   fact.value += '\n' + (snr         ? SourceFactsText::tr("%1 dB against %2").arg(snrText(*snr), source)
                         : measuring ? SourceFactsText::tr("measuring its error")
                                     : SourceFactsText::tr("its error was not measured"));
@@ -64,7 +64,7 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
 }  // namespace
 
 std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::optional<double> tableSnr, bool measuring) {
-  const io::MaterialSource& source = loaded.material.source;
+  const materials::MaterialSource& source = loaded.material.source;
   const QString path = QString::fromStdString(source.path.string()), hash = QString::fromStdString(source.sha256);
   std::vector<widgets::Fact> facts;
   const QString description = QString::fromStdString(source.description);

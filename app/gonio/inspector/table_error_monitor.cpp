@@ -11,7 +11,7 @@ const QString tableErrorKey = QStringLiteral("table error");
 }  // namespace
 
 TableErrorMonitor::TableErrorMonitor(Document& document, BackgroundTasks& tasks, QObject* parent,
-                                     const SphereRenderOptions& picture)
+                                     const RenderOptions& picture)
     : QObject(parent), m_document(document), m_tasks(tasks), m_picture(picture) {
   connect(&document, &Document::materialChanged, this, &TableErrorMonitor::measure);
 }

@@ -7,7 +7,7 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio::app {
 
@@ -19,7 +19,7 @@ class TableErrorMonitor : public QObject {
  public:
   /// @param picture in which it is measured: that of every comparison.
   TableErrorMonitor(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr,
-                    const SphereRenderOptions& picture = {});
+                    const RenderOptions& picture = {});
   /// dB, in comparisonScene(); nothing before it is measured, and where the material is a table itself.
   std::optional<double> snr() const { return m_snr; }
   /// Whether nothing is being measured.
@@ -35,7 +35,7 @@ class TableErrorMonitor : public QObject {
 
   Document& m_document;
   BackgroundTasks& m_tasks;
-  SphereRenderOptions m_picture;
+  RenderOptions m_picture;
   std::optional<double> m_snr;
   bool m_measuring = false;
 };

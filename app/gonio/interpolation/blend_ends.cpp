@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/library/thumbnail.h"
 #include "widgets/interpolation/blend_place.h"
 
@@ -14,7 +15,6 @@ namespace {
 constexpr int endSide = 160, endSamples = 24;
 constexpr double loadShare = 0.6, editShare = 0.9;
 
-bool isDocument(const QString& path) { return path.endsWith(QStringLiteral(".gonio"), Qt::CaseInsensitive); }
 QString shortName(const QString& path) { return path.section('/', -1); }
 
 }  // namespace

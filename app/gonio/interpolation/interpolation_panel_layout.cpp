@@ -11,8 +11,8 @@
 #include <QStackedWidget>
 #include <QToolButton>
 
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
-#include "app/gonio/library/material_files.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
 #include "widgets/interpolation/blend_pad.h"
@@ -190,9 +190,7 @@ void InterpolationPanel::connectParts() {
 }
 
 void InterpolationPanel::askForFile(int place) {
-  auto* dialog =
-      new QFileDialog(this, tr("Material %1").arg(QChar(u'A' + place)), {},
-                      tr("Materials and documents (%1 *.gonio);;All files (*)").arg(materialFilePatterns().join(' ')));
+  auto* dialog = new QFileDialog(this, tr("Material %1").arg(QChar(u'A' + place)), {}, materialFilter());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/gonio/library/material_files.h"
-#include "core/io/material.h"
+#include "app/gonio/document/material_files.h"
+#include "core/materials/material_formats.h"
 
 namespace gonio::app {
 
@@ -51,7 +51,7 @@ LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook,
 
 void LibraryController::showBundled() {
   std::vector<widgets::LibraryItem> items;
-  for (const io::LibraryEntry& entry : io::bundledLibrary())
+  for (const materials::LibraryEntry& entry : materials::bundledLibrary())
     items.push_back({QString::fromStdString("library:" + entry.id), QString::fromStdString(entry.name),
                      QString::fromStdString(entry.description)});
   show(std::move(items), tr("Bundled library"), {});
@@ -61,10 +61,8 @@ void LibraryController::showFolder(const QString& folder) {
   std::vector<widgets::LibraryItem> items;
   const QDir dir(folder);
   for (const QFileInfo& file : dir.entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name)) {
-    const QString kind = file.suffix() == "bsdf"   ? tr("RGL file")
-                         : file.suffix() == "pdv"  ? tr("PDV factors")
-                         : file.suffix() == "code" ? tr("sparse code")
-                                                   : tr("MERL file");
+    const std::string_view label = materials::formatBySuffix(file.fileName().toStdString())->label;
+    const QString kind = QString::fromUtf8(label.data(), qsizetype(label.size()));
     items.push_back({file.absoluteFilePath(), file.completeBaseName(), tr("%1, %2").arg(kind, file.fileName())});
   }
   show(std::move(items), dir.dirName(), folder);

@@ -23,7 +23,7 @@ class LibraryController : public QObject {
 
   widgets::LibraryModel& model() { return m_model; }
   void showBundled();
-  /// Every .binary and .bsdf file of a folder, not of its subfolders.
+  /// Every file of a material in a folder, not in its subfolders.
   void showFolder(const QString& folder);
   QString title() const { return m_title; }
   QString folder() const { return m_folder; }  ///< empty for the bundled library

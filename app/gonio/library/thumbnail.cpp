@@ -7,9 +7,9 @@
 #include <QStandardPaths>
 #include <cmath>
 
-#include "core/io/bundled_library.h"
-#include "core/io/material.h"
-#include "core/rendering/sphere_renderer.h"
+#include "core/materials/bundled_library.h"
+#include "core/materials/material.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/tone_map.h"
 
 namespace gonio::app {
@@ -54,13 +54,11 @@ QImage displayedImage(const Image& picture) {
 }
 
 QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control) {
-  SphereScene scene = comparisonScene();
-  scene.showEnvironment = false;
-  SphereRenderOptions options;
+  RenderOptions options;
   options.width = options.height = pixels;
   options.samples = samples;
   options.lobe = estimateSamplingLobe(brdf);
-  const Image picture = renderSphere(brdf, scene, options, control);
+  const Image picture = renderPicture(brdf, comparisonScene(), options, control);
   QImage image = displayedImage(picture);
   image.setText("roughness", QString::number(options.lobe->roughness));
   image.setText("hue", QString::number(meanHue(image)));
@@ -73,11 +71,11 @@ QString thumbnailCacheFolder() {
 
 widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control) {
   // A bundled material is not read for its hash: that would decode it.
-  if (const std::string hash = io::librarySha256(id.toStdString()); !hash.empty())
+  if (const std::string hash = materials::librarySha256(id.toStdString()); !hash.empty())
     if (const QImage shipped(fileName(QStringLiteral(":/thumbnails/%1.png"), hash)); !shipped.isNull())
       return fromImage(shipped);
   // A file has to be read for its hash; its values are parsed beside that.
-  const io::Material material = io::readMaterial(id.toStdString(), control);
+  const materials::Material material = materials::readMaterial(id.toStdString(), control);
   const QString cached =
       cacheFolder + fileName(QStringLiteral("/%1-%2-%3.png"), material.source.sha256).arg(rendererVersion).arg(side);
   if (const QImage known(cached); !known.isNull()) return fromImage(known);
@@ -92,8 +90,8 @@ widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder,
 bool drawBundledThumbnails(const QString& folder) {
   QDir().mkpath(folder);
   bool written = true;
-  for (const io::LibraryEntry& entry : io::bundledLibrary()) {
-    const io::Material material = io::readMaterial(std::string(io::libraryScheme) + entry.id);
+  for (const materials::LibraryEntry& entry : materials::bundledLibrary()) {
+    const materials::Material material = materials::readMaterial(std::string(materials::libraryScheme) + entry.id);
     written &= spherePicture(*material.brdf, shippedSide, shippedSamples)
                    .save(folder + fileName(QStringLiteral("/%1.png"), material.source.sha256), "PNG");
   }

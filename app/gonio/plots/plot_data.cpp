@@ -28,21 +28,21 @@ struct Source {
 std::vector<Source> sourcesOf(const PlotRequest& request) {
   const auto& table = request.material->table;
   std::vector<Source> sources{{SeriesRole::measured, sourceKind(*request.material).toLower(), table, table.get()}};
-  if (request.edit) {
-    const models::Model& model = *request.edit->model;
+  if (request.fit) {
+    const models::Model& model = *request.fit->model;
     sources.push_back({SeriesRole::fit, QObject::tr("fit (%1)").arg(widgets::fromView(model.spec().name)),
-                       model.instantiate(request.edit->fitted), nullptr});
+                       model.instantiate(request.fit->fitted), nullptr});
   }
-  const std::vector<editing::Edit> edits = editing::editStack(request.factors, request.edit);
-  if (!std::all_of(edits.begin(), edits.end(), [](const auto& edit) { return isIdentity(edit); }))
-    sources.push_back({SeriesRole::edited, QObject::tr("edited"), editing::applyEdits(table, edits), table.get()});
+  if (!editing::isIdentity(request.edits))
+    sources.push_back(
+        {SeriesRole::edited, QObject::tr("edited"), editing::applyEdits(table, request.edits), table.get()});
   return sources;
 }
 
 bool isKnown(const PlotRequest& request) {
   const KnownAlbedo* known = request.known.get();
-  return known && known->material == request.material && known->coarse == request.coarse && request.edit &&
-         known->model == request.edit->model && known->fitted == request.edit->fitted;
+  return known && known->material == request.material && known->coarse == request.coarse && request.fit &&
+         known->model == request.fit->model && known->fitted == request.fit->fitted;
 }
 
 void computeAlbedo(const PlotRequest& request, const std::vector<Source>& sources, PlotData& data,
@@ -63,9 +63,9 @@ void computeAlbedo(const PlotRequest& request, const std::vector<Source>& source
   }
   kept->material = request.material;
   kept->coarse = request.coarse;
-  if (request.edit) {
-    kept->model = request.edit->model;
-    kept->fitted = request.edit->fitted;
+  if (request.fit) {
+    kept->model = request.fit->model;
+    kept->fitted = request.fit->fitted;
   }
   data.known = std::move(kept);
 }

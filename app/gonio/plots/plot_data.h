@@ -28,13 +28,13 @@ struct KnownAlbedo {
   plots::Curve measured, fit;
 };
 
-/// What to compute: one kind of plot of a material and its edit.
+/// What to compute: one kind of plot of a material and its edits.
 struct PlotRequest {
   PlotKind kind = PlotKind::polar;
   LoadedMaterialPtr material;
-  std::optional<editing::DifferentialEdit> edit;
-  std::optional<editing::FactorEdit> factors;
-  plots::Section section;  ///< also the angle of incidence, phi_d and the cosine of the others
+  editing::EditList edits;
+  std::optional<editing::DifferentialEdit> fit;  ///< the one of them that the fit is of
+  plots::Section section;                        ///< also the angle of incidence, phi_d and the cosine of the others
   plots::ThetaHSpacing spacing = plots::ThetaHSpacing::squareRoot;
   bool coarse = false;  ///< albedo: few samples, while something moves
   std::shared_ptr<const KnownAlbedo> known;

@@ -50,6 +50,7 @@ PlotsPanel::PlotsPanel(Document& document, BackgroundTasks& tasks, QWidget* pare
   });
   connect(&m_document, &Document::stateChanged, this, &PlotsPanel::documentChanged);
   connect(&m_document, &Document::editChanged, this, &PlotsPanel::documentChanged);
+  connect(&m_document, &Document::selectionChanged, this, &PlotsPanel::documentChanged);
   clear();
   choicesChanged();
 }
@@ -127,8 +128,9 @@ void PlotsPanel::request() {
 
 void PlotsPanel::start() {
   const PlotChoices& choices = m_controls->choices();
-  const PlotRequest request{choices.kind,      m_document.material(), m_document.edit(), m_document.factors(),
-                            choices.section(), choices.spacing,       m_rest.isActive(), m_known};
+  PlotRequest request{choices.kind,      m_document.material(), m_document.edits(), {},
+                      choices.section(), choices.spacing,       m_rest.isActive(),  m_known};
+  if (const auto* edit = m_document.active<editing::DifferentialEdit>()) request.fit = *edit;
   m_running = true;
   m_again = false;
   m_tasks.run<PlotData>(

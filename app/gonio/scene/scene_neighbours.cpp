@@ -5,7 +5,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 
-#include "app/gonio/library/material_files.h"
+#include "app/gonio/document/material_files.h"
 #include "widgets/interpolation/material_well.h"
 
 namespace gonio::app {
@@ -36,19 +36,19 @@ SceneNeighbours::SceneNeighbours(Document& document, BackgroundTasks& tasks, QWi
 }
 
 void SceneNeighbours::showScene(const Scene& scene) {
-  const int shown = std::min(count, lookedAtCount(scene) - 1);
+  const int shown = std::min(count, materialSlotCount(scene) - 1);
   for (int place = 0; place < count; ++place) m_places[std::size_t(place)].well->setVisible(place < shown);
   setVisible(shown > 0);
 }
 
-TracedMaterials SceneNeighbours::materials() const {
-  TracedMaterials materials;
+RenderMaterials SceneNeighbours::materials() const {
+  RenderMaterials materials;
   for (const Place& place : m_places) materials.push_back(place.neighbour ? place.neighbour->traced : nullptr);
   return materials;
 }
 
 SceneNeighbours::Neighbour SceneNeighbours::traced(BlendEnd end) {
-  auto material = std::make_shared<const TracedMaterial>(end.material.table);
+  auto material = std::make_shared<const RenderMaterial>(end.material.table);
   return {std::move(end), std::move(material)};
 }
 
@@ -94,9 +94,7 @@ void SceneNeighbours::clear(int place) {
 }
 
 void SceneNeighbours::askForFile(int place) {
-  auto* dialog =
-      new QFileDialog(this, tr("Material %1").arg(letterOf(place)), {},
-                      tr("Materials and documents (%1 *.gonio);;All files (*)").arg(materialFilePatterns().join(' ')));
+  auto* dialog = new QFileDialog(this, tr("Material %1").arg(letterOf(place)), {}, materialFilter());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) { read(place, path); });

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/gonio/interpolation/blend_ends.h"
-#include "core/rendering/traced_material.h"
+#include "core/rendering/render_material.h"
 
 namespace gonio::widgets {
 class MaterialWell;
@@ -28,7 +28,7 @@ class SceneNeighbours : public QWidget {
   /// Shows the wells of the places that a scene has.
   void showScene(const Scene& scene);
   /// One a place; null where the edited material stands.
-  TracedMaterials materials() const;
+  RenderMaterials materials() const;
   /// A file, a .gonio document, or a library's material by its id.
   void read(int place, const QString& id);
   widgets::MaterialWell& well(int place) const { return *m_places[std::size_t(place)].well; }
@@ -40,7 +40,7 @@ class SceneNeighbours : public QWidget {
  private:
   struct Neighbour {
     BlendEnd end;
-    std::shared_ptr<const TracedMaterial> traced;
+    std::shared_ptr<const RenderMaterial> traced;
   };
   struct Place {
     widgets::MaterialWell* well;

@@ -23,8 +23,8 @@ constexpr int referenceSamples = 1024;
 const auto costsKey = QStringLiteral("effect costs"), referenceKey = QStringLiteral("scene reference");
 
 /// What the objects of the preview's scene are made of.
-TracedMaterials materialsOf(const widgets::PreviewWidget& preview) {
-  return bindMaterials(preview.scene(), lookedAtMaterials(preview.scene(), preview.material(), preview.others()));
+RenderMaterials materialsOf(const widgets::PreviewWidget& preview) {
+  return bindMaterials(preview.scene(), materialsInSlots(preview.scene(), preview.material(), preview.others()));
 }
 
 }  // namespace

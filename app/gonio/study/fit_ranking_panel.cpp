@@ -53,6 +53,7 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
   layout->addWidget(m_view, 1);
   connect(&document, &Document::materialChanged, this, &FitRankingPanel::materialChanged);
   connect(&document, &Document::stateChanged, this, &FitRankingPanel::refresh);
+  connect(&document, &Document::selectionChanged, this, &FitRankingPanel::refresh);
   connect(&tasks, &BackgroundTasks::changed, this, &FitRankingPanel::refresh);
   refresh();
 }
@@ -98,7 +99,7 @@ void FitRankingPanel::fitAll() {
       [material, tell](const TaskControl& control) {
         study::RankingOptions options;
         options.modelDone = tell;
-        study::rankFits(*material->table, *material->material.brdf, options, control);
+        study::rankFits({material->table, material->material.brdf}, options, control);
         return true;
       },
       [this](bool) { refresh(); }, [this](const QString& error) { Q_EMIT failed(tr("Cannot fit all models"), error); });
@@ -107,7 +108,7 @@ void FitRankingPanel::fitAll() {
 
 void FitRankingPanel::take(const study::RankedFit& ranked) {
   if (ranked.fit.cancelled) return;
-  m_controller.rememberFit(ranked.fit);
+  m_document.rememberFit(ranked.fit);
   m_model.add(ranked);
   refresh();
 }
@@ -122,7 +123,8 @@ void FitRankingPanel::refresh() {
       isRunning() ? tr("Stops; the fits that are done stay")
                   : tr("Fits each of the %1 models and ranks them (Ctrl+Shift+F5)").arg(models::allModels().size()));
   m_fitAll->setEnabled(m_document.material() != nullptr);
-  m_model.setCurrent(m_document.edit() ? m_document.edit()->model : nullptr);
+  const auto* edit = m_document.active<editing::DifferentialEdit>();
+  m_model.setCurrent(edit ? edit->model : nullptr);
   m_empty->setVisible(m_model.rowCount() == 0);
   m_empty->setText(!m_document.material() ? tr("Open a material to rank the models that explain it.")
                    : isRunning()          ? tr("The first model is being fitted.")

@@ -111,9 +111,8 @@ void StudyPanel::show(int row) {
   m_tasks.run<widgets::PreviewSubject>(
       {tr("Preparing %1").arg(QString::fromStdString(m_model.representation(row).fullLabel())), showKey},
       [studied = m_model.studied(row)](const TaskControl& control) {
-        widgets::PreviewSubject subject{.table = studied->tabulated(control), .lobe = {}};
-        subject.lobe = estimateSamplingLobe(*subject.table);
-        return subject;
+        const auto table = studied->tabulated(control);
+        return widgets::tableSubject(table, estimateSamplingLobe(*table));
       },
       [this, row](const widgets::PreviewSubject& subject) { adopt(row, subject); },
       [this](const QString& error) {
@@ -141,7 +140,7 @@ std::string StudyPanel::studyTitle() const {
 }
 
 std::string StudyPanel::pictures() const {
-  const SphereRenderOptions& picture = m_options.picture;
+  const RenderOptions& picture = m_options.picture;
   return study::picturesText(picture.width, picture.height, picture.samples);
 }
 

@@ -12,6 +12,7 @@
 #include <QMimeData>
 #include <QSpinBox>
 
+#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/document/edit_transfer.h"
 #include "app/gonio/window/main_window.h"
 #include "widgets/parameters/parameter_panel.h"
@@ -60,19 +61,20 @@ void EditMenu::addEdits(QMenu* menu) {
   menu->addSeparator();
   QAction* reset = menu->addAction(tr("Reset Pa&rameter"), QKeySequence(Qt::Key_Backspace), this, [this, &document] {
     const int parameter = m_window.inspector().parameters()->currentParameter();
-    if (parameter >= 0) document.resetParameter(parameter);
+    if (parameter >= 0) resetParameter(document, parameter);
   });
   reset->setToolTip(tr("Resets the parameter under the pointer or with the focus"));
-  QAction* resetAll = menu->addAction(tr("Reset &All"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Backspace),
-                                      &document, &Document::resetAll);
+  QAction* resetAll = menu->addAction(tr("Reset &All"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Backspace), this,
+                                      [&document] { resetParameters(document); });
   const auto update = [=, this, &document] {
-    const bool editable = document.edit().has_value();
-    copy->setEnabled(editable || document.factors());
+    const auto* edit = document.active<editing::DifferentialEdit>();
+    copy->setEnabled(!document.edits().empty());
     paste->setEnabled(document.material() && m_pasteable);
-    reset->setEnabled(editable);
-    resetAll->setEnabled(editable && document.edit()->edited != document.edit()->fitted);
+    reset->setEnabled(edit);
+    resetAll->setEnabled(edit && !edit->isIdentity());
   };
   connect(&document, &Document::stateChanged, this, update);
+  connect(&document, &Document::selectionChanged, this, update);
   connect(&document, &Document::editChanged, this, update);
   const auto look = [this, update] {
     m_pasteable = !editsFromClipboard(QApplication::clipboard()->mimeData()).empty();

@@ -7,7 +7,7 @@
 #include <QFileDialog>
 #include <QMenuBar>
 
-#include "app/gonio/library/material_files.h"
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/window/main_window.h"
 #include "core/io/image_io.h"
 #include "widgets/preview/preview_widget.h"
@@ -94,11 +94,8 @@ void FileMenu::fillRecent(QMenu* menu) {
 }
 
 void FileMenu::openFile() {
-  const QString path = QFileDialog::getOpenFileName(
-      &m_window, tr("Open"), m_window.settings().value("folders/open").toString(),
-      tr("Materials and documents (%1 *.gonio);;MERL tables (*.binary);;RGL materials (*.bsdf);;"
-         "PDV factors (*.pdv);;Sparse codes (*.code);;Gonio documents (*.gonio);;All files (*)")
-          .arg(materialFilePatterns().join(' ')));
+  const QString path = QFileDialog::getOpenFileName(&m_window, tr("Open"),
+                                                    m_window.settings().value("folders/open").toString(), openFilter());
   if (path.isEmpty()) return;
   m_window.settings().setValue("folders/open", QFileInfo(path).absolutePath());
   m_window.open(path);
@@ -114,9 +111,9 @@ void FileMenu::openFolder() {
 
 void FileMenu::exportBrdf() {
   const QString path =
-      withSuffix(QFileDialog::getSaveFileName(&m_window, tr("Export BRDF"), m_window.document().name() + ".binary",
-                                              tr("MERL table (*.binary)")),
-                 QStringLiteral(".binary"));
+      withSuffix(QFileDialog::getSaveFileName(&m_window, tr("Export BRDF"), m_window.document().name() + tableSuffix(),
+                                              exportFilter()),
+                 tableSuffix());
   if (!path.isEmpty()) m_window.controller().exportMerl(path);
 }
 

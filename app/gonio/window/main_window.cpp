@@ -14,6 +14,7 @@
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/comparison/comparison_panel.h"
+#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/factors/factor_curves_panel.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
@@ -155,6 +156,10 @@ void MainWindow::connectController() {
   connect(&m_controller, &DocumentController::failed, this, &MainWindow::showFailure);
   connect(m_comparison, &ComparisonController::failed, this, &MainWindow::showFailure);
   connect(m_factors, &FactorCurvesPanel::failed, this, &MainWindow::showFailure);
+  connect(m_inspector, &Inspector::factorEditWanted, this, [this] {
+    showDock(QStringLiteral("factors"));
+    m_factors->addEdit();
+  });
   connect(m_ranking, &FitRankingPanel::failed, this, &MainWindow::showFailure);
   connect(m_interpolation, &InterpolationPanel::failed, this, &MainWindow::showFailure);
   connect(m_study, &StudyPanel::failed, this, &MainWindow::showFailure);
@@ -201,11 +206,11 @@ void MainWindow::showRepresentation() {
   const MaterialCode* code = m_comparison->code();
   QString text = code ? tr("Code of %1 coefficients").arg(code->encoded.code.coefficients())
                       : tr("%1 table").arg(QString::fromStdString(material->material.source.format));
-  if (const auto& edit = m_document.edit(); edit && !edit->isIdentity())
-    text = tr("%1 + %2 edit").arg(text, widgets::fromView(edit->model->spec().name));
-  if (const auto& factors = m_document.factors(); factors && !factors->isIdentity())
-    text = tr("%1 + factor edit").arg(text);
-  m_representation->setText(text);
+  QStringList parts{text};
+  const editing::EditList& edits = m_document.edits();
+  for (int i = 0; i < int(edits.size()); ++i)
+    if (!edits[std::size_t(i)].isIdentity()) parts << editName(edits, i);
+  m_representation->setText(parts.join(QStringLiteral(" + ")));
 }
 
 void MainWindow::takeRepresentation(const study::Representation& representation) {
@@ -262,7 +267,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const QString file = widgets::draggedMaterial(event->mimeData());
+  const QString file = widgets::draggedFile(event->mimeData());
   if (file.isEmpty()) return;
   m_dropOverlay->announce(dropDescription(file, event->modifiers() & Qt::ControlModifier));
   event->acceptProposedAction();
@@ -272,7 +277,7 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { m_dropOverlay->hide(); }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   m_dropOverlay->hide();
-  const QString file = widgets::draggedMaterial(event->mimeData());
+  const QString file = widgets::draggedFile(event->mimeData());
   if (isPicture(file))
     setEnvironment(file);
   else if (isScene(file))

@@ -11,6 +11,7 @@
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/comparison/comparison_panel.h"
 #include "app/gonio/comparison/reference_dialog.h"
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_curves_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/scene/scene_panel.h"
@@ -63,9 +64,9 @@ void MainWindow::buildDocks() {
   buildBottomDocks();
   const int em = fontMetrics().height();
   resizeDocks({library, inspector}, {em * 27, em * 28}, Qt::Horizontal);
-  m_libraryView->setEmptyText(
-      tr("There are no .binary, .bsdf or .pdv files in this folder.\nFile > Bundled Library shows the "
-         "materials that come with Gonio."));
+  m_libraryView->setEmptyText(tr("There are no materials in this folder (%1).\nFile > Bundled Library shows the "
+                                 "materials that come with Gonio.")
+                                  .arg(materialFilePatterns().join(' ')));
   connect(&m_libraryController, &LibraryController::titleChanged, m_libraryView, &widgets::LibraryView::setTitle);
   connect(m_libraryView, &widgets::LibraryView::visibleIdsChanged, &m_libraryController,
           &LibraryController::setVisible);

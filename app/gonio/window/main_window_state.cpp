@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QMessageBox>
 
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/window/main_window.h"
 #include "app/gonio/window/view_state.h"
 #include "widgets/library/library_view.h"
@@ -56,10 +57,11 @@ bool MainWindow::save() {
 
 bool MainWindow::saveAs() {
   if (!m_document.material()) return false;
-  const QString suggested = m_document.path().isEmpty() ? m_document.name() + ".gonio" : m_document.path();
-  QString path = QFileDialog::getSaveFileName(this, tr("Save"), suggested, tr("Gonio document (*.gonio)"));
+  const QString suggested = m_document.path().isEmpty() ? m_document.name() + documentSuffix() : m_document.path();
+  QString path =
+      QFileDialog::getSaveFileName(this, tr("Save"), suggested, tr("Gonio document (*%1)").arg(documentSuffix()));
   if (path.isEmpty()) return false;
-  if (!path.endsWith(QStringLiteral(".gonio"))) path += QStringLiteral(".gonio");
+  if (!isDocument(path)) path += documentSuffix();
   return m_controller.save(path, viewToJson(*m_preview));
 }
 

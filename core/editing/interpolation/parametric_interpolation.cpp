@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/brdf/weighted_sum.h"
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 #include "core/editing/interpolation/interpolation_spaces.h"
 #include "core/models/parameter_blend.h"
 #include "core/models/registry.h"
@@ -42,14 +42,13 @@ class DifferentialInterpolation final : public ParameterInterpolation {
   std::vector<DifferentialEdit> movesTo(std::span<const double> weights) const override {
     const ParameterValues target = blendedParameters(weights).value();
     std::vector<DifferentialEdit> edits;
-    for (const ParameterValues& fitted : fitted_) edits.push_back({&model_, fitted, target, 1, true});
+    for (const ParameterValues& fitted : fitted_) edits.push_back({&model_, fitted, target});
     return edits;
   }
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
-    const std::vector<DifferentialEdit> edits = movesTo(weights);
     std::vector<std::shared_ptr<const Brdf>> moved;
-    for (std::size_t i = 0; i < materials(); ++i)
-      moved.push_back(applyEdits(tables()[i], std::span(edits).subspan(i, 1)));
+    for (DifferentialEdit& move : movesTo(weights))
+      moved.push_back(applyEdits(tables()[moved.size()], EditList{{std::move(move)}}));
     return weightedSum(std::move(moved), {weights.begin(), weights.end()});
   }
   Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
@@ -58,7 +57,7 @@ class DifferentialInterpolation final : public ParameterInterpolation {
     for (std::size_t i = 0; i < materials(); ++i) {
       if (!(weights[i] > 0)) continue;
       const double begin = double(i) / double(materials()), end = double(i + 1) / double(materials());
-      moved[i] = bakeEdits(sameGrid_[i], std::span(edits).subspan(i, 1), control.between(begin, end));
+      moved[i] = bakeEdits(sameGrid_[i], EditList{{edits[i]}}, control.between(begin, end));
     }
     return weightedSum(moved, weights, {.stop = control.stop});
   }

@@ -11,8 +11,8 @@
 #include <QTableWidget>
 #include <QTest>
 
-#include "core/io/plan_file.h"
-#include "core/io/values_file.h"
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
 #include "tests/app/gonio/acquisition_test_support.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
@@ -150,13 +150,14 @@ class AcquisitionPanelTest : public QObject {
   void thePlanIsAFile() {
     Editor editor;
     QVERIFY(editor.acquire());
-    const auto plan = io::parsePlan(editor.panel.planText().toStdString());
+    const auto plan = materials::parsePlan(editor.panel.planText().toStdString());
     QCOMPARE(plan.samples.size(), std::size_t(8));
     const QString path = editor.library.folder.filePath("plan.csv");
     QSignalSpy exported(&editor.panel, &AcquisitionPanel::exported);
     editor.panel.savePlan(path);
     QCOMPARE(exported.count(), 1);
-    QCOMPARE(io::readPlan(path.toStdString()).samples[3].order, editor.panel.session().samplingPlan().samples[3].order);
+    QCOMPARE(materials::readPlan(path.toStdString()).samples[3].order,
+             editor.panel.session().samplingPlan().samples[3].order);
     editor.panel.savePlan("/nowhere/plan.csv");
     QVERIFY(editor.failure().contains("/nowhere/plan.csv"));
     // Read again, also by another editor: the same cells in the same order.
@@ -179,7 +180,7 @@ class AcquisitionPanelTest : public QObject {
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
     const auto& plan = panel.session().samplingPlan();
-    QString text = QString::fromStdString(io::valuesCsv(plan, panel.session().values()));
+    QString text = QString::fromStdString(materials::valuesCsv(plan, panel.session().values()));
     QStringList lines = text.split('\n', Qt::SkipEmptyParts);
     const auto line =
         qsizetype(std::ranges::find_if(lines, [](const QString& one) { return one.startsWith("3,"); }) - lines.begin());

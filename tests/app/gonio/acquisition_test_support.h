@@ -5,14 +5,14 @@
 #include <QTemporaryDir>
 
 #include "app/gonio/acquisition/acquisition_session.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/models/registry.h"
 
 namespace gonio::app::test {
 
 inline constexpr int patienceMilliseconds = 120000;
 
-inline SphereRenderOptions smallPicture() { return {.width = 24, .height = 24, .samples = 4, .lobe = {}}; }
+inline RenderOptions smallPicture() { return {.width = 24, .height = 24, .samples = 4, .lobe = {}}; }
 
 /// A small training set as files, beside a material that is none of it.
 struct SmallLibrary {
@@ -34,7 +34,7 @@ struct SmallLibrary {
     values.values[0] = albedo;
     values.values[*model.spec().find("roughness")] = Rgb(roughness);
     const QString path = folder.filePath(name + ".binary");
-    io::writeMerl(*bakeTable(*model.instantiate(values), grid), path.toStdString());
+    materials::writeMaterial(*bakeTable(*model.instantiate(values), grid), path.toStdString());
     return path;
   }
 

@@ -7,7 +7,9 @@
 
 #include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/comparison/comparison_panel.h"
+#include "app/gonio/document/edit_steps.h"
 #include "core/metrics/brdf_metrics.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/preview/comparison_bar.h"
@@ -16,6 +18,7 @@
 
 using namespace gonio;
 using namespace gonio::app;
+using namespace gonio::app::test;
 using widgets::ComparedSubject;
 using widgets::CompareMode;
 
@@ -74,7 +77,7 @@ class ComparisonTest : public QObject {
     QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded"));
     QCOMPARE(editor.comparison.sides()[0], ComparedSubject::edited);
     QCOMPARE(editor.comparison.sides()[1], ComparedSubject::measured);
-    editor.document.setParameter(0, Rgb(0.2));
+    setParameter(editor.document, 0, Rgb(0.2));
     QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded, edited"));
     QVERIFY(editor.comparison.subject(ComparedSubject::edited).edit->edited.values[0] == Rgb(0.2));
     editor.comparison.setCode(nullptr);
@@ -98,7 +101,7 @@ class ComparisonTest : public QObject {
     editor.comparison.setComparison({.mode = CompareMode::twoUp});
     editor.comparison.toggle();
     QVERIFY(!editor.preview.isComparing());
-    editor.document.setParameter(0, Rgb(0.4));
+    setParameter(editor.document, 0, Rgb(0.4));
     editor.comparison.toggle();
     QCOMPARE(editor.comparison.comparison().mode, CompareMode::twoUp);
     QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::edited, ComparedSubject::measured}));
@@ -112,7 +115,7 @@ class ComparisonTest : public QObject {
     editor.document.adoptFit(lambertFit(0.5));
     editor.comparison.toggle();
     QCOMPARE(editor.comparison.sides()[0], ComparedSubject::fit);
-    const widgets::PreviewSubject other{.table = lambertMaterial("other", 0.2)->table, .lobe = {}};
+    const widgets::PreviewSubject other = widgets::tableSubject(lambertMaterial("other", 0.2)->table);
     editor.comparison.setStandIn(StandIn::blend, other, "blend");
     QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::edited, ComparedSubject::measured}));
     QCOMPARE(editor.preview.overlay()->name(0)->text(), QString("Blend"));
@@ -137,7 +140,7 @@ class ComparisonTest : public QObject {
     for (const auto& [path, name] :
          {std::pair("library:sgd/chrome", "Published fit"), {"library:rgl/paper_blue", "Measured"}}) {
       auto loaded = std::make_shared<LoadedMaterial>(*lambertMaterial("", 0.5));
-      loaded->material.source = io::readMaterial(path).source;
+      loaded->material.source = materials::readMaterial(path).source;
       editor.document.setMaterial(loaded);
       QCOMPARE(editor.comparison.name(ComparedSubject::measured), QString(name));
     }
@@ -147,7 +150,7 @@ class ComparisonTest : public QObject {
     Editor editor;
     editor.document.setMaterial(lambertMaterial("grey", 0.5));
     editor.document.adoptFit(lambertFit(0.3));
-    editor.document.setParameter(0, Rgb(0.4));
+    setParameter(editor.document, 0, Rgb(0.4));
     const Direction up{0, 0, 1};
     const auto at = [&](ComparedSubject side) {
       return widgets::subjectBrdf(editor.comparison.subject(side))->evaluate(up, up).x * pi;
@@ -185,27 +188,24 @@ class ComparisonTest : public QObject {
     panel.show();
     QTRY_VERIFY_WITH_TIMEOUT(panel.isCurrent(), patienceMilliseconds);
     QVERIFY(std::isinf(panel.numbers()->renderedSnr));
-    editor.document.setParameter(0, Rgb(0.45));
-    editor.document.setParameter(0, Rgb(0.4));
+    setParameter(editor.document, 0, Rgb(0.45));
+    setParameter(editor.document, 0, Rgb(0.4));
     QVERIFY(!panel.isCurrent());
     QTRY_VERIFY_WITH_TIMEOUT(panel.isCurrent(), patienceMilliseconds);
     // 0.4 against 0.5 everywhere: |r|^2 / |r - t|^2 = 25.
     QVERIFY(std::abs(panel.numbers()->renderedSnr - 10 * std::log10(25)) < 1e-3);
     QVERIFY(std::abs(panel.numbers()->brdfSnr - 10 * std::log10(25)) < 1e-3);
-    const auto edit = *editor.document.edit();
     const auto& table = editor.document.material()->table;
-    const auto expected = metrics::brdfErrors(*table, *editing::applyEdits(table, std::span(&edit, 1)));
+    const auto expected = metrics::brdfErrors(*table, *editing::applyEdits(table, editor.document.edits()));
     QVERIFY(panel.numbers()->errors == expected);
   }
 
   /// A model as the reference is sampled as a table; the errors of equal sides are 0.
   void aFitAsTheReference() {
     const auto material = lambertMaterial("grey", 0.5);
-    widgets::PreviewSubject fit{.table = material->table, .lobe = {}};
-    fit.model = &models::findModel("lambert");
-    fit.parameters = {{Rgb(0.5)}};
-    const auto reference = comparisonReference(fit);
-    const ComparisonNumbers numbers = compareSubjects({.table = material->table, .lobe = {}}, *reference);
+    const auto reference = comparisonReference(
+        {widgets::ModelAlone{&models::findModel("lambert"), {{Rgb(0.5)}}, material->table->grid()}});
+    const ComparisonNumbers numbers = compareSubjects(widgets::tableSubject(material->table), *reference);
     for (const double error : numbers.errors) QVERIFY(std::abs(error) < 1e-6);
     QVERIFY(numbers.brdfSnr > 100);
   }

@@ -7,11 +7,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/gonio/document/edit_steps.h"
 #include "core/factorization/pdv_operations.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::app;
+using namespace gonio::app::test;
 
 namespace {
 constexpr int patienceMilliseconds = 120000;
@@ -32,14 +35,14 @@ class DocumentControllerTest : public QObject {
     const QTemporaryDir folder;
     Editor editor;
     editor.controller.open(material);
-    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
     const models::Model& ward = models::findModel("ward-anisotropic");
     editor.controller.chooseModel(ward);
-    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit()->model == &ward, patienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document)->model == &ward, patienceMilliseconds);
     QSignalSpy warned(&editor.controller, &DocumentController::warned);
     QSignalSpy done(&editor.controller, &DocumentController::exported);
-    editor.document.setParameter(int(*ward.spec().find("roughness-x")), Rgb(0.03));
-    editor.document.setParameter(int(*ward.spec().find("roughness-y")), Rgb(0.4));
+    setParameter(editor.document, int(*ward.spec().find("roughness-x")), Rgb(0.03));
+    setParameter(editor.document, int(*ward.spec().find("roughness-y")), Rgb(0.4));
     editor.controller.exportMerl(folder.filePath("brushed.binary"));
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
     QCOMPARE(warned.count(), 1);
@@ -52,12 +55,12 @@ class DocumentControllerTest : public QObject {
     const QString path = folder.filePath("mine.gonio"), exported = folder.filePath("mine.binary");
     Editor editor;
     editor.controller.open(material);
-    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
     QVERIFY(!editor.document.isModified());
     QCOMPARE(editor.document.history().count(), 0);
 
-    const int roughness = int(*editor.document.edit()->model->spec().find("roughness"));
-    editor.document.setParameter(roughness, Rgb(0.3));
+    const int roughness = int(*modelEdit(editor.document)->model->spec().find("roughness"));
+    setParameter(editor.document, roughness, Rgb(0.3));
     QVERIFY(editor.controller.save(path, {{"exposure", 1.5}}));
     QVERIFY(!editor.document.isModified());
 
@@ -67,9 +70,9 @@ class DocumentControllerTest : public QObject {
     connect(&again.controller, &DocumentController::viewRestored, this,
             [&](const nlohmann::json& view) { exposure = view.at("exposure").get<double>(); });
     again.controller.open(path);
-    QTRY_VERIFY_WITH_TIMEOUT(again.document.edit().has_value(), patienceMilliseconds);
-    QVERIFY(again.document.edit()->edited == editor.document.edit()->edited);
-    QVERIFY(again.document.edit()->fitted == editor.document.edit()->fitted);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(again.document), patienceMilliseconds);
+    QVERIFY(modelEdit(again.document)->edited == modelEdit(editor.document)->edited);
+    QVERIFY(modelEdit(again.document)->fitted == modelEdit(editor.document)->fitted);
     QCOMPARE(exposure, 1.5);
     QCOMPARE(warned.count(), 0);
     QVERIFY(!again.document.isModified());
@@ -79,7 +82,7 @@ class DocumentControllerTest : public QObject {
     again.controller.exportMerl(exported);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
     const LoadedMaterialPtr reopened = loadMaterial(exported.toStdString());
-    const auto baked = editing::bakeEdits(editor.document.material()->table, std::span(&*editor.document.edit(), 1));
+    const auto baked = editing::bakeEdits(editor.document.material()->table, editor.document.edits());
     QCOMPARE(reopened->table->validCount(), baked->validCount());
     double worst = 0;
     for (std::size_t i = 0; i < baked->values().size(); i += 97)
@@ -102,19 +105,19 @@ class DocumentControllerTest : public QObject {
     edit.original = std::make_shared<const factorization::PdvFactors>(factors);
     edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
     edit.keepDetail = false;
-    edit.strength = 0.75;
-    editor.document.setFactors(edit, "Wider");
+    replaceFactors(editor.document, edit, "Wider");
+    setEditStrength(editor.document, 0, 0.75);
     QVERIFY(editor.document.isModified());
     QVERIFY(editor.controller.save(path, nlohmann::json::object()));
     QVERIFY(!editor.document.isModified());
 
     Editor again;
     again.controller.open(path);
-    QTRY_VERIFY_WITH_TIMEOUT(again.document.factors().has_value(), patienceMilliseconds);
-    const editing::FactorEdit& back = *again.document.factors();
+    QTRY_VERIFY_WITH_TIMEOUT(factorEdit(again.document), patienceMilliseconds);
+    const editing::FactorEdit& back = *factorEdit(again.document);
     QVERIFY(*back.original == *edit.original && *back.edited == *edit.edited);
-    QVERIFY(!back.keepDetail && back.enabled);
-    QCOMPARE(back.strength, 0.75);
+    QVERIFY(!back.keepDetail && again.document.edits()[0].enabled);
+    QCOMPARE(again.document.edits()[0].strength, 0.75);
 
     QSignalSpy done(&again.controller, &DocumentController::exported);
     again.controller.exportMerl(exported);
@@ -144,20 +147,19 @@ class DocumentControllerTest : public QObject {
     editing::FactorEdit edit;
     edit.original = std::make_shared<const factorization::PdvFactors>(factors);
     edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
-    edit.strength = 0.5;
-    editor.controller.paste({edit});
-    QTRY_VERIFY_WITH_TIMEOUT(editor.document.factors().has_value(), patienceMilliseconds);
-    QVERIFY(*editor.document.factors() == edit);
+    editor.controller.paste({{edit, "", 0.5}});
+    QTRY_VERIFY_WITH_TIMEOUT(factorEdit(editor.document), patienceMilliseconds);
+    QVERIFY(*factorEdit(editor.document) == edit);
     QCOMPARE(editor.document.history().count(), 1);
 
     editor.controller.open("library:sgd/chrome");
     QTRY_VERIFY_WITH_TIMEOUT(editor.document.name() == "chrome", patienceMilliseconds);
-    QVERIFY(!editor.document.factors());
-    editor.controller.paste({edit});
-    QTRY_VERIFY_WITH_TIMEOUT(editor.document.factors().has_value(), patienceMilliseconds);
-    const editing::FactorEdit& carried = *editor.document.factors();
+    QVERIFY(!factorEdit(editor.document));
+    editor.controller.paste({{edit, "", 0.5}});
+    QTRY_VERIFY_WITH_TIMEOUT(factorEdit(editor.document), patienceMilliseconds);
+    const editing::FactorEdit& carried = *factorEdit(editor.document);
     QVERIFY(carried.original->deviationNodes != edit.original->deviationNodes);
-    QCOMPARE(carried.strength, 0.5);
+    QCOMPARE(editor.document.edits()[0].strength, 0.5);
     // Wider at every place, as the edit is.
     const auto &before = carried.original->channels[1][0].f2, &after = carried.edited->channels[1][0].f2;
     for (std::size_t i = 0; i < before.size(); ++i) QVERIFY(after[i] >= before[i] - 0.02);
@@ -169,30 +171,30 @@ class DocumentControllerTest : public QObject {
   void whatWasCopiedTogetherIsOneStep() {
     Editor editor;
     editor.controller.open(material);
-    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
     const auto factors = factorization::factorizePdv(*editor.document.material()->table, {.terms = 1}).factors;
     editing::FactorEdit curves;
     curves.original = std::make_shared<const factorization::PdvFactors>(factors);
     curves.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
     for (const char* id : {"ggx", "lambert"}) {
       const models::Model& model = models::findModel(id);
-      editing::DifferentialEdit sliders{.model = &model, .fitted = {}, .edited = {}, .strength = 0.5, .enabled = false};
+      editing::DifferentialEdit sliders{.model = &model, .fitted = {}, .edited = {}};
       sliders.fitted = sliders.edited = models::defaultParameters(model.spec());
       sliders.edited.values[0] = 0.5 * sliders.fitted.values[0];
       const EditState before = editor.document.state();
       const int steps = editor.document.history().index();
-      editor.controller.paste({curves, sliders});
+      editor.controller.paste({{curves}, {sliders, "mine", 0.5, false}});
       QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle() && editor.document.history().index() > steps,
                                patienceMilliseconds);
       QCOMPARE(editor.document.history().index(), steps + 1);
-      QVERIFY(*editor.document.factors() == curves);
-      const editing::DifferentialEdit& pasted = *editor.document.edit();
+      QVERIFY(*factorEdit(editor.document) == curves);
+      const editing::DifferentialEdit& pasted = *modelEdit(editor.document);
       QVERIFY(pasted.model == &model && pasted.edited != pasted.fitted);
-      QVERIFY(pasted.strength == 0.5 && !pasted.enabled);
+      QCOMPARE(editor.document.edits().size(), std::size_t(2));
+      const editing::Edit& last = editor.document.edits()[1];
+      QVERIFY(last.strength == 0.5 && !last.enabled && last.name == "mine");
       editor.document.history().undo();
-      QVERIFY(editor.document.factors() == before.factors);
-      QVERIFY(editor.document.edit()->model == before.edit->model);
-      QVERIFY(editor.document.edit()->edited == before.edit->edited);
+      QVERIFY(editor.document.edits() == before.edits);
     }
   }
 
@@ -202,11 +204,11 @@ class DocumentControllerTest : public QObject {
     const QString path = folder.filePath("blind.gonio");
     Editor editor, again;
     editor.controller.open(material);
-    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
     QVERIFY(editor.controller.save(path, {}));
     QSignalSpy failed(&again.controller, &DocumentController::failed);
     again.controller.open(path);
-    QTRY_VERIFY_WITH_TIMEOUT(again.document.edit().has_value() || failed.count() > 0, patienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(again.document) || failed.count() > 0, patienceMilliseconds);
     QCOMPARE(failed.count(), 0);
   }
 
@@ -243,15 +245,15 @@ class DocumentControllerTest : public QObject {
   void aFitKeepsTheChosenConventions() {
     Editor editor;
     editor.controller.open(material);
-    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit().has_value(), patienceMilliseconds);
-    const std::size_t masking = *editor.document.edit()->model->spec().find("masking");
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
+    const std::size_t masking = *modelEdit(editor.document)->model->spec().find("masking");
     const Rgb heightCorrelated(1);
-    QVERIFY(editor.document.edit()->fitted.values[masking] != heightCorrelated);
-    editor.document.setParameter(int(masking), heightCorrelated);
+    QVERIFY(modelEdit(editor.document)->fitted.values[masking] != heightCorrelated);
+    setParameter(editor.document, int(masking), heightCorrelated);
     editor.controller.fit();
     QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle(), patienceMilliseconds);
-    QCOMPARE(editor.document.edit()->fitted.values[masking], heightCorrelated);
-    QVERIFY(editor.document.edit()->isIdentity());
+    QCOMPARE(modelEdit(editor.document)->fitted.values[masking], heightCorrelated);
+    QVERIFY(modelEdit(editor.document)->isIdentity());
   }
 
   void aNewerLoadWinsAndAStoppedFitIsAProposal() {
@@ -265,12 +267,12 @@ class DocumentControllerTest : public QObject {
     editor.tasks.cancelTopmost();
     QTRY_VERIFY_WITH_TIMEOUT(editor.tasks.isIdle(), patienceMilliseconds);
     QCOMPARE(offered.count(), 1);
-    QVERIFY(!editor.document.edit());
+    QVERIFY(!modelEdit(editor.document));
     editor.controller.applyProposal();
-    QVERIFY(editor.document.edit());
+    QVERIFY(modelEdit(editor.document));
     QCOMPARE(editor.document.history().count(), 1);
     editor.document.history().undo();
-    QVERIFY(!editor.document.edit());
+    QVERIFY(!modelEdit(editor.document));
   }
 };
 

@@ -6,11 +6,14 @@
 #include <QTest>
 #include <cstring>
 
+#include "app/gonio/document/edit_steps.h"
 #include "core/models/registry.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::app;
+using namespace gonio::app::test;
 
 namespace {
 
@@ -74,7 +77,7 @@ class DocumentTest : public QObject {
   void openingAndTheFirstFitAreNoSteps() {
     QCOMPARE(m_document->history().count(), 0);
     QVERIFY(!m_document->isModified());
-    QVERIFY(m_document->edit()->isIdentity());
+    QVERIFY(modelEdit(*m_document)->isIdentity());
     QCOMPARE(m_document->name(), QStringLiteral("grey"));
   }
 
@@ -82,55 +85,64 @@ class DocumentTest : public QObject {
   void undoAndRedoRestoreEveryBit() {
     std::vector<EditState> states{m_document->state()};
     const auto note = [&] { states.push_back(m_document->state()); };
-    m_document->setParameter(index("roughness"), Rgb(0.42)), note();
-    m_document->setParameter(index("specular"), Rgb(0.1, 0.3, 1.0 / 3)), note();
-    m_document->resetParameter(index("roughness")), note();
-    m_document->resetAll(), note();
+    setParameter(*m_document, index("roughness"), Rgb(0.42)), note();
+    setParameter(*m_document, index("specular"), Rgb(0.1, 0.3, 1.0 / 3)), note();
+    resetParameter(*m_document, index("roughness")), note();
+    resetParameters(*m_document), note();
     m_document->chooseFit(fitOf(models::lambert())), note();
-    m_document->setParameter(0, Rgb(0.7, 0.1, 0.2)), note();
-    models::ParameterValues pasted = states[2].edit->edited;
+    setParameter(*m_document, 0, Rgb(0.7, 0.1, 0.2)), note();
     editing::DifferentialEdit edit = identityEdit(fitOf(models::ggx()));
-    edit.edited = pasted;
-    m_document->paste({}, edit, fitOf(models::ggx())), note();
-    m_document->paste(factorEdit(2), edit), note();
+    edit.edited = std::get<editing::DifferentialEdit>(states[2].edits[0].content).edited;
+    pasteEdits(*m_document, {{edit}}), note();
+    pasteEdits(*m_document, {{factorEdit(2)}, {edit, "mine", 0.5}}), note();
+    addEdit(*m_document, {identityEdit(fitOf(models::lambert()))}), note();
+    moveEdit(*m_document, 2, 0), note();
+    duplicateEdit(*m_document, 1), note();
+    renameEdit(*m_document, 0, "Base"), note();
+    setEditEnabled(*m_document, 3, false), note();
+    setEditStrength(*m_document, 2, 1.0 / 3), note();
+    deleteEdit(*m_document, 1), note();
     QCOMPARE(m_document->history().count(), int(states.size()) - 1);
     for (int round = 0; round < 2; ++round) {
       for (int i = int(states.size()) - 1; i >= 0; --i) {
         m_document->history().setIndex(i);
         const EditState& expected = states[std::size_t(i)];
-        QCOMPARE(m_document->edit()->model, expected.edit->model);
-        QVERIFY(sameBits(m_document->edit()->edited, expected.edit->edited));
-        QVERIFY(sameBits(m_document->edit()->fitted, expected.edit->fitted));
-        QVERIFY(m_document->factors() == expected.factors);
+        QVERIFY(m_document->edits() == expected.edits);
+        for (std::size_t k = 0; k < expected.edits.size(); ++k)
+          if (const auto* one = std::get_if<editing::DifferentialEdit>(&expected.edits[k].content)) {
+            const auto& now = std::get<editing::DifferentialEdit>(m_document->edits()[k].content);
+            QVERIFY(sameBits(now.edited, one->edited) && sameBits(now.fitted, one->fitted));
+          }
+        QCOMPARE(m_document->state().selected, expected.selected);
         QCOMPARE(m_document->isModified(), i != 0);
       }
     }
   }
 
   void oneDragIsOneStep() {
-    m_document->setParameter(index("roughness"), Rgb(0.3));
+    setParameter(*m_document, index("roughness"), Rgb(0.3));
     m_document->beginInteraction();
-    for (double value = 0.31; value <= 0.4201; value += 0.01) m_document->setParameter(index("roughness"), Rgb(value));
+    for (double value = 0.31; value <= 0.4201; value += 0.01) setParameter(*m_document, index("roughness"), Rgb(value));
     m_document->endInteraction();
     QCOMPARE(m_document->history().count(), 2);
     QCOMPARE(m_document->history().text(1), QStringLiteral("Change roughness 0.3 to 0.42"));
     m_document->beginInteraction();
-    m_document->setParameter(index("roughness"), Rgb(0.5));
+    setParameter(*m_document, index("roughness"), Rgb(0.5));
     m_document->endInteraction();
     QCOMPARE(m_document->history().count(), 3);
     m_document->history().undo();
     m_document->history().undo();
-    QVERIFY(m_document->edit()->edited.values[std::size_t(index("roughness"))] == Rgb(0.3));
+    QVERIFY(modelEdit(*m_document)->edited.values[std::size_t(index("roughness"))] == Rgb(0.3));
   }
 
   void aDragThatReturnsLeavesNoStep() {
-    const Rgb before = m_document->edit()->edited.values[std::size_t(index("roughness"))];
+    const Rgb before = modelEdit(*m_document)->edited.values[std::size_t(index("roughness"))];
     m_document->beginInteraction();
-    m_document->setParameter(index("roughness"), Rgb(0.9));
-    m_document->setParameter(index("roughness"), before);
+    setParameter(*m_document, index("roughness"), Rgb(0.9));
+    setParameter(*m_document, index("roughness"), before);
     m_document->endInteraction();
     QCOMPARE(m_document->history().count(), 0);
-    QVERIFY(m_document->edit()->isIdentity());
+    QVERIFY(modelEdit(*m_document)->isIdentity());
     QVERIFY(!m_document->isModified());
   }
 
@@ -139,49 +151,51 @@ class DocumentTest : public QObject {
     for (const double end : {1.5, 2.5}) {
       m_document->beginInteraction();
       for (double strength = end - 0.4; strength <= end + 1e-9; strength += 0.1)
-        m_document->setFactors(factorEdit(strength), "Change F1");
+        replaceFactors(*m_document, factorEdit(strength), "Change F1");
       m_document->endInteraction();
     }
     QCOMPARE(m_document->history().count(), 2);
-    QVERIFY(std::abs(m_document->factors()->edited->channels[0][0].f1[0] - 2.5) < 1e-9);
+    QVERIFY(std::abs(test::factorEdit(*m_document)->edited->channels[0][0].f1[0] - 2.5) < 1e-9);
     m_document->history().undo();
-    QVERIFY(std::abs(m_document->factors()->edited->channels[0][0].f1[0] - 1.5) < 1e-9);
+    QVERIFY(std::abs(test::factorEdit(*m_document)->edited->channels[0][0].f1[0] - 1.5) < 1e-9);
     m_document->history().undo();
-    QVERIFY(!m_document->factors());
-    m_document->setFactors(factorEdit(2), "Stronger");
-    m_document->setFactors(factorEdit(3), "Stronger");
+    QVERIFY(!test::factorEdit(*m_document));
+    replaceFactors(*m_document, factorEdit(2), "Stronger");
+    replaceFactors(*m_document, factorEdit(3), "Stronger");
     QCOMPARE(m_document->history().count(), 2);  // two presses of a button
   }
 
   /// Without a step: the edit is as it was when the drag began.
   void aDragOfFactorsThatReturnsLeavesNoStep() {
-    m_document->setFactors(factorEdit(2), "Change F1");
-    const auto before = m_document->factors();
+    replaceFactors(*m_document, factorEdit(2), "Change F1");
+    const editing::EditList before = m_document->edits();
     m_document->beginInteraction();
-    m_document->setFactors(factorEdit(3), "Change F1");
-    m_document->setFactors(factorEdit(2), "Change F1");  // equal numbers, another owner
+    replaceFactors(*m_document, factorEdit(3), "Change F1");
+    replaceFactors(*m_document, factorEdit(2), "Change F1");  // equal numbers, another owner
     m_document->endInteraction();
     QCOMPARE(m_document->history().count(), 1);
-    QVERIFY(m_document->factors() == before);
+    QVERIFY(m_document->edits() == before);
   }
 
   void keysOutsideAnInteractionAreStepsOfTheirOwn() {
-    m_document->setParameter(index("f0"), Rgb(0.5));
-    m_document->setParameter(index("f0"), Rgb(0.6));
+    setParameter(*m_document, index("f0"), Rgb(0.5));
+    setParameter(*m_document, index("f0"), Rgb(0.6));
     QCOMPARE(m_document->history().count(), 2);
   }
 
   void whatChangesNothingIsNoStep() {
-    m_document->resetAll();
-    m_document->resetParameter(0);
-    m_document->setParameter(0, m_document->edit()->edited.values[0]);
-    m_document->paste({}, m_document->edit());
+    resetParameters(*m_document);
+    resetParameter(*m_document, 0);
+    setParameter(*m_document, 0, modelEdit(*m_document)->edited.values[0]);
+    pasteEdits(*m_document, m_document->edits());
+    renameEdit(*m_document, 0, "");
+    moveEdit(*m_document, 0, 0);
     QCOMPARE(m_document->history().count(), 0);
   }
 
   void savingIsWhatModifiedComparesWith() {
     QSignalSpy title(m_document, &Document::titleChanged);
-    m_document->setParameter(index("f0"), Rgb(0.5));
+    setParameter(*m_document, index("f0"), Rgb(0.5));
     QVERIFY(m_document->isModified());
     m_document->markSaved("/tmp/mine.gonio");
     QVERIFY(!m_document->isModified());
@@ -193,64 +207,140 @@ class DocumentTest : public QObject {
 
   /// Every step of factors and of a model, in turn, and all of it in the stored form.
   void factorsLiveBesideTheModel() {
-    m_document->setFactors(factorEdit(2), "Change F1");
-    m_document->setParameter(index("roughness"), Rgb(0.4));
+    replaceFactors(*m_document, factorEdit(2), "Change F1");
+    setParameter(*m_document, index("roughness"), Rgb(0.4));
     m_document->chooseFit(fitOf(models::lambert()));
-    QVERIFY(m_document->factors() == factorEdit(2));
-    m_document->setFactors({}, "Reset");
+    QVERIFY(*test::factorEdit(*m_document) == factorEdit(2));
+    deleteEdit(*m_document, 0);
+    QVERIFY(!test::factorEdit(*m_document));
     m_document->history().setIndex(2);
     const editing::EditDocument stored = m_document->toEditDocument();
     QCOMPARE(stored.edits.size(), std::size_t(2));
     Document other;
     other.setMaterial(smallMaterial(), stored, "/tmp/mine.gonio");
-    QVERIFY(other.factors() == factorEdit(2));
-    QVERIFY(sameBits(other.edit()->edited, m_document->edit()->edited));
-    // What the editor does not keep it does not open: two edits of factors.
-    editing::EditDocument two = stored;
-    two.edits = {factorEdit(2), factorEdit(3)};
-    QVERIFY_THROWS_EXCEPTION(Error, other.setMaterial(smallMaterial(), two, "/tmp/two.gonio"));
+    QVERIFY(*test::factorEdit(other) == factorEdit(2));
+    QVERIFY(sameBits(modelEdit(other)->edited, modelEdit(*m_document)->edited));
+  }
+
+  /// Any order, several of one kind: as they were stored.
+  void anyListOfEditsOpens() {
+    editing::EditDocument stored = m_document->toEditDocument();
+    const editing::Edit fit = stored.edits[0];
+    stored.edits = {{factorEdit(2)}, fit, {factorEdit(3), "third"}, fit};
+    Document other;
+    other.setMaterial(smallMaterial(), stored, "/tmp/four.gonio");
+    QVERIFY(other.edits() == stored.edits && other.toEditDocument().edits == stored.edits);
+    QVERIFY(!other.isModified());
+    QCOMPARE(editName(other.edits(), 0), QStringLiteral("Factor curves"));
+    QCOMPARE(editName(other.edits(), 2), QStringLiteral("third"));
+    QCOMPARE(editName(other.edits(), 3), editName(other.edits(), 1) + " 2");
+  }
+
+  /// The sliders act on the selected edit of a model, else on the last; curves likewise.
+  void theSelectedEditIsTheOneThatChanges() {
+    addEdit(*m_document, {identityEdit(fitOf(models::lambert()))});
+    replaceFactors(*m_document, factorEdit(2), "Change F1");
+    QCOMPARE(m_document->edits().size(), std::size_t(3));  // factors, ggx, lambert
+    QSignalSpy selection(m_document, &Document::selectionChanged);
+    m_document->select(1);
+    QCOMPARE(selection.count(), 1);
+    QCOMPARE(modelEdit(*m_document)->model, &models::ggx());
+    setParameter(*m_document, index("roughness"), Rgb(0.4));
+    QVERIFY(!m_document->edits()[1].isIdentity() && m_document->edits()[2].isIdentity());
+    m_document->select(0);
+    QCOMPARE(modelEdit(*m_document)->model, &models::lambert());
+    QVERIFY(*test::factorEdit(*m_document) == factorEdit(2));
+    m_document->select(2);
+    moveEdit(*m_document, 2, 0);
+    QCOMPARE(m_document->state().selected, 0);
+    QCOMPARE(m_document->history().text(m_document->history().index() - 1), QStringLiteral("Move Lambert up"));
+    deleteEdit(*m_document, 0);
+    m_document->history().undo();
+    QCOMPARE(modelEdit(*m_document)->model, &models::lambert());
+  }
+
+  /// What was done before the automatic fit came can be undone, and the fit stays.
+  void undoneStepsKeepTheAutomaticFit() {
+    Document early;
+    early.setMaterial(smallMaterial());
+    replaceFactors(early, factorEdit(2), "Change F1");
+    replaceFactors(early, factorEdit(3), "Change F1");
+    early.history().undo();
+    early.adoptFit(fitOf(models::ggx()));
+    QCOMPARE(early.history().count(), 2);
+    early.history().redo();
+    QVERIFY(*test::factorEdit(early) == factorEdit(3) && modelEdit(early));
+    early.history().setIndex(0);
+    QVERIFY(!test::factorEdit(early) && modelEdit(early)->isIdentity());
+    QVERIFY(!early.isModified());
+  }
+
+  /// A fit that comes in the midst of a drag is a step of its own, and so is what is dragged after it.
+  void aFitDoesNotMergeWithADrag() {
+    m_document->beginInteraction();
+    setParameter(*m_document, index("roughness"), Rgb(0.4));
+    fitting::FitResult fit = fitOf(models::ggx());
+    fit.parameters.values[std::size_t(index("roughness"))] = Rgb(0.2);
+    m_document->chooseFit(fit);
+    setParameter(*m_document, index("roughness"), Rgb(0.5));
+    setParameter(*m_document, index("roughness"), Rgb(0.6));
+    m_document->endInteraction();
+    QCOMPARE(m_document->history().count(), 3);
+    QCOMPARE(m_document->history().text(2), QStringLiteral("Change roughness 0.2 to 0.6"));
+  }
+
+  /// The facts of a fit belong to the values that it found: undoing a fit brings those of the one before.
+  void eachEditKnowsItsFit() {
+    QCOMPARE(m_document->fitOf(*modelEdit(*m_document))->errors[0], 0.125);
+    fitting::FitResult better = fitOf(models::ggx());
+    better.parameters.values[0] = Rgb(0.3);
+    better.errors = {0.0625};
+    m_document->chooseFit(better);
+    QCOMPARE(m_document->fitOf(*modelEdit(*m_document))->errors[0], 0.0625);
+    m_document->history().undo();
+    QCOMPARE(m_document->fitOf(*modelEdit(*m_document))->errors[0], 0.125);
+    QVERIFY(!m_document->knownFit(models::lambert()));
   }
 
   /// Curves are what the history's bound counts.
   void factorsCountInTheHistory() {
-    m_document->history().setByteLimit(3 * factorEdit(1).bytes());
-    for (int i = 2; i < 12; ++i) m_document->setFactors(factorEdit(i), "Change F1");
+    m_document->history().setByteLimit(6 * editing::bytesOf(factorEdit(1).original));
+    for (int i = 2; i < 12; ++i) replaceFactors(*m_document, factorEdit(i), "Change F1");
     while (m_document->history().canUndo()) m_document->history().undo();
-    QVERIFY(m_document->factors().has_value());  // the first steps were forgotten
+    QVERIFY(test::factorEdit(*m_document));  // the first steps were forgotten
     QVERIFY(m_document->history().text(0).contains("too old"));
   }
 
-  /// The strength of a drag is one step; the eye is one; deleting goes back to the fit at full strength.
-  void theModelsEditHasAStrengthAndAnEye() {
-    m_document->setParameter(index("f0"), Rgb(0.5));
+  /// The strength of a drag is one step; the eye is one; what is deleted comes back with both.
+  void anEditHasAStrengthAndAnEye() {
+    setParameter(*m_document, index("f0"), Rgb(0.5));
     m_document->beginInteraction();
-    for (const double strength : {0.9, 0.6, 0.25}) m_document->setEditStrength(strength);
+    for (const double strength : {0.9, 0.6, 0.25}) setEditStrength(*m_document, 0, strength);
     m_document->endInteraction();
     QCOMPARE(m_document->history().count(), 2);
     QVERIFY(m_document->history().text(1).endsWith("25 %"));
-    m_document->setEditEnabled(false);
-    QVERIFY(m_document->edit()->isIdentity());
-    m_document->setEditEnabled(false);
+    setEditEnabled(*m_document, 0, false);
+    QVERIFY(m_document->edits()[0].isIdentity());
+    setEditEnabled(*m_document, 0, false);
     QCOMPARE(m_document->history().count(), 3);
-    m_document->deleteEdit();
-    QVERIFY(m_document->edit()->enabled && m_document->edit()->strength == 1);
-    QVERIFY(m_document->edit()->edited == m_document->edit()->fitted);
+    deleteEdit(*m_document, 0);
+    QVERIFY(m_document->edits().empty() && !modelEdit(*m_document));
     m_document->history().undo();
     m_document->history().undo();
-    QVERIFY(m_document->edit()->enabled);
-    QCOMPARE(m_document->edit()->strength, 0.25);
+    QVERIFY(m_document->edits()[0].enabled);
+    QCOMPARE(m_document->edits()[0].strength, 0.25);
     m_document->history().undo();
-    QCOMPARE(m_document->edit()->strength, 1.0);
+    QCOMPARE(m_document->edits()[0].strength, 1.0);
   }
 
   void storedFormHoldsSourceAndEdit() {
-    m_document->setParameter(index("f0"), Rgb(0.5));
+    setParameter(*m_document, index("f0"), Rgb(0.5));
     const editing::EditDocument stored = m_document->toEditDocument();
     QCOMPARE(stored.sourceSha256, std::string("00ff"));
     QCOMPARE(stored.edits.size(), std::size_t(1));
     Document other;
     other.setMaterial(smallMaterial(), stored, "/tmp/mine.gonio");
-    QVERIFY(sameBits(other.edit()->edited, m_document->edit()->edited));
+    QVERIFY(sameBits(modelEdit(other)->edited, modelEdit(*m_document)->edited));
     QVERIFY(!other.isModified());
   }
 };

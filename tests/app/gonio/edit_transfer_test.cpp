@@ -59,11 +59,11 @@ class EditTransferTest : public QObject {
     editing::EditDocument document;
     document.sourcePath = "library:sgd/chrome";
     document.sourceSha256 = std::string(64, 'a');
-    document.edits = {edit()};
+    document.edits = {{edit()}};
     const std::unique_ptr<QMimeData> data(toClipboard(document));
     const auto all = editsFromClipboard(data.get());
     QCOMPARE(all.size(), std::size_t(1));
-    const auto* back = std::get_if<editing::DifferentialEdit>(&all[0]);
+    const auto* back = std::get_if<editing::DifferentialEdit>(&all[0].content);
     QVERIFY(back && back->edited == edit().edited && back->fitted == edit().fitted && back->model == edit().model);
     QMimeData text;
     text.setText("hello");
@@ -81,13 +81,13 @@ class EditTransferTest : public QObject {
     editing::EditDocument document;
     document.sourcePath = "library:sgd/chrome";
     document.sourceSha256 = std::string(64, 'a');
-    document.edits = {factors, identity};
+    document.edits = {{factors}, {identity}};
     const auto pasted = [&] { return editsFromClipboard(std::unique_ptr<QMimeData>(toClipboard(document)).get()); };
     QCOMPARE(pasted().size(), std::size_t(1));
-    QVERIFY(std::get<editing::FactorEdit>(pasted()[0]) == factors);
-    document.edits = {identity};
+    QVERIFY(std::get<editing::FactorEdit>(pasted()[0].content) == factors);
+    document.edits = {{identity}};
     QCOMPARE(pasted().size(), std::size_t(1));
-    document.edits = {factors, edit()};
+    document.edits = {{factors}, {edit()}};
     QCOMPARE(pasted().size(), std::size_t(2));
   }
 };

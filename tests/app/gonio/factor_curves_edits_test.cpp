@@ -10,8 +10,10 @@
 #include <QTest>
 #include <cmath>
 
+#include "app/gonio/document/edit_steps.h"
 #include "core/factorization/pdv_operations.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/factor_curves_test_support.h"
 #include "tests/support/test_program.h"
 #include "widgets/library/material_drag.h"
@@ -61,11 +63,11 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     const QPoint from = strength.pointPosition(0).toPoint();
     QTest::mousePress(&strength, Qt::LeftButton, {}, from);
     QTest::mouseMove(&strength, from - QPoint(0, 20));
-    QVERIFY(m_document.factors().has_value());
+    QVERIFY(factorEdit(m_document));
     QTest::keyClick(&strength, Qt::Key_Escape);
     QTest::mouseRelease(&strength, Qt::LeftButton, {}, from);
     QCOMPARE(m_document.history().count(), 0);
-    QVERIFY(!m_document.factors());
+    QVERIFY(!factorEdit(m_document));
   }
 
   /// All steps of the hand are one step back: pulled points, in between seen at once.
@@ -83,7 +85,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     QVERIFY(edit().edited->channels[0][0].f1[0] > before[0][0]);
     QVERIFY(edit().edited->channels[0][0].f2 == edit().original->channels[0][0].f2);
     m_document.history().undo();
-    QVERIFY(!m_document.factors());
+    QVERIFY(!factorEdit(m_document));
     QVERIFY(strength.curves() == before);
     m_document.history().redo();
     QVERIFY(strength.curves() ==
@@ -109,11 +111,11 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     press(FactorAxis::theta, "Tilt up");
     QVERIFY(std::abs(f1(2, 0) / was(2, 0) - 0.9) < 1e-12 && std::abs(f1(2, last) / was(2, last) - 1.1) < 1e-12);
     press(FactorAxis::theta, "Reset");
-    QVERIFY(!m_document.factors());
+    QVERIFY(!factorEdit(m_document));
     press(FactorAxis::theta, "Tilt down");
     QVERIFY(std::abs(f1(2, 0) / was(2, 0) - 1.1) < 1e-12 && std::abs(f1(2, last) / was(2, last) - 0.9) < 1e-12);
     press(FactorAxis::theta, "Reset");
-    QVERIFY(!m_document.factors());
+    QVERIFY(!factorEdit(m_document));
 
     // Half of its height is reached 10 % farther out, for every colour.
     press(FactorAxis::deviation, "Wider");
@@ -133,7 +135,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     curve[45] = 1;
     editing::FactorEdit spike = edit();
     spike.edited = std::make_shared<const PdvFactors>(spiky);
-    m_document.setFactors(spike, "spike");
+    replaceFactors(m_document, spike, "spike");
     press(FactorAxis::theta, "Smooth");
     QVERIFY(f1(0, 45) < 0.5 && f1(0, 44) > 0.1 && f1(0, 46) == f1(0, 44));
   }
@@ -162,7 +164,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     QVERIFY(!m_panel->keepDetail().isChecked());
     m_panel->keepDetail().click();
     QVERIFY(m_panel->keepDetail().isChecked());
-    QVERIFY(!m_document.factors());  // what changes nothing is no edit
+    QVERIFY(!factorEdit(m_document));  // what changes nothing is no edit
   }
 
   /// A thumbnail on a curve: that curve of the first term is the other material's, on the nodes of this one.
@@ -170,7 +172,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     const QTemporaryDir folder;
     const QString path = folder.filePath("other.pdv");
     const auto other = glossyMaterial(0.6, {24, 24, 24});
-    io::writePdv(factorization::factorizePdv(*other->table, {.terms = 1}).factors, path.toStdString());
+    materials::writePdv(factorization::factorizePdv(*other->table, {.terms = 1}).factors, path.toStdString());
     for (const FactorAxis axis : {FactorAxis::theta, FactorAxis::deviation}) {
       undoAll();
       drop(axis, path);
@@ -179,7 +181,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
       QCOMPARE(m_document.history().count(), 1);
       QVERIFY(m_document.history().text(0).contains("other.pdv"));
       QCOMPARE(edit().edited->terms(), 1);
-      const auto table = io::readMaterial(path.toStdString()).tabulated();
+      const auto table = materials::readMaterial(path.toStdString()).tabulated();
       const PdvFactors expected =
           factorization::factorizePdv(*table, {.form = factorization::PdvForm::twoFactors,
                                                .terms = 1,
@@ -190,7 +192,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
           QVERIFY(curveOf(edit().edited->channels[c][0], one) ==
                   curveOf((one == axis ? expected : *edit().original).channels[c][0], one));
       m_document.history().undo();
-      QVERIFY(!m_document.factors());
+      QVERIFY(!factorEdit(m_document));
     }
   }
 
@@ -207,7 +209,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     press(FactorAxis::deviation, "Wider");
     for (QPushButton* button : m_panel->findChildren<QPushButton*>())
       if (button->text().remove('&') == "Reset All") button->click();
-    QVERIFY(!m_document.factors());
+    QVERIFY(!factorEdit(m_document));
     QCOMPARE(m_document.history().count(), 2);
     QVERIFY(editor(FactorAxis::deviation).nodes().size() > 2);
   }

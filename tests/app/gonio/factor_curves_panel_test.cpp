@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "core/factorization/pdv_operations.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/factor_curves_test_support.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
@@ -48,7 +49,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
     const auto found = factorization::factorizePdv(*m_document.material()->table, options);
     other.original = std::make_shared<const PdvFactors>(found.factors);
     other.edited = std::make_shared<const PdvFactors>(factorization::widenF2(found.factors, 1.5));
-    m_document.setFactors(other, "other transform");
+    replaceFactors(m_document, other, "other transform");
     QVERIFY(editor(FactorAxis::theta).axis().valueLabel.contains("√ρ"));
     QTRY_VERIFY_WITH_TIMEOUT(m_panel->isSettled(), patienceMilliseconds);
     QString text;
@@ -111,7 +112,8 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
           factorization::factorizePdv(*m_document.material()->table,
                                       {.form = factorization::PdvForm::twoFactors, .terms = terms})
               .factors;
-      QVERIFY(texts[terms > 1].contains(QString::number(double(io::pdvFileBytes(factors)) / 1000, 'f', 1) + " kB"));
+      QVERIFY(
+          texts[terms > 1].contains(QString::number(double(materials::pdvFileBytes(factors)) / 1000, 'f', 1) + " kB"));
     }
     QVERIFY(texts[0] != texts[1] && texts[0].contains("ns"));
   }

@@ -7,6 +7,7 @@
 
 #include "app/gonio/factors/factor_curves_panel.h"
 #include "app/gonio/factors/factor_terms_view.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "widgets/curves/curve_editor.h"
 
@@ -19,7 +20,7 @@ class OpenFactorCurves {
   Document m_document;
   std::unique_ptr<FactorCurvesPanel> m_panel;
 
-  const editing::FactorEdit& edit() const { return *m_document.factors(); }
+  const editing::FactorEdit& edit() const { return *factorEdit(m_document); }
   widgets::CurveEditor& editor(FactorAxis axis) const { return m_panel->column(axis).editor(); }
   template <class Widget>
   Widget* child(const QString& accessibleName) const {
@@ -47,7 +48,7 @@ class OpenFactorCurves {
     m_document.history().setIndex(0);
     m_document.history().clear();
     m_panel->termsView().setTerms(3);
-    QVERIFY(!m_document.factors());
+    QVERIFY(!factorEdit(m_document));
   }
 };
 

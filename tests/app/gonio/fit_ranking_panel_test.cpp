@@ -7,10 +7,12 @@
 #include <QTreeView>
 #include <cmath>
 
+#include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::app;
+using namespace gonio::app::test;
 
 namespace {
 
@@ -89,12 +91,12 @@ class FitRankingPanelTest : public QObject {
     QVERIFY(lambert >= 0);
     Q_EMIT view->clicked(view->model()->index(lambert, 0));
     QVERIFY(!editor.tasks.isRunning("fit"));
-    QCOMPARE(editor.document.edit()->model, &models::findModel("lambert"));
-    QVERIFY(std::abs(editor.document.edit()->fitted.values[0].x - 0.3) < 1e-3);
+    QCOMPARE(modelEdit(editor.document)->model, &models::findModel("lambert"));
+    QVERIFY(std::abs(modelEdit(editor.document)->fitted.values[0].x - 0.3) < 1e-3);
     QCOMPARE(editor.document.history().count(), 1);
     QVERIFY(view->model()->index(lambert, 0).data().toString().contains("in use"));
     editor.document.history().undo();
-    QCOMPARE(editor.document.edit()->model, &models::findModel("ggx"));
+    QCOMPARE(modelEdit(editor.document)->model, &models::findModel("ggx"));
   }
 
   /// Stopping keeps the rows that are done; another material takes them away.

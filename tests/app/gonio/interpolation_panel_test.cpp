@@ -53,7 +53,7 @@ class InterpolationPanelTest : public QObject {
     QVERIFY(changed.count() > 0);
     QCOMPARE(editor.panel.number().value(), 0.25);
     QCOMPARE(editor.panel.slider().number(), 0.25);
-    QVERIFY(editor.panel.subject()->blend.has_value());
+    QVERIFY(std::holds_alternative<widgets::PreviewBlend>(editor.panel.subject()->shown));
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.3) < 1e-6);
     Q_EMIT editor.panel.number().valueEdited(0.5);
     QCOMPARE(editor.panel.slider().number(), 0.5);
@@ -62,8 +62,8 @@ class InterpolationPanelTest : public QObject {
     QCOMPARE(editor.panel.well(1).content().note, QStringLiteral("50 %"));
     // The end is the material, not a blend of one.
     Q_EMIT editor.panel.slider().numberEdited(1);
-    QVERIFY(!editor.panel.subject()->blend);
-    QCOMPARE(editor.panel.subject()->table, editor.panel.ends().at(1)->material.table);
+    QVERIFY(editor.panel.subject()->isMeasured());
+    QCOMPARE(editor.panel.subject()->table(), editor.panel.ends().at(1)->material.table);
     // Swapped: the same place, the other end.
     editor.panel.ends().swap(0, 1);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);

@@ -5,6 +5,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "app/gonio/document/edit_steps.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/interpolation_panel_test_support.h"
 #include "tests/support/test_program.h"
 
@@ -27,7 +29,7 @@ class KeptBlendTest : public QObject {
     fit.model = &lambert;
     fit.parameters = {{Rgb(0.6)}};
     editor.document.adoptFit(fit);
-    editor.document.setParameter(0, Rgb(0.5));
+    setParameter(editor.document, 0, Rgb(0.5));
     editor.document.markSaved("/somewhere/light.gonio");
     editor.panel.moveTo({0.25, 0});
     editor.panel.keepButton().click();
@@ -35,19 +37,19 @@ class KeptBlendTest : public QObject {
     QVERIFY(std::abs(normalValue(*editor.document.material()->table) - 0.3) < 1e-6);
     QVERIFY(editor.document.isModified() && editor.document.path().isEmpty());
     QVERIFY(editor.document.history().text(1).contains("75 % dark"));
-    QTRY_VERIFY_WITH_TIMEOUT(editor.document.edit(), patienceMilliseconds);  // fitted as if it had been opened
-    QCOMPARE(editor.document.edit()->model, &defaultModel());
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);  // fitted as if it had been opened
+    QCOMPARE(modelEdit(editor.document)->model, &defaultModel());
     // It can be edited further, and all of it goes back.
-    editor.document.setParameter(0, Rgb(0.1));
+    setParameter(editor.document, 0, Rgb(0.1));
     editor.document.history().undo();
     editor.document.history().undo();
     QCOMPARE(QString::fromStdString(editor.document.material()->material.name), QStringLiteral("light"));
     QCOMPARE(editor.document.path(), QStringLiteral("/somewhere/light.gonio"));
     QVERIFY(!editor.document.isModified());
-    QVERIFY(editor.document.edit()->edited.values[0] == Rgb(0.5));
+    QVERIFY(modelEdit(editor.document)->edited.values[0] == Rgb(0.5));
     editor.document.history().redo();
     QVERIFY(std::abs(normalValue(*editor.document.material()->table) - 0.3) < 1e-6);
-    QVERIFY(editor.document.edit() && editor.document.edit()->isIdentity());
+    QVERIFY(modelEdit(editor.document) && modelEdit(editor.document)->isIdentity());
     // What is saved names the materials and their weights.
     const editing::EditDocument stored = editor.document.toEditDocument();
     QCOMPARE(stored.blend->weights, (std::vector{0.75, 0.25}));
@@ -64,7 +66,7 @@ class KeptBlendTest : public QObject {
     fit.model = &models::findModel("lambert");
     fit.parameters = {{Rgb(0.6)}};
     editor.document.adoptFit(fit);
-    editor.document.setParameter(0, Rgb(0.5));
+    setParameter(editor.document, 0, Rgb(0.5));
     editor.panel.begin();
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().at(0), patienceMilliseconds);
     QVERIFY(std::abs(normalValue(*editor.panel.ends().at(0)->material.table) - 0.5) < 1e-6);

@@ -10,9 +10,11 @@
 #include <QTest>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/window/command_search.h"
 #include "app/gonio/window/help_pages.h"
 #include "core/models/model.h"
+#include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/library/library_view.h"
@@ -22,6 +24,7 @@
 
 using namespace gonio;
 using namespace gonio::app;
+using namespace gonio::app::test;
 
 namespace {
 
@@ -81,10 +84,10 @@ class MainWindowTest : public QObject {
     auto* panel = window->inspector().parameters();
     Q_EMIT panel->valueEdited(0, Rgb(0.75));
     QVERIFY(window->isWindowModified());
-    QVERIFY(window->document().edit()->edited.values[0] == Rgb(0.75));
+    QVERIFY(modelEdit(window->document())->edited.values[0] == Rgb(0.75));
     window->document().history().undo();
     QVERIFY(!window->isWindowModified());
-    QVERIFY(window->document().edit()->isIdentity());
+    QVERIFY(modelEdit(window->document())->isIdentity());
     QTest::qWait(50);
     delete window;
   }

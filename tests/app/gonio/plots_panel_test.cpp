@@ -36,7 +36,7 @@ fitting::FitResult lambertFit() {
   fit.parameters = {{Rgb(0.5)}};
   return fit;
 }
-std::optional<editing::DifferentialEdit> editTo(double reflectance) {
+editing::DifferentialEdit editTo(double reflectance) {
   editing::DifferentialEdit edit = identityEdit(lambertFit());
   edit.edited.values[0] = Rgb(reflectance);
   return edit;
@@ -65,7 +65,7 @@ class PlotsPanelTest : public QObject {
   /// Measured, fit and edit of the same Lambert: three known constants in every kind of plot.
   void everyKindOfPlotHasTheThreeSeries() {
     for (const PlotKind kind : allPlotKinds) {
-      PlotRequest request{.kind = kind, .material = chalk(), .edit = editTo(0.8)};
+      PlotRequest request{.kind = kind, .material = chalk(), .edits = {{editTo(0.8)}}, .fit = editTo(0.8)};
       const PlotData data = computePlot(request);
       const auto check = [kind](const auto& list, const auto& values) {
         QCOMPARE(list.size(), std::size_t(3));
@@ -86,7 +86,7 @@ class PlotsPanelTest : public QObject {
         check(data.curves, [kind](const plots::Curve& curve) {
           return curve.points.values[kind == PlotKind::albedo ? 0 : curve.angles.size() / 2];
         });
-      request.edit = editTo(0.5);  // the identity: what is edited is what was measured
+      request.edits = {{editTo(0.5)}};  // the identity: what is edited is what was measured
       const PlotData same = computePlot(request);
       QCOMPARE(same.curves.size() + same.slices.size() + same.lobes.size(), std::size_t(2));
     }
@@ -94,12 +94,13 @@ class PlotsPanelTest : public QObject {
 
   /// While a slider moves, albedos that cannot have changed are kept; another fit or quality computes them anew.
   void albedosOfMeasurementAndFitAreKept() {
-    PlotRequest request{.kind = PlotKind::albedo, .material = chalk(), .edit = editTo(0.8), .coarse = true};
+    PlotRequest request{
+        .kind = PlotKind::albedo, .material = chalk(), .edits = {{editTo(0.8)}}, .fit = editTo(0.8), .coarse = true};
     request.known = computePlot(request).known;
     auto marked = std::make_shared<KnownAlbedo>(*request.known);
     marked->fit.points.values[0] = marked->measured.points.values[0] = Rgb(7);
     request.known = marked;
-    request.edit = editTo(0.3);
+    request.edits = {{editTo(0.3)}};
     PlotData data = computePlot(request);
     QCOMPARE(data.curves[0].data.points.values[0].x, 7.0);
     QCOMPARE(data.curves[1].data.points.values[0].x, 7.0);

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "core/dictionary/decode.h"
-#include "core/io/code_file.h"
+#include "core/materials/code_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/support/test_program.h"
@@ -53,11 +53,11 @@ class RepresentationPanelTest : public QObject {
     settle();
     const auto code = m_panel->code();
     QVERIFY(code);
-    const auto dictionary = io::bundledDictionary();
+    const auto dictionary = materials::bundledDictionary();
     const dictionary::Encoder encoder(dictionary->ensemble);
     const auto expected = encoder.encode(*m_document.material()->table, {.coefficients = 32});
-    const auto file = io::encodeCode(expected.code, dictionary->id);
-    const auto table = dictionary::decode(dictionary->ensemble, io::readCode(io::MemorySource(file)).code);
+    const auto file = materials::encodeCode(expected.code, dictionary->id);
+    const auto table = dictionary::decode(dictionary->ensemble, materials::readCode(io::MemorySource(file)).code);
     QCOMPARE(code->bytes, file.size());
     QVERIFY(std::ranges::equal(code->table->values(), table->values()));
     QCOMPARE(code->encoded.code.transform, expected.code.transform);

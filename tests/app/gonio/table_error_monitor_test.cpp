@@ -16,7 +16,7 @@ using namespace gonio::app;
 namespace {
 
 constexpr int patience = 60000;
-const SphereRenderOptions picture{.width = 32, .height = 32, .samples = 4, .lobe = {}};
+const RenderOptions picture{.width = 32, .height = 32, .samples = 4, .lobe = {}};
 
 /// A material in another form than a table; or, without one, its table.
 LoadedMaterialPtr glossy(double roughness, bool sampled) {

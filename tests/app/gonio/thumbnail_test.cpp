@@ -4,7 +4,7 @@
 
 #include <QTest>
 
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;
@@ -13,15 +13,15 @@ using namespace gonio::app;
 class ThumbnailTest : public QObject {
   Q_OBJECT
  private:
-  static QString shipped(const io::Material& material) {
+  static QString shipped(const materials::Material& material) {
     return ":/thumbnails/" + QString::fromStdString(material.source.sha256) + ".png";
   }
 
  private Q_SLOTS:
   /// The first start shows the whole library without drawing a sphere.
   void allBundledMaterialsHaveOne() {
-    for (const io::LibraryEntry& entry : io::bundledLibrary()) {
-      const io::Material material = io::readMaterial("library:" + entry.id);
+    for (const materials::LibraryEntry& entry : materials::bundledLibrary()) {
+      const materials::Material material = materials::readMaterial("library:" + entry.id);
       const QImage image(shipped(material));
       QVERIFY2(image.width() == 128 && image.height() == 128, entry.id.c_str());
       QVERIFY(image.text("roughness").toDouble() > 0 && !image.text("hue").isEmpty());
@@ -32,7 +32,7 @@ class ThumbnailTest : public QObject {
 
   /// They are what the renderer draws now; if not, scripts/thumbnails.sh draws them anew.
   void theyAreUpToDate() {
-    const io::Material material = io::readMaterial("library:sgd/gold-metallic-paint");
+    const materials::Material material = materials::readMaterial("library:sgd/gold-metallic-paint");
     const QImage now = spherePicture(*material.brdf, 128, 64), then(shipped(material));
     for (int y = 0; y < 128; ++y)
       for (int x = 0; x < 128; ++x) {

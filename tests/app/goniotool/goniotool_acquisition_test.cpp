@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/acquisition/sampling_plan.h"
-#include "core/io/basis_file.h"
-#include "core/io/plan_file.h"
+#include "core/materials/basis_file.h"
+#include "core/materials/plan_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
@@ -33,7 +33,7 @@ class GoniotoolAcquisitionTest : public QObject {
     QCOMPARE(planned_.json["method"].get<std::string>(), std::string("somp"));
     QCOMPARE(planned_.json["signals"].get<int>(), 12);
     QCOMPARE(planned_.json["materials"].get<int>(), 4);
-    const auto plan = io::readPlan(plan_.toStdString());
+    const auto plan = materials::readPlan(plan_.toStdString());
     QCOMPARE(plan.samples.size(), planned_.json["samples"].get<std::size_t>());
     QCOMPARE(plan.method, std::string("somp"));
     for (const acquisition::PlannedSample& sample : plan.samples) {
@@ -41,7 +41,7 @@ class GoniotoolAcquisitionTest : public QObject {
       QVERIFY(polarAngle(sample.directions.wo) < radians(60));
       QVERIFY(glm::length(sample.directions.wi - sample.directions.wo) > 2 * std::sin(radians(1.49)));
     }
-    const auto basis = io::readBasis(std::filesystem::path(planned_.json["basis"].get<std::string>()));
+    const auto basis = materials::readBasis(std::filesystem::path(planned_.json["basis"].get<std::string>()));
     QCOMPARE(QString::fromStdString(planned_.json["basis"]), folder_.path("plan.basis"));
     QCOMPARE(basis->learnedFrom.size(), std::size_t(4));
     QCOMPARE(basis->components.count(), planned_.json["components"].get<int>());
@@ -156,8 +156,8 @@ class GoniotoolAcquisitionTest : public QObject {
     const ToolResult few = runJson(command + QStringList{"--basis-components", "2"});
     VERIFY_SUCCESS(few);
     QCOMPARE(few.json["components"].get<int>(), 2);
-    QCOMPARE(io::readBasis(std::filesystem::path(basis.toStdString()))->components.count(), 2);
-    QCOMPARE(io::readPlan(plan.toStdString()).basisDigest.size(), std::size_t(16));
+    QCOMPARE(materials::readBasis(std::filesystem::path(basis.toStdString()))->components.count(), 2);
+    QCOMPARE(materials::readPlan(plan.toStdString()).basisDigest.size(), std::size_t(16));
     const QString values = folder + "/v.csv", out = folder + "/out.binary";
     VERIFY_SUCCESS(runTool({"measure", folder_.path("train0.binary"), "--plan", plan, "--out", values}));
     const QStringList reconstruct{"reconstruct", "--plan", plan, "--values", values, "--out", out};

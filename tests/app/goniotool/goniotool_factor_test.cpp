@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/factorization/pdv_operations.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/function_brdf.h"
@@ -18,7 +18,7 @@ using namespace gonio::factorization;
 class GoniotoolFactorTest : public QObject {
   Q_OBJECT
  private:
-  PdvFactors readFactors(const char* name) const { return io::readPdv(folder_.path(name).toStdString()); }
+  PdvFactors readFactors(const char* name) const { return materials::readPdv(folder_.path(name).toStdString()); }
 
  private Q_SLOTS:
   void initTestCase() {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/brdf/weighted_sum.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/function_brdf.h"
@@ -82,15 +82,15 @@ class GoniotoolInterpolateTest : public QObject {
     QCOMPARE(result.json["terms"].get<int>(), 3);  // the first, and the second of both
     VERIFY_SUCCESS(
         runJson({"interpolate", smooth_, rough_, "--space", "factors", "--terms", "2", "--out", path("half.binary")}));
-    const auto curves = factorization::makePdvBrdf(io::readPdv(path("half.pdv").toStdString()));
+    const auto curves = factorization::makePdvBrdf(materials::readPdv(path("half.pdv").toStdString()));
     QVERIFY(metrics::brdfErrors(*readTable(path("half.binary")), testing::meanOfBothOrders(curves))[0] < 1e-3);
     // A file of factors is taken as it is, and the table beside it factorised on its nodes.
     const ToolResult again = runJson({"interpolate", path("half.pdv"), rough_, "--space", "factors", "--terms", "7",
                                       "--at", "0.25", "--out", path("quarter.pdv")});
     VERIFY_SUCCESS(again);
     QCOMPARE(again.json["terms"].get<int>(), 5);
-    QVERIFY(io::readPdv(path("quarter.pdv").toStdString()).deviationNodes ==
-            io::readPdv(path("half.pdv").toStdString()).deviationNodes);
+    QVERIFY(materials::readPdv(path("quarter.pdv").toStdString()).deviationNodes ==
+            materials::readPdv(path("half.pdv").toStdString()).deviationNodes);
   }
 
   /// Over a dictionary that learned from the ends: codes that are files, and tables.

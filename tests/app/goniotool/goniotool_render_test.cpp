@@ -217,7 +217,7 @@ class GoniotoolRenderTest : public QObject {
     std::string example = text.substr(begin, end + 6 - begin);
     example.replace(example.find("vase.obj"), 8, "bowl");
     const Scene scene = parseScene(example, 2);
-    QVERIFY(scene.objects.size() == 4 && lookedAtCount(scene) == 2 && scene.objects[3].emits());
+    QVERIFY(scene.objects.size() == 4 && materialSlotCount(scene) == 2 && scene.objects[3].emits());
   }
 
   /// Last of all tests.

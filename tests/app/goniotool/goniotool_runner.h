@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "core/models/model.h"
 #include "tests/support/leading_parameters.h"
 
@@ -83,7 +83,7 @@ class TestFolder {
                      const HalfDifferenceGrid& grid = smallGrid) const {
     const models::Model& source = models::findModel(model);
     const auto brdf = source.instantiate(testing::leadingParameters(source, parameters.values));
-    io::writeMerl(*bakeTable(*brdf, grid), path(name).toStdString());
+    materials::writeMaterial(*bakeTable(*brdf, grid), path(name).toStdString());
     return path(name);
   }
 
@@ -97,7 +97,7 @@ inline QByteArray bytesOf(const QString& path) {
 }
 
 inline std::shared_ptr<const TabulatedBrdf> readTable(const QString& path) {
-  return io::readMaterial(path.toStdString()).tabulated();
+  return materials::readMaterial(path.toStdString()).tabulated();
 }
 
 }  // namespace gonio::test

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 #include "core/io/image_io.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/parameters_json.h"
@@ -70,7 +70,7 @@ class GoniotoolTest : public QObject {
     folder_.writeText("wrong.csv", "1,2,3,4\n1,2,x,4\n");
     const ToolResult result = runTool({"evaluate", plastic_, "--directions", in, "--out", folder_.path("no.csv")});
     QCOMPARE(result.code, 1);
-    QVERIFY2(result.error.contains("wrong.csv, line 2: found 'x' for theta_o"), qPrintable(result.error));
+    QVERIFY2(result.error.contains("wrong.csv: line 2: found 'x' for theta_o"), qPrintable(result.error));
     QVERIFY(!QFile::exists(folder_.path("no.csv")));
   }
 
@@ -197,9 +197,9 @@ class GoniotoolTest : public QObject {
     const auto parameters = [&](const char* key) {
       return models::parametersFromJson(ggx.spec(), result.json[key], key);
     };
-    const editing::DifferentialEdit edit{&ggx, parameters("fitted"), parameters("edited"), 0.5, true};
+    const editing::Edit edit{editing::DifferentialEdit{&ggx, parameters("fitted"), parameters("edited")}, "", 0.5};
     const auto expected = editing::bakeEdits(readTable(plastic_), std::span(&edit, 1));
-    io::writeMerl(*expected, folder_.path("expected.binary").toStdString());
+    materials::writeMaterial(*expected, folder_.path("expected.binary").toStdString());
     QCOMPARE(bytesOf(out), bytesOf(folder_.path("expected.binary")));
   }
 

@@ -6,24 +6,19 @@
 #include <QTest>
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "core/acquisition/reconstruction.h"
 #include "core/math/parallel.h"
+#include "tests/support/random_matrix.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;
 using namespace gonio::acquisition;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using gonio::testing::randomMatrix;
 
 namespace {
-
-MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal;
-  return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
-}
 
 SampleRows randomSamples(Eigen::Index rows, Eigen::Index columns) {
   return {.positions = {}, .rows = randomMatrix(rows, columns, 1), .values = randomMatrix(rows, 3, 2), .variances = {}};

@@ -10,23 +10,18 @@
 
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
+#include "tests/support/random_matrix.h"
 
 /// Bases of random numbers, and Algorithm 4 of the dissertation in the plainest way: what the selection is checked
 /// with.
 namespace gonio::acquisition::test {
 
+using testing::randomMatrix;
+
 inline constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 12, .thetaDCount = 9, .phiDCount = 8};
 
 /// A rig that sees all there is.
 inline const MeasurableDirections everything{.largestPolarAngle = halfPi};
-
-inline Eigen::MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
-  std::mt19937_64 generator(seed);
-  std::normal_distribution<double> normal;
-  Eigen::MatrixXd result(rows, columns);
-  for (double& value : result.reshaped()) value = normal(generator);
-  return result;
-}
 
 /// Of random directions.
 inline Eigen::MatrixXd orthonormalColumns(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
@@ -63,6 +58,27 @@ inline dictionary::PrincipalComponents basisOf(const Eigen::MatrixXd& u, const E
 inline dictionary::PrincipalComponents randomBasis(Eigen::Index cells, Eigen::Index signals, Eigen::Index components,
                                                    unsigned seed) {
   return basisOf(orthonormalColumns(cells, components, seed), orthonormalColumns(signals, components, 1000 + seed));
+}
+
+/// Among which a selection chooses, ascending.
+inline std::vector<std::uint32_t> measurableCells(const dictionary::PrincipalComponents& basis,
+                                                  const MeasurableDirections& measurable) {
+  const HalfDifferenceGrid& grid = basis.mapping.grid;
+  std::vector<std::uint32_t> cells;
+  for (const std::uint32_t cell : basis.mapping.cells)
+    if (pairNode(grid, cell) == cell && measurable.allows(grid.directions(cell))) cells.push_back(cell);
+  return cells;
+}
+
+/// The same by a selection of all that there are.
+inline std::vector<std::uint32_t> allSelectedCells(const dictionary::PrincipalComponents& basis,
+                                                   const MeasurableDirections& measurable) {
+  std::vector<std::uint32_t> cells = selectSamples(basis, {.method = SelectionMethod::random,
+                                                           .samples = int(basis.mapping.cells.size()),
+                                                           .measurable = measurable})
+                                         .cells;
+  std::sort(cells.begin(), cells.end());
+  return cells;
 }
 
 struct PlainPursuit {

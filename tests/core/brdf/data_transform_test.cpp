@@ -23,10 +23,7 @@ class DataTransformTest : public QObject {
       QCOMPARE(inverseTransformed(transform, 0, 1), 0.0);
       QCOMPARE(inverseTransformed(transform, -3, 1), 0.0);
     }
-    for (const double gamma : {1.0, 2.0, 2.5, 3.0}) {
-      QCOMPARE(gammaTransformed(0, gamma), 0.0);
-      QCOMPARE(inverseGammaTransformed(0, gamma), 0.0);
-    }
+    for (const double gamma : {1.0, 2.0, 2.5, 3.0}) QCOMPARE(gammaTransformed(0, gamma), 0.0);
   }
 
   /// What a logarithm's inverse makes of large y is no longer a float: capped, and never infinite.
@@ -40,15 +37,12 @@ class DataTransformTest : public QObject {
     QCOMPARE(inverseTransformed(DataTransform::logPlus, 90, 1), largestReflectance);
     QVERIFY(inverseTransformed(DataTransform::logPlus, 88, 1) < largestReflectance);
     QCOMPARE(inverseTransformed(DataTransform::cosineLog, 85, 1e-3), largestReflectance);
-    QCOMPARE(inverseGammaTransformed(1e300, 3), largestReflectance);
   }
 
   /// A reconstruction may be negative: it counts as black, and no power of it is taken.
   void hardCase43GammaOfNegativeReconstructions() {
     for (const double gamma : {1.0, 1.5, 2.0, 3.0})
       for (const double rho : {-1e6, -1e-300, -0.0, std::nan("")}) QCOMPARE(gammaTransformed(rho, gamma), 0.0);
-    QCOMPARE(inverseGammaTransformed(-2, 2), 0.0);
-    QCOMPARE(inverseGammaTransformed(-2, 3), 0.0);
   }
 
   /// The slope is the derivative of the inverse, by central differences, but for its floor near the root of 0.
@@ -71,7 +65,7 @@ class DataTransformTest : public QObject {
     QCOMPARE(gammaTransformed(0.7, 1), 0.7);
     for (double gamma = 1; gamma <= 3; gamma += 0.25)
       for (double rho = 1e-12; rho < 1e7; rho *= 7)
-        QVERIFY(std::abs(inverseGammaTransformed(gammaTransformed(rho, gamma), gamma) - rho) < 1e-14 * rho);
+        QVERIFY(std::abs(std::pow(gammaTransformed(rho, gamma), gamma) - rho) < 1e-14 * rho);
   }
 
   /// A few units in the last place over all sizes of reflectance; exp(log(1 + x)) - 1 would lose the small ones.

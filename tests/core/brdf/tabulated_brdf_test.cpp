@@ -140,6 +140,16 @@ class TabulatedBrdfTest : public QObject {
     QCOMPARE(table->validCount(), std::size_t(0));
   }
 
+  void dataIsAboveTheHorizonWhereCellsAreValid() {
+    const Direction up(0, 0, 1), below = fromSpherical(1.8, 0);
+    const auto full = randomTable(smallGrid, 0, 7), none = randomTable(smallGrid, 2, 7);
+    QVERIFY(full->hasData({up, up}) && !full->hasData({below, up}) && !full->hasData({up, below}));
+    QVERIFY(!none->hasData({up, up}));
+    QCOMPARE(full->asTable(), full.get());
+    const testing::FunctionBrdf model = testing::lambert(Rgb(0));
+    QVERIFY(model.hasData({up, up}) && !model.hasData({up, below}) && !model.asTable());
+  }
+
   /// A long batch, its remainder and single pairs take different ways through the code.
   void batchAndSinglePairsHaveTheSameBits() {
     const auto table = randomTable({}, 0.05, 8);

@@ -11,7 +11,7 @@
 #include "core/dictionary/mode_products.h"
 #include "core/dictionary/signals.h"
 #include "core/dictionary/training_materials.h"
-#include "core/math/tensor.h"
+#include "tests/studies/research/factorization/tensor.h"
 #include "tests/support/function_brdf.h"
 
 namespace gonio::dictionary::test {

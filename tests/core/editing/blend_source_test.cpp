@@ -35,7 +35,7 @@ class BlendSourceTest : public QObject {
   EditDocument fileDocument(const char* name) const {
     EditDocument document;
     document.sourcePath = path(name);
-    document.sourceSha256 = io::readMaterial(document.sourcePath).source.sha256;
+    document.sourceSha256 = materials::readMaterial(document.sourcePath).source.sha256;
     return document;
   }
   EditDocument blendDocument(std::vector<double> weights = {0.25, 0.75},
@@ -61,8 +61,8 @@ class BlendSourceTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    io::writeMerl(*lambert(0.2), path("dark.binary"));
-    io::writeMerl(*lambert(0.6), path("light.binary"));
+    materials::writeMaterial(*lambert(0.2), path("dark.binary"));
+    materials::writeMaterial(*lambert(0.6), path("light.binary"));
   }
 
   /// Read again, a blend is the sum that its weights say, and its hash is the one that was written.
@@ -70,7 +70,7 @@ class BlendSourceTest : public QObject {
     const EditDocument document = blendDocument();
     writeDocument(document, path("blend.gonio"));
     const EditDocument stored = readDocument(path("blend.gonio"));
-    const io::Material material = readSource(stored, path("blend.gonio"));
+    const materials::Material material = readSource(stored, path("blend.gonio"));
     const double value = material.brdf->evaluate({0, 0, 1}, {0, 0, 1}).r;
     QVERIFY(std::abs(value - (0.25 * 0.2 + 0.75 * 0.6) / pi) < 1e-6);
     QCOMPARE(material.source.sha256, document.sourceSha256);
@@ -100,11 +100,11 @@ class BlendSourceTest : public QObject {
     auto outer = std::make_shared<BlendSource>();
     outer->weights = {0.5, 0.5};
     outer->materials = {blendDocument(), fileDocument("dark.binary")};
-    outer->materials[1].edits = {edit};
+    outer->materials[1].edits = {{edit}};
     document.blend = outer;
     document.sourceSha256 = blendSha256(*outer);
     const EditDocument again = documentFromJson(toJson(document));
-    const io::Material material = readSource(again, {});
+    const materials::Material material = readSource(again, {});
     const double value = material.brdf->evaluate({0, 0, 1}, {0, 0, 1}).r;
     QVERIFY(std::abs(value - (0.5 * 0.5 + 0.5 * 0.5) / pi) < 1e-6);
     QCOMPARE(material.source.sha256, document.sourceSha256);
@@ -168,7 +168,7 @@ class BlendSourceTest : public QObject {
     std::vector<InterpolationEnd> ends;
     std::vector<dictionary::SparseCode> codes;
     for (const char* id : {"library:rgl/vch_golden_yellow", "library:rgl/chm_light_blue"}) {
-      const io::Material material = io::readMaterial(id);
+      const materials::Material material = materials::readMaterial(id);
       const auto table = material.tabulated();
       QCOMPARE(blendedEnd(material, table, lambert(0.5)).code, nullptr);
       ends.push_back(blendedEnd(material, table, table));

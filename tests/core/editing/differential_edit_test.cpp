@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 
 #include <QTest>
 #include <cfloat>
@@ -45,50 +45,43 @@ bool sameBits(const TabulatedBrdf& a, const TabulatedBrdf& b) {
          std::memcmp(a.valid().data(), b.valid().data(), a.valid().size_bytes()) == 0;
 }
 
+constexpr models::ParameterSpec levelParameters[] = {{.id = "level",
+                                                      .label = "",
+                                                      .symbol = "",
+                                                      .unit = "",
+                                                      .softMin = 0,
+                                                      .softMax = 1,
+                                                      .hardMin = 0,
+                                                      .hardMax = 1e300,
+                                                      .defaultValue = 0,
+                                                      .description = "",
+                                                      .formula = "",
+                                                      .reference = ""}};
+constexpr models::ModelSpec levelSpec = {
+    .id = "level", .name = "", .description = "", .formula = "", .reference = "", .parameters = levelParameters};
+
 /// f = level, up to values that no float holds.
-class LevelModel final : public models::Model {
- public:
-  const models::ModelSpec& spec() const override {
-    static constexpr models::ParameterSpec parameters[] = {{.id = "level",
-                                                            .label = "",
-                                                            .symbol = "",
-                                                            .unit = "",
-                                                            .softMin = 0,
-                                                            .softMax = 1,
-                                                            .hardMin = 0,
-                                                            .hardMax = 1e300,
-                                                            .defaultValue = 0,
-                                                            .description = "",
-                                                            .formula = "",
-                                                            .reference = ""}};
-    static constexpr models::ModelSpec levelSpec = {
-        .id = "level", .name = "", .description = "", .formula = "", .reference = "", .parameters = parameters};
-    return levelSpec;
-  }
+std::unique_ptr<const Brdf> createLevel(const models::ParameterValues& p) {
+  class Level final : public Brdf {
+   public:
+    explicit Level(const Rgb& level) : level_(level) {}
+    void evaluate(std::span<const DirectionPair>, std::span<Rgb> values) const override {
+      std::fill(values.begin(), values.end(), level_);
+    }
 
- protected:
-  std::unique_ptr<const Brdf> create(const models::ParameterValues& p) const override {
-    class Level final : public Brdf {
-     public:
-      explicit Level(const Rgb& level) : level_(level) {}
-      void evaluate(std::span<const DirectionPair>, std::span<Rgb> values) const override {
-        std::fill(values.begin(), values.end(), level_);
-      }
-
-     private:
-      Rgb level_;
-    };
-    return std::make_unique<const Level>(p.values[0]);
-  }
-};
-
-DifferentialEdit ggxEdit(const models::ParameterValues& fitted, const models::ParameterValues& edited) {
-  return {.model = &models::findModel("ggx"), .fitted = fitted, .edited = edited};
+   private:
+    Rgb level_;
+  };
+  return std::make_unique<const Level>(p.values[0]);
 }
 
-DifferentialEdit levelEdit(double fitted, double edited) {
-  static const LevelModel model;
-  return {.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}};
+Edit ggxEdit(const models::ParameterValues& fitted, const models::ParameterValues& edited) {
+  return {DifferentialEdit{.model = &models::findModel("ggx"), .fitted = fitted, .edited = edited}};
+}
+
+Edit levelEdit(double fitted, double edited) {
+  static const models::Model model(levelSpec, {.create = createLevel});
+  return {DifferentialEdit{.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}}};
 }
 
 }  // namespace
@@ -99,10 +92,10 @@ class DifferentialEditTest : public QObject {
   void nothingChangedReturnsTheBase() {
     const auto base = roughTable();
     const auto p = ggxParameters(0.2, 1, 0.1, 0.05), q = ggxParameters(0.2, 1, 0.3, 0.05);
-    DifferentialEdit disabled = ggxEdit(p, q), weightless = ggxEdit(p, q);
+    Edit disabled = ggxEdit(p, q), weightless = ggxEdit(p, q);
     disabled.enabled = false;
     weightless.strength = 0;
-    const DifferentialEdit edits[] = {ggxEdit(p, p), disabled, weightless};
+    const Edit edits[] = {ggxEdit(p, p), disabled, weightless};
     QCOMPARE(bakeEdits(base, edits).get(), base.get());
     QCOMPARE(applyEdits(base, edits).get(), static_cast<const Brdf*>(base.get()));
     QCOMPARE(bakeEdits(base, {}).get(), base.get());
@@ -111,8 +104,8 @@ class DifferentialEditTest : public QObject {
   /// Edits that compute and change nothing: values beyond the hard range are clamped to the fitted ones.
   void equalModelsKeepEveryBit() {
     const auto base = roughTable();
-    const DifferentialEdit edits[] = {ggxEdit(ggxParameters(0.2, 1, 1, 0.05), ggxParameters(0.2, 1, 2, 0.05)),
-                                      ggxEdit(ggxParameters(0.2, 1, 0.01, 1), ggxParameters(0.2, 1, 0.01, 7))};
+    const Edit edits[] = {ggxEdit(ggxParameters(0.2, 1, 1, 0.05), ggxParameters(0.2, 1, 2, 0.05)),
+                          ggxEdit(ggxParameters(0.2, 1, 0.01, 1), ggxParameters(0.2, 1, 0.01, 7))};
     QVERIFY(!edits[0].isIdentity());
     const auto baked = bakeEdits(base, edits);
     QVERIFY(baked != base);
@@ -125,7 +118,7 @@ class DifferentialEditTest : public QObject {
     const auto fitted = ggxParameters(0.2, 0.8, 0.25, 0.05), edited = ggxParameters(0.3, 0.5, 0.4, 0.3);
     const auto base = bakeTable(*ggx.instantiate(fitted), smallGrid);
     const auto expected = bakeTable(*ggx.instantiate(edited), smallGrid);
-    const DifferentialEdit edit = ggxEdit(fitted, edited);
+    const Edit edit = ggxEdit(fitted, edited);
     const auto baked = bakeEdits(base, std::span(&edit, 1));
     for (std::size_t i = 0; i < smallGrid.size(); ++i) {
       QCOMPARE(baked->valid()[i], expected->valid()[i]);
@@ -140,7 +133,7 @@ class DifferentialEditTest : public QObject {
     const models::Model& ggx = models::findModel("ggx");
     const auto base = roughTable();
     const auto fitted = ggxParameters(0.2, 0.8, 0.25, 0.05), edited = ggxParameters(0.2, 0.8, 0.4, 0.05);
-    DifferentialEdit edit = ggxEdit(fitted, edited);
+    Edit edit = ggxEdit(fitted, edited);
     edit.strength = 0.75;
     const auto baked = bakeEdits(base, std::span(&edit, 1));
     const auto from = ggx.instantiate(fitted), to = ggx.instantiate(edited);
@@ -165,8 +158,8 @@ class DifferentialEditTest : public QObject {
 
   void wrapperAgreesWithTheBakedTable() {
     const auto base = roughTable();
-    const DifferentialEdit edits[] = {ggxEdit(ggxParameters(0.2, 1, 0.1, 0.05), ggxParameters(0, 2, 0.3, 0.5)),
-                                      levelEdit(0.5, 0.25)};
+    const Edit edits[] = {ggxEdit(ggxParameters(0.2, 1, 0.1, 0.05), ggxParameters(0, 2, 0.3, 0.5)),
+                          levelEdit(0.5, 0.25)};
     const auto wrapper = applyEdits(base, edits);
     const auto baked = bakeEdits(base, edits);
     std::vector<DirectionPair> pairs;
@@ -192,12 +185,13 @@ class DifferentialEditTest : public QObject {
   /// A table holds the mean over the azimuths: against 4096 of them round the whole circle.
   void anisotropicEditIsAveragedOverTheAzimuths() {
     const models::Model& model = models::findModel("ward-anisotropic");
-    DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
-    edit.edited = edit.fitted;
-    edit.edited.values[model.spec().find("diffuse").value()] = Rgb(0.1);
-    QVERIFY(!isAnisotropic(edit));  // both axes equal
-    edit.edited.values[model.spec().find("roughness-x").value()] = Rgb(0.06);
-    edit.edited.values[model.spec().find("roughness-y").value()] = Rgb(0.6);
+    DifferentialEdit change{.model = &model, .fitted = models::defaultParameters(model.spec())};
+    change.edited = change.fitted;
+    change.edited.values[model.spec().find("diffuse").value()] = Rgb(0.1);
+    QVERIFY(!isAnisotropic({change}));  // both axes equal
+    change.edited.values[model.spec().find("roughness-x").value()] = Rgb(0.06);
+    change.edited.values[model.spec().find("roughness-y").value()] = Rgb(0.6);
+    const Edit edit{change};
     QVERIFY(isAnisotropic(edit));
     const std::vector<TabulatedBrdf::Value> flat(smallGrid.size(), TabulatedBrdf::Value(0.05f));
     const auto base = std::make_shared<const TabulatedBrdf>(smallGrid, flat, std::vector<std::uint8_t>(flat.size(), 1));
@@ -227,29 +221,34 @@ class DifferentialEditTest : public QObject {
     for (std::size_t i = smallGrid.size() / 2; i < smallGrid.size(); ++i) valid[i] = smallGrid.nodeAboveHorizon(i);
     const auto base = std::make_shared<const TabulatedBrdf>(
         smallGrid, std::vector<TabulatedBrdf::Value>(smallGrid.size(), TabulatedBrdf::Value(1)), std::move(valid));
-    const DifferentialEdit edit = levelEdit(0, 3);
+    const Edit edit = levelEdit(0, 3);
     const auto edited = applyEdits(base, std::span(&edit, 1));
     QCOMPARE(edited->evaluate({0, 0, 1}, {0, 0, 1}).x, 0.0);
     QCOMPARE(edited->evaluate(fromSpherical(2, 0), {0, 0, 1}).x, 0.0);
     QCOMPARE(edited->evaluate(fromSpherical(1.4, 0), fromSpherical(1.4, 0.2)).x, 4.0);
+    QVERIFY(!edited->hasData({{0, 0, 1}, {0, 0, 1}}));
+    // An edit of the edited BRDF knows it as well.
+    const auto editedTwice = applyEdits(edited, std::span(&edit, 1));
+    QCOMPARE(editedTwice->evaluate({0, 0, 1}, {0, 0, 1}).x, 0.0);
+    QCOMPARE(editedTwice->evaluate(fromSpherical(1.4, 0), fromSpherical(1.4, 0.2)).x, 7.0);
   }
 
   void hardCase39OverflowIsCappedAndCounted() {
     const auto base = roughTable();
-    const DifferentialEdit edit = levelEdit(0, 1e39);
+    const Edit edit = levelEdit(0, 1e39);
     std::size_t capped = 0;
     const auto baked = bakeEdits(base, std::span(&edit, 1), {}, &capped);
     QCOMPARE(capped, 3 * base->validCount());
     for (std::size_t i = 0; i < smallGrid.size(); ++i)
       if (base->valid()[i]) QCOMPARE(baked->values()[i].y, FLT_MAX);
-    const DifferentialEdit largest = levelEdit(0, 1e30);
+    const Edit largest = levelEdit(0, 1e30);
     bakeEdits(base, std::span(&largest, 1), {}, &capped);
     QCOMPARE(capped, std::size_t(0));
   }
 
   void hardCase50SameBitsForAnyThreadCount() {
     const auto base = roughTable({.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 60});
-    const DifferentialEdit edit = ggxEdit(ggxParameters(0.2, 1, 0.1, 0.05), ggxParameters(0.2, 2, 0.02, 0.5));
+    const Edit edit = ggxEdit(ggxParameters(0.2, 1, 0.1, 0.05), ggxParameters(0.2, 2, 0.02, 0.5));
     const auto parallel = bakeEdits(base, std::span(&edit, 1));
     const ThreadLimit limit(1);
     QVERIFY(sameBits(*parallel, *bakeEdits(base, std::span(&edit, 1))));
@@ -258,7 +257,7 @@ class DifferentialEditTest : public QObject {
   void stopsWhenAsked() {
     std::stop_source source;
     source.request_stop();
-    const DifferentialEdit edit = levelEdit(0, 1);
+    const Edit edit = levelEdit(0, 1);
     QVERIFY_EXCEPTION_THROWN(bakeEdits(roughTable(), std::span(&edit, 1), {source.get_token(), {}}), Cancelled);
   }
 };

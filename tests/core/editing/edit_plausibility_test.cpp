@@ -22,7 +22,7 @@ const metrics::PlausibilityCheck& find(const Checks& checks, const std::string& 
 /// An edit of Lambert's albedo.
 Edit lambertEdit(double fitted, double edited) {
   const models::Model& model = models::findModel("lambert");
-  return DifferentialEdit{.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}};
+  return {DifferentialEdit{.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}}};
 }
 
 std::shared_ptr<const TabulatedBrdf> constantTable(double albedo) { return bakeTable(testing::lambert(Rgb(albedo))); }

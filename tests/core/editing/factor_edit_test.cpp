@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/factor_edit.h"
+#include "core/editing/edit.h"
 
 #include <QTest>
 #include <cmath>
@@ -51,9 +51,11 @@ std::shared_ptr<const TabulatedBrdf> constantTable(float value) {
 const DirectionPair quarter = fromProjectedDeviation({radians(30), 0.25, 0.3}).pair;
 
 std::string errorWith(const std::string& pointer, const nlohmann::json& value) {
-  nlohmann::json json = toJson(edit(1, 2));
-  json[nlohmann::json::json_pointer(pointer)] = value;
-  return errorOf([&] { factorEditFromJson(json, "edits[0]"); });
+  EditDocument document{.sourcePath = "library:sgd/chrome", .sourceSha256 = std::string(64, 'a')};
+  document.edits = {{edit(1, 2)}};
+  nlohmann::json json = toJson(document);
+  json["edits"][0][nlohmann::json::json_pointer(pointer)] = value;
+  return errorOf([&] { documentFromJson(json); });
 }
 
 }  // namespace
@@ -63,7 +65,7 @@ class FactorEditTest : public QObject {
  private Q_SLOTS:
   /// F2(0.25) = 0.75 + (the monotone cubic's bend, 0 on a line through three nodes but at the last): exact here.
   void theChangeOfTheFactorsIsAddedToTheMeasurement() {
-    const Edit one = edit(1, 3);
+    const Edit one{edit(1, 3)};
     const auto edited = applyEdits(constantTable(0.5f), std::span(&one, 1));
     const Rgb value = edited->evaluate(quarter.wi, quarter.wo);
     const auto f2 = factorization::makePdvBrdf(straight(1))->evaluate(quarter.wi, quarter.wo);
@@ -72,9 +74,9 @@ class FactorEditTest : public QObject {
   }
 
   void theStrengthScalesTheChange() {
-    FactorEdit half = edit(1, 3);
-    half.strength = 0.5;
-    const Edit whole = edit(1, 2), one = half;
+    Edit one{edit(1, 3)};
+    one.strength = 0.5;
+    const Edit whole{edit(1, 2)};
     const auto base = constantTable(0.5f);
     const Rgb a = applyEdits(base, std::span(&one, 1))->evaluate(quarter.wi, quarter.wo);
     const Rgb b = applyEdits(base, std::span(&whole, 1))->evaluate(quarter.wi, quarter.wo);
@@ -84,18 +86,17 @@ class FactorEditTest : public QObject {
   void withoutTheDetailTheModelStandsAlone() {
     FactorEdit alone = edit(1, 3);
     alone.keepDetail = false;
-    const Edit one = alone;
+    Edit one{alone};
     const Rgb expected = factorization::makePdvBrdf(*alone.edited)->evaluate(quarter.wi, quarter.wo);
     const Rgb value = applyEdits(constantTable(0.5f), std::span(&one, 1))->evaluate(quarter.wi, quarter.wo);
     QVERIFY(glm::length(value - expected) < 1e-12);
-    alone.strength = 0.25;
-    const Edit quarterOf = alone;
-    const Rgb mixed = applyEdits(constantTable(0.5f), std::span(&quarterOf, 1))->evaluate(quarter.wi, quarter.wo);
+    one.strength = 0.25;
+    const Rgb mixed = applyEdits(constantTable(0.5f), std::span(&one, 1))->evaluate(quarter.wi, quarter.wo);
     QVERIFY(glm::length(mixed - (0.75 * 0.5 + 0.25 * expected)) < 1e-6);
   }
 
   void whatWouldFallBelowZeroIsZero() {
-    const Edit one = edit(3, 1);
+    const Edit one{edit(3, 1)};
     const auto base = constantTable(0.5f);
     QCOMPARE(applyEdits(base, std::span(&one, 1))->evaluate(quarter.wi, quarter.wo), Rgb(0));
     QVERIFY(applyEditsUnclamped(base, std::span(&one, 1))->evaluate(quarter.wi, quarter.wo).x < -0.5);
@@ -103,19 +104,19 @@ class FactorEditTest : public QObject {
 
   void untouchedCurvesLeaveEveryBit() {
     const auto base = constantTable(0.5f);
-    FactorEdit disabled = edit(1, 3), weightless = edit(1, 3), same = edit(2, 2);
+    Edit disabled{edit(1, 3)}, weightless{edit(1, 3)}, same{edit(2, 2)};
     disabled.enabled = false;
     weightless.strength = 0;
     const Edit edits[] = {disabled, weightless, same};
     QCOMPARE(bakeEdits(base, edits).get(), base.get());
-    same.keepDetail = false;
+    std::get<FactorEdit>(same.content).keepDetail = false;
     QVERIFY(!same.isIdentity());
   }
 
   void bakedCellsAreTheEditedReflectance() {
     const Edit edits[] = {
-        edit(1, 3),
-        DifferentialEdit{.model = &models::findModel("lambert"), .fitted = {{Rgb(0.1)}}, .edited = {{Rgb(0.4)}}}};
+        {edit(1, 3)},
+        {DifferentialEdit{.model = &models::findModel("lambert"), .fitted = {{Rgb(0.1)}}, .edited = {{Rgb(0.4)}}}}};
     const auto base = constantTable(0.5f);
     const auto baked = bakeEdits(base, edits);
     const auto wrapper = applyEdits(base, edits);
@@ -133,17 +134,16 @@ class FactorEditTest : public QObject {
     EditDocument document;
     document.sourcePath = "library:sgd/chrome";
     document.sourceSha256 = std::string(64, 'a');
-    FactorEdit odd = edit(1.0 / 3, 0.1 + 0.2, PdvForm::threeFactors);
-    odd.keepDetail = false;
+    Edit odd{edit(1.0 / 3, 0.1 + 0.2, PdvForm::threeFactors), "caf\xC3\xA9"};
+    std::get<FactorEdit>(odd.content).keepDetail = false;
     odd.enabled = false;
     odd.strength = 1.0 / 7;
-    document.edits = {edit(1, 1e-17), odd};
+    document.edits = {{edit(1, 1e-17)}, odd};
     const auto path = outputPath("editing/factors.gonio");
     writeDocument(document, path);
     const EditDocument again = readDocument(path);
     QCOMPARE(again.edits.size(), std::size_t(2));
-    for (std::size_t i = 0; i < 2; ++i)
-      QVERIFY(std::get<FactorEdit>(again.edits[i]) == std::get<FactorEdit>(document.edits[i]));
+    QVERIFY(again.edits == document.edits);
     QCOMPARE(toJson(document)["version"].get<int>(), EditDocument::currentVersion);
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include "core/editing/edit.h"
 #include "core/editing/interpolation/interpolation.h"
 
 #include <QTest>
@@ -99,8 +100,8 @@ class InterpolationTest : public QObject, private ThreeMaterials {
     for (std::size_t i = 0; i < tables.size(); ++i) {
       TransformedTable& one = mixture.tables[i];
       QVERIFY(one.grid == smallGrid);
-      const auto moved = bakeEdits(std::make_shared<const TabulatedBrdf>(one.grid, one.values, one.valid),
-                                   std::span(moves).subspan(i, 1));
+      const auto moved =
+          bakeEdits(std::make_shared<const TabulatedBrdf>(one.grid, one.values, one.valid), EditList{{moves[i]}});
       one.values.assign(moved->values().begin(), moved->values().end());
     }
     QVERIFY(largestDifference(*mixed(mixture, weights_), *between->table(weights_), false) < 1e-6);

@@ -11,6 +11,7 @@
 #include "core/coordinates/projected_deviation.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/math/quadrature.h"
+#include "tests/studies/research/factorization/printed_pdv_sampler.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/sampling_check.h"
 #include "tests/support/test_program.h"

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "core/fitting/fit_data.h"
-#include "core/io/material.h"
+#include "core/materials/material.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;
@@ -63,7 +63,7 @@ class PublishedFitsTest : public QObject {
   }
   void oursAreNotWorse() {
     QFETCH(QString, material);
-    const auto table = io::readMaterial((materials + "/" + material + ".binary").toStdString()).tabulated();
+    const auto table = materials::readMaterial((materials + "/" + material + ".binary").toStdString()).tabulated();
     std::map<metrics::BrdfMetric, FitData> data;
     for (const testing::PublishedSet& set : testing::readPublishedSets((shared + "/data/tables").toStdString()))
       for (const testing::PublishedFit& published : set.fits) {

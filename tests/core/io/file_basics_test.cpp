@@ -8,15 +8,15 @@
 
 #include "core/editing/edit_document.h"
 #include "core/io/atomic_file.h"
-#include "core/io/code_file.h"
-#include "core/io/dictionary_file.h"
 #include "core/io/image_io.h"
-#include "core/io/material.h"
-#include "core/io/npf_file.h"
-#include "core/io/pdv_file.h"
 #include "core/io/sha256.h"
-#include "core/io/training_checkpoint.h"
+#include "core/materials/code_file.h"
+#include "core/materials/dictionary_file.h"
+#include "core/materials/material.h"
+#include "core/materials/pdv_file.h"
+#include "core/materials/training_checkpoint.h"
 #include "tests/core/io/test_files.h"
+#include "tests/studies/research/baselines/npf_file.h"
 #include "tests/support/test_program.h"
 
 using namespace gonio;
@@ -60,16 +60,16 @@ class FileBasicsTest : public QObject {
   /// A path stands in front of what is wrong, and nowhere else.
   void readersNameTheFileOnce_data() {
     QTest::addColumn<Read>("read");
-    QTest::newRow("material") << Read([](const fs::path& path) { io::readMaterial(path); });
-    QTest::newRow("dictionary") << Read([](const fs::path& path) { io::readDictionary(path); });
-    QTest::newRow("code") << Read([](const fs::path& path) { io::readCode(path); });
-    QTest::newRow("factors") << Read([](const fs::path& path) { io::readPdv(path); });
-    QTest::newRow("checkpoint") << Read([](const fs::path& path) { io::readCheckpoint("training", path); });
+    QTest::newRow("material") << Read([](const fs::path& path) { materials::readMaterial(path); });
+    QTest::newRow("dictionary") << Read([](const fs::path& path) { materials::readDictionary(path); });
+    QTest::newRow("code") << Read([](const fs::path& path) { materials::readCode(path); });
+    QTest::newRow("factors") << Read([](const fs::path& path) { materials::readPdv(path); });
+    QTest::newRow("checkpoint") << Read([](const fs::path& path) { materials::readCheckpoint("training", path); });
     QTest::newRow("picture") << Read([](const fs::path& path) { io::readImage(path); });
     QTest::newRow("document") << Read([](const fs::path& path) { editing::readDocument(path); });
     QTest::newRow("nonparametric") << Read([](const fs::path& path) {
       writeFile("io/npf_row_order.csv", {});
-      io::readNpf(path);
+      factorization::readNpf(path);
     });
   }
   void readersNameTheFileOnce() {

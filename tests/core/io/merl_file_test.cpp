@@ -7,8 +7,6 @@
 #include <limits>
 
 #include "core/io/format_mismatch.h"
-#include "core/io/material.h"
-#include "core/io/sha256.h"
 #include "core/math/parallel.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
@@ -149,29 +147,6 @@ class MerlFileTest : public QObject {
     }
   }
 
-  void fileThatWasOnlyReadIsCopiedByteForByte() {
-    std::vector<double> raw = countingValues();
-    raw[1] = -0.3;  // reading changes it, copying must not
-    raw[2] = -7.5;
-    raw[3] = 1.0 / 3;
-    const Bytes bytes = merlFile(2, 3, 4, raw);
-    const auto path = writeFile("io/merl/source.binary", bytes), copy = outputPath("io/merl/copy.binary");
-    const io::Material material = io::readMaterial(path);
-    QCOMPARE(material.name, std::string("source"));
-    QCOMPARE(material.source.format, std::string("MERL"));
-    QCOMPARE(material.source.sha256, io::sha256Hex(bytes));
-    QCOMPARE(material.source.grid, (std::vector<int>{2, 3, 4}));
-    QCOMPARE(material.source.notes.size(), std::size_t(1));
-    QVERIFY(material.tabulated() == material.table);
-    io::writeMerl(material, copy);
-    QCOMPARE(readFile(copy), bytes);
-
-    raw[5] = 99;
-    writeFile("io/merl/source.binary", merlFile(2, 3, 4, raw));
-    QVERIFY(contains(errorOf([&] { io::writeMerl(material, copy); }), "source.binary"));
-    QCOMPARE(readFile(copy), bytes);
-  }
-
   void sameBitsForAnyNumberOfThreadsAndCancellation() {
     const HalfDifferenceGrid grid{40, 30, 50, true};
     std::vector<double> raw(3 * grid.size());
@@ -186,14 +161,6 @@ class MerlFileTest : public QObject {
     std::stop_source stop;
     stop.request_stop();
     QVERIFY_EXCEPTION_THROWN(io::readMerl(io::MemorySource(bytes), {stop.get_token(), {}}), Cancelled);
-  }
-
-  void refusedFileTellsEveryReader() {
-    const auto path = writeFile("io/merl/notes.txt", std::as_bytes(std::span("these are only words")));
-    const std::string error = errorOf([&] { io::readMaterial(path); });
-    QVERIFY2(contains(error, "notes.txt") && contains(error, "\n  MERL: found axis counts") &&
-                 contains(error, "\n  RGL: found") && contains(error, "expected the signature 'tensor_file'"),
-             error.c_str());
   }
 };
 

@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "core/io/format_mismatch.h"
-#include "core/io/material.h"
 #include "core/io/tensor_file.h"
+#include "core/materials/material.h"
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/test_program.h"
 
@@ -201,7 +201,7 @@ class RglBrdfTest : public QObject {
     for (const std::string name : {"vch_golden_yellow", "acrylic_felt_green", "chm_light_blue"}) {
       if (!fs::exists(rglPath(name))) QSKIP("the development data is absent");
       const Tensors tensors(rglPath(name));
-      const io::Material material = io::readMaterial(rglPath(name));
+      const materials::Material material = materials::readMaterial(rglPath(name));
       QCOMPARE(material.source.format, std::string("RGL"));
       QCOMPARE(material.source.description, tensors.file.text("description"));
       int compared = 0;
@@ -240,8 +240,8 @@ class RglBrdfTest : public QObject {
     std::ostringstream command;
     command << tool << ' ' << folder << " rgl vch_golden_yellow > /dev/null";
     if (std::system(command.str().c_str()) != 0) QSKIP("make-merl does not run here");
-    const io::Material measured = io::readMaterial(rglPath("vch_golden_yellow"));
-    const io::Material near = io::readMaterial(folder / "vch_golden_yellow.binary");
+    const materials::Material measured = materials::readMaterial(rglPath("vch_golden_yellow"));
+    const materials::Material near = materials::readMaterial(folder / "vch_golden_yellow.binary");
     const auto table = measured.tabulated();
     QCOMPARE(table->validCount(), std::size_t(1111432));
     QCOMPARE(near.table->validCount(), std::size_t(1111432));  // hard case 11, by the corner rule

@@ -4,20 +4,16 @@
 
 #include <QTest>
 #include <cmath>
-#include <random>
+
+#include "tests/support/random_matrix.h"
 
 #include "tests/support/test_program.h"
 
 using namespace gonio;
 using Eigen::MatrixXd;
+using gonio::testing::randomMatrix;
 
 namespace {
-
-MatrixXd randomMatrix(int rows, int columns) {
-  std::mt19937 generator(7);
-  std::normal_distribution<double> normal;
-  return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
-}
 
 double departureFromOrthonormal(const MatrixXd& columns) {
   return (columns.transpose() * columns - MatrixXd::Identity(columns.cols(), columns.cols())).norm();
@@ -37,7 +33,7 @@ class DecompositionsTest : public QObject {
   }
 
   void eigenvectorsRebuildADeficientMatrix() {
-    const MatrixXd half = randomMatrix(9, 4), gram = half * half.transpose();
+    const MatrixXd half = randomMatrix(9, 4, 7), gram = half * half.transpose();
     const EigenBasis basis = eigenBasis(gram);
     QVERIFY(basis.values.minCoeff() >= 0);
     QVERIFY(departureFromOrthonormal(basis.vectors) < 1e-13);
@@ -50,7 +46,8 @@ class DecompositionsTest : public QObject {
   }
 
   void singularVectorsRebuildTallAndWide() {
-    for (const MatrixXd& m : {randomMatrix(40, 7), MatrixXd(randomMatrix(40, 7).transpose()), randomMatrix(30, 30)}) {
+    for (const MatrixXd& m :
+         {randomMatrix(40, 7, 7), MatrixXd(randomMatrix(40, 7, 7).transpose()), randomMatrix(30, 30, 7)}) {
       const ThinSvd svd = thinSvd(m);
       QCOMPARE(svd.u.cols(), std::min(m.rows(), m.cols()));
       QVERIFY(departureFromOrthonormal(svd.u) < 1e-13 && departureFromOrthonormal(svd.v) < 1e-13);
@@ -60,7 +57,7 @@ class DecompositionsTest : public QObject {
   }
 
   void symmetricSystemsOfSeveralRightSides() {
-    const MatrixXd half = randomMatrix(12, 12), a = half * half.transpose(), x = randomMatrix(12, 3);
+    const MatrixXd half = randomMatrix(12, 12, 7), a = half * half.transpose(), x = randomMatrix(12, 3, 7);
     QVERIFY((solveSymmetric(a, a * x) - x).norm() < 1e-9 * x.norm());
   }
 };

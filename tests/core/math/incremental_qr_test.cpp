@@ -4,22 +4,16 @@
 
 #include <Eigen/Dense>
 #include <QTest>
-#include <random>
+
+#include "tests/support/random_matrix.h"
 
 #include "tests/support/test_program.h"
 
 using namespace gonio;
 using Eigen::MatrixXd, Eigen::VectorXd;
+using gonio::testing::randomMatrix;
 
 namespace {
-
-MatrixXd randomMatrix(int rows, int columns, unsigned seed) {
-  std::mt19937_64 generator(seed);
-  std::normal_distribution<double> normal;
-  MatrixXd result(rows, columns);
-  for (double& value : result.reshaped()) value = normal(generator);
-  return result;
-}
 
 double orthonormalityError(const IncrementalQr& qr) {
   return (qr.q().transpose() * qr.q() - MatrixXd::Identity(qr.size(), qr.size())).cwiseAbs().maxCoeff();

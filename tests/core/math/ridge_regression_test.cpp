@@ -5,20 +5,16 @@
 #include <Eigen/Dense>
 #include <QTest>
 #include <limits>
-#include <random>
+
+#include "tests/support/random_matrix.h"
 
 #include "tests/support/test_program.h"
 
 using namespace gonio;
 using Eigen::MatrixXd;
+using gonio::testing::randomMatrix;
 
 namespace {
-
-MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal;
-  return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(generator); });
-}
 
 MatrixXd identity(Eigen::Index size) { return MatrixXd::Identity(size, size); }
 

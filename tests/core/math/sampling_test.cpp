@@ -31,6 +31,17 @@ class SamplingTest : public QObject {
           }
   }
 
+  void pointsOfASeedAreThoseOfTheFunctions() {
+    for (const std::uint32_t seed : {0u, 9u}) {
+      const SobolPoints points(seed);
+      for (const std::uint32_t i : {0u, 1u, 63u, 0xffffffffu}) {
+        QCOMPARE(points[i], scrambledSobol(i, seed));
+        QCOMPARE(points.first(i), scrambledVanDerCorput(i, seed));
+        QCOMPARE(points.first(i), points[i].x);
+      }
+    }
+  }
+
   void vanDerCorputIsStratified() {
     for (const std::uint32_t seed : {3u, 4u}) {
       std::set<int> cells;

@@ -15,6 +15,12 @@ using namespace gonio::models;
 
 namespace {
 
+/// D in 1/sr at tan^2 theta_h.
+double distribution(double tan2H, double alpha, double p) {
+  const double shifted = alpha + tan2H / alpha, logCos2H = -std::log1p(tan2H);
+  return std::exp(sgdLogNormalisation(alpha, p) - shifted - p * std::log(shifted) - 2 * logCos2H) / pi;
+}
+
 /// The integral of D cos theta_h over the hemisphere, in w = ln(A / alpha), A = alpha + tan^2 / alpha.
 double distributionIntegral(double alpha, double p) {
   const double end = std::log1p(800 / alpha);
@@ -22,7 +28,7 @@ double distributionIntegral(double alpha, double p) {
     const double tan2 = alpha * alpha * std::expm1(w);
     const double cos2 = 1 / (1 + tan2);
     // cos theta_h d omega_h = pi cos^4 d(tan^2), d(tan^2) = alpha^2 e^w dw.
-    return sgdDistribution(tan2, alpha, p) * pi * cos2 * cos2 * alpha * alpha * std::exp(w);
+    return distribution(tan2, alpha, p) * pi * cos2 * cos2 * alpha * alpha * std::exp(w);
   });
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/rendering/sphere_renderer.h"
+#include "core/rendering/render_picture.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
@@ -36,11 +36,10 @@ class BundledEnvironmentsTest : public QObject {
   /// Exposure 0 suits: the visible half of a white matte sphere is about mid-bright.
   void whiteMatteSpheresAreMidBright() {
     for (const std::string name : {"studio", "sky"}) {
-      SphereScene scene;
-      scene.environment = bundledEnvironment(name);
-      SphereRenderOptions options;
+      const Scene scene = sphereScene(bundledEnvironment(name));
+      RenderOptions options;
       options.width = options.height = 32;
-      const Image image = renderSphere(testing::lambert(Rgb(1)), scene, options);
+      const Image image = renderPicture(testing::lambert(Rgb(1)), scene, options);
       double sum = 0, covered = 0;
       for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         sum += luminance(Rgb(image.pixels[i]));

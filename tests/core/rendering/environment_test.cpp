@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-#include "core/rendering/sphere_scene.h"
+#include "core/rendering/camera.h"
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
-#include "core/rendering/sphere_renderer.h"
 #include "tests/core/rendering/tracing.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
@@ -39,9 +39,7 @@ class PathTracerPlanTest : public QObject {
   void aLoneConvexShapeTracesNoOtherRay() {
     for (const Shape& shape : {Shape(Sphere{}), Shape(meshShape(TriangleMesh(cubeArrays())))})
       for (const bool environment : {true, false}) {
-        SphereScene sphere = comparisonScene();
-        if (!environment) sphere.environment = nullptr;
-        Scene scene = sceneOf(sphere);
+        Scene scene = sphereScene(environment ? studioEnvironment() : nullptr);
         scene.objects[0].shape = shape;
         const Film film = trace(scene, glossy, {.size = 20, .samples = 8});
         QCOMPARE(film.counters.camera, std::uint64_t(20 * 20 * 8));

@@ -8,7 +8,6 @@
 #include "core/brdf/statistics.h"
 #include "core/math/parallel.h"
 #include "core/rendering/scene_file.h"
-#include "core/rendering/sphere_renderer.h"
 #include "tests/core/rendering/tracing.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
@@ -121,49 +120,13 @@ class PathTracerTest : public QObject {
     QVERIFY(dark > 15);
   }
 
-  /// The lone sphere: an independent renderer with its own sampling.
-  void agreesWithTheSphereRenderer() {
-    for (const Material& material : {grey, glossy})
-      for (const bool environment : {true, false}) {
-        SphereScene sphere = comparisonScene();
-        if (!environment) sphere.environment = nullptr;
-        sphere.environmentRotation = 0.7;
-        sphere.camera.yaw = 0.4;
-        const Tiles found = tracedTiles(sceneOf(sphere), material, {.samples = 64}, 1);
-        const Tiles expected = tilesOf(
-            6,
-            [&](std::uint64_t seed) {
-              SphereRenderOptions options;
-              options.width = options.height = 24;
-              options.samples = 64;
-              options.seed = seed;
-              return renderSphere(material->brdf(), sphere, options);
-            },
-            100);
-        const QString text = disagreement(found, expected);
-        QVERIFY2(text.isEmpty(), qPrintable(text));
-      }
-  }
-
   /// Points of the sphere under the studio against all directions of the picture.
   void agreesWithQuadrature() {
-    const EnvironmentMap& studio = *studioEnvironment();
     for (const double theta : {0.0, 0.8, 1.3}) {
       Scene scene = openScene("sphere");
       const Direction normal{std::sin(theta), 0, std::cos(theta)};
       scene.camera = lookFrom(normal + Direction(0, 0, 4), normal);
-      const ShadingFrame frame = shadingFrame(normal);
-      Rgb expected(0);
-      constexpr int width = 1024, height = 512;
-      for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-          const Direction w = EnvironmentMap::directionAt((x + 0.5) / width, (y + 0.5) / height);
-          const double solidAngle = 2 * pi / width * pi / height * std::sin(pi * (y + 0.5) / height);
-          const Direction wi = frame.toLocal(w);
-          if (wi.z > 0)
-            expected +=
-                glossy->brdf().evaluate(wi, frame.toLocal({0, 0, 1})) * studio.radiance(w) * (wi.z * solidAngle);
-        }
+      const Rgb expected = quadrature(glossy->brdf(), scene, cameraRay(cameraFrame(scene.camera), 0, 0, 1), 1024);
       QVERIFY(isNear(traceOnePoint(scene, glossy, {.size = 8, .samples = 512}), expected, 5e-3));
     }
   }

@@ -8,7 +8,7 @@
 
 #include "core/brdf/statistics.h"
 #include "core/models/registry.h"
-#include "core/rendering/traced_material.h"
+#include "core/rendering/render_material.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/leading_parameters.h"
 #include "tests/support/test_program.h"
@@ -17,7 +17,7 @@ using namespace gonio;
 
 namespace {
 
-ReflectionBound boundOf(std::shared_ptr<const Brdf> brdf) { return TracedMaterial(std::move(brdf)).bound(); }
+ReflectionBound boundOf(std::shared_ptr<const Brdf> brdf) { return RenderMaterial(std::move(brdf)).bound(); }
 
 double largestAlbedo(const Brdf& brdf) {
   double albedo = 0;

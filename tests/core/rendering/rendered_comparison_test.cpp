@@ -30,7 +30,7 @@ std::shared_ptr<const TabulatedBrdf> withNoise(const TabulatedBrdf& table, doubl
                                                std::vector<std::uint8_t>(table.valid().begin(), table.valid().end()));
 }
 
-SphereRenderOptions pictures(int samples) { return {.width = 32, .height = 32, .samples = samples, .lobe = {}}; }
+RenderOptions pictures(int samples) { return {.width = 32, .height = 32, .samples = samples, .lobe = {}}; }
 
 }  // namespace
 
@@ -50,9 +50,9 @@ class RenderedComparisonTest : public QObject {
     const RenderedComparison comparison(*plastic(), pictures(5));
     const ComparisonPicture picture = comparison.render(*plastic());
     QVERIFY(picture.halves[0].pixels != picture.halves[1].pixels);
-    SphereRenderOptions half = pictures(3);
+    RenderOptions half = pictures(3);
     half.lobe = estimateSamplingLobe(*plastic());
-    QVERIFY(picture.halves[0].pixels == renderSphere(*plastic(), comparisonScene(), half).pixels);
+    QVERIFY(picture.halves[0].pixels == renderPicture(*plastic(), comparisonScene(), half).pixels);
     for (std::size_t i = 0; i < picture.image.pixels.size(); ++i)
       for (int c = 0; c < 3; ++c)
         QCOMPARE(picture.image.pixels[i][c], 0.5f * (picture.halves[0].pixels[i][c] + picture.halves[1].pixels[i][c]));

@@ -11,8 +11,8 @@
 #include "core/io/image_io.h"
 #include "core/rendering/bundled_scenes.h"
 #include "core/rendering/environment_file.h"
+#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_light.h"
-#include "core/rendering/sphere_renderer.h"
 #include "core/support/error.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
@@ -122,8 +122,8 @@ class SceneFileTest : public QObject {
     QCOMPARE(scene.objects.size(), std::size_t(4));
     const auto& ball = std::get<Sphere>(scene.objects[0].shape);
     QVERIFY(near(ball.centre, place(1, 2, 3)) && ball.radius == 0.5);
-    QCOMPARE(std::get<LookedAt>(scene.objects[0].material).number, 1);
-    QCOMPARE(lookedAtCount(scene), 2);
+    QCOMPARE(std::get<MaterialSlot>(scene.objects[0].material).number, 1);
+    QCOMPARE(materialSlotCount(scene), 2);
     const auto& floor = std::get<Rectangle>(scene.objects[1].shape);
     QVERIFY(near(floor.normal(), place(0, 1, 0)) && floor.area() == 48);
     QVERIFY(near(std::get<Diffuse>(scene.objects[1].material).reflectance, place(0.1, 0.2, 0.3)));
@@ -144,7 +144,7 @@ class SceneFileTest : public QObject {
     QCOMPARE(empty.camera.distance, OrbitCamera{}.distance);
     const Scene sphere = parseScene(
         R"({"format": "gonio scene", "version": 1, "objects": [{"name": "a", "shape": "sphere"}], "camera": {}})", 1);
-    QVERIFY(std::get<Sphere>(sphere.objects[0].shape).radius == 1 && lookedAtCount(sphere) == 1);
+    QVERIFY(std::get<Sphere>(sphere.objects[0].shape).radius == 1 && materialSlotCount(sphere) == 1);
     // The whole sphere stands in a square picture, and fills most of it.
     const double half = std::asin(1 / sphere.camera.distance);
     QVERIFY(half < sphere.camera.fieldOfView / 2 && half > 0.8 * sphere.camera.fieldOfView / 2);
@@ -158,14 +158,14 @@ class SceneFileTest : public QObject {
         const Scene scene = openScene(name, materials);
         QCOMPARE(scene.name, name);
         QVERIFY(!scene.description.empty() && !scene.objects.empty());
-        QVERIFY(lookedAtCount(scene) >= 1 && lookedAtCount(scene) <= materials);
+        QVERIFY(materialSlotCount(scene) >= 1 && materialSlotCount(scene) <= materials);
         QVERIFY(!lightsOf(scene).empty());
       }
   }
 
   /// "sphere" is what previews and rendered SNRs show.
   void theSphereIsTheComparisonScene() {
-    const Scene file = openScene("sphere"), made = sceneOf(comparisonScene());
+    const Scene file = openScene("sphere"), made = comparisonScene();
     QVERIFY(file.environment == made.environment && file.environmentRotation == made.environmentRotation);
     QCOMPARE(file.camera.distance, made.camera.distance);
     QCOMPARE(file.camera.fieldOfView, made.camera.fieldOfView);
@@ -177,14 +177,14 @@ class SceneFileTest : public QObject {
     const Scene row = openScene("row", 4);
     QCOMPARE(row.objects.size(), std::size_t(5));
     for (int i = 0; i < 4; ++i) {
-      QCOMPARE(std::get<LookedAt>(row.objects[std::size_t(i)].material).number, i);
+      QCOMPARE(std::get<MaterialSlot>(row.objects[std::size_t(i)].material).number, i);
       QCOMPARE(row.objects[std::size_t(i)].name, "the sphere " + std::to_string(i + 1));
       QVERIFY(near(std::get<Sphere>(row.objects[std::size_t(i)].shape).centre, place(2.3 * (i - 1.5), 0, 0)));
     }
     QCOMPARE(openScene("row", 1).objects[0].name, std::string("the sphere"));
     // With one material both places show it.
-    QCOMPARE(lookedAtCount(openScene("two-spheres", 1)), 1);
-    QCOMPARE(lookedAtCount(openScene("two-spheres", 5)), 2);
+    QCOMPARE(materialSlotCount(openScene("two-spheres", 1)), 1);
+    QCOMPARE(materialSlotCount(openScene("two-spheres", 5)), 2);
   }
 
   void badMembersAreNamed() {

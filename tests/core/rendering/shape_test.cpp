@@ -87,7 +87,7 @@ class ShapeTest : public QObject {
       if (!std::isfinite(t)) continue;
       ++met;
       QVERIFY(std::abs(t - place.z) < 1e-9 * (1 + place.z));
-      const ShapeHit hit = shapeHit(rectangle, ray, 0, infinity);
+      const ShapeHit hit = shapeHit(rectangle, ray, t);
       QVERIFY(glm::length(hit.position - rectangle.at(place.x, place.y)) < 1e-9);
       QVERIFY(glm::length(hit.geometricNormal - rectangle.normal()) < 1e-15);
     }
@@ -108,7 +108,7 @@ class ShapeTest : public QObject {
         QCOMPARE(blocks(shape, ray, 0, infinity), std::isfinite(t));
         if (!std::isfinite(t)) continue;
         ++hits;
-        const ShapeHit hit = shapeHit(shape, ray, 0, infinity);
+        const ShapeHit hit = shapeHit(shape, ray, t);
         QCOMPARE(hit.distance, t);
         // Meshes are met in single precision: past an edge by as much, the hit is held on the triangle.
         const double tolerance = std::holds_alternative<MeshShape>(shape) ? 1e-5 : 1e-9;
@@ -129,8 +129,9 @@ class ShapeTest : public QObject {
       if (!isConvex(shape)) continue;
       for (int n = 0; n < 5000; ++n) {
         const Ray ray = randomRay(shape, 3, random);
-        if (!std::isfinite(nearestDistance(shape, ray, 0, infinity))) continue;
-        const ShapeHit hit = shapeHit(shape, ray, 0, infinity);
+        const double t = nearestDistance(shape, ray, 0, infinity);
+        if (!std::isfinite(t)) continue;
+        const ShapeHit hit = shapeHit(shape, ray, t);
         Direction away = randomDirection(random);
         // Every second one nearly along the surface.
         away -= (n % 2 ? 1 - 1e-6 * uniform(random) : 0.0) * glm::dot(away, hit.geometricNormal) * hit.geometricNormal;

@@ -19,7 +19,7 @@ std::vector<StrategyCost> costsOf(double roughness) {
   models::ParameterValues values = models::defaultParameters(ggx.spec());
   values.values[*ggx.spec().find("roughness")] = Rgb(roughness);
   values.values[*ggx.spec().find("diffuse")] = Rgb(0);
-  const std::vector materials{std::make_shared<const TracedMaterial>(ggx.instantiate(values))};
+  const std::vector materials{std::make_shared<const RenderMaterial>(ggx.instantiate(values))};
   Scene shown = openScene("sphere-under-lamp");
   std::erase_if(shown.objects,
                 [](const SceneObject& object) { return std::holds_alternative<Diffuse>(object.material); });

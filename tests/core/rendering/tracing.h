@@ -6,15 +6,16 @@
 #include <functional>
 
 #include "core/rendering/path_tracer.h"
+#include "core/rendering/shading_frame.h"
 #include "tests/support/random_scenes.h"
 
 /// Small pictures by the path tracer, and whether two estimates of a picture agree within their own noise.
 namespace gonio::testing {
 
-using Material = std::shared_ptr<const TracedMaterial>;
+using Material = std::shared_ptr<const RenderMaterial>;
 
 inline Material traced(std::shared_ptr<const Brdf> brdf) {
-  return std::make_shared<const TracedMaterial>(std::move(brdf));
+  return std::make_shared<const RenderMaterial>(std::move(brdf));
 }
 
 struct TraceOptions {
@@ -25,8 +26,8 @@ struct TraceOptions {
 };
 
 inline PathTracer tracerOf(const Scene& scene, const Material& material, const TraceOptions& options = {}) {
-  const std::vector<Material> lookedAt(std::size_t(std::max(1, lookedAtCount(scene))), material);
-  const auto bound = bindMaterials(scene, lookedAt);
+  const std::vector<Material> slotMaterials(std::size_t(std::max(1, materialSlotCount(scene))), material);
+  const auto bound = bindMaterials(scene, slotMaterials);
   return PathTracer(scene, bound, planEffects(scene, bound, options.overrides), options.seed, options.strategy);
 }
 
@@ -53,6 +54,26 @@ inline OrbitCamera lookFrom(const Direction& eye, const Direction& target) {
   camera.pitch = std::asin(way.y / camera.distance);
   camera.target = target;
   return camera;
+}
+
+/// Radiance of the unit sphere toward the camera along one ray: all of the environment's directions, no random number.
+inline Rgb quadrature(const Brdf& brdf, const Scene& scene, const Ray& ray, int width) {
+  const auto hit = nearestHit(Sphere{}, ray);
+  if (!hit) return Rgb(0);
+  const ShadingFrame frame = shadingFrame(hit->shadingNormal);
+  const Direction wo = frame.toLocal(-ray.direction);
+  const EnvironmentRotation rotation(scene.environmentRotation);
+  const int height = width / 2;
+  Rgb sum(0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const Direction w = EnvironmentMap::directionAt((x + 0.5) / width, (y + 0.5) / height);
+      const Direction wi = frame.toLocal(rotation.fromEnvironment(w));
+      if (wi.z <= 0) continue;
+      const double solidAngle = 2 * pi / width * pi / height * std::sin(pi * (y + 0.5) / height);
+      sum += brdf.evaluate(wi, wo) * scene.environment->radiance(w) * (wi.z * solidAngle);
+    }
+  return sum;
 }
 
 /// Means over 4 x 4 tiles of a picture, of several independent estimates, with the squared standard error.

@@ -8,7 +8,7 @@
 
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_parameters.h"
-#include "core/io/pdv_file.h"
+#include "core/materials/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/registry.h"
 #include "core/rendering/rendered_comparison.h"
@@ -109,7 +109,7 @@ class AccuracyStudyTest : public QObject {
     const auto one = factorization::factorizePdv(*plastic().table, {.terms = 1}).factors;
     const StudyRecord& factors = find(records, "factors-3d", 1);
     QVERIFY(factors.errors == metrics::brdfErrors(*plastic().table, *factorization::makePdvBrdf(one)));
-    QCOMPARE(factors.bytes, io::pdvFileBytes(one));
+    QCOMPARE(factors.bytes, materials::pdvFileBytes(one));
     QVERIFY(find(records, "factors-3d", 3).encodeSeconds > factors.encodeSeconds);
   }
 
@@ -117,8 +117,8 @@ class AccuracyStudyTest : public QObject {
     const HalfDifferenceGrid grid = dictionary::test::smallGrid;
     const auto table = bakeTable(*plastic().table, grid);
     BuildOptions build;
-    build.dictionary =
-        std::make_shared<const io::NamedEnsemble>(io::NamedEnsemble{dictionary::test::randomEnsemble(2), 1});
+    build.dictionary = std::make_shared<const materials::NamedEnsemble>(
+        materials::NamedEnsemble{dictionary::test::randomEnsemble(2), 1});
     const auto rough = bakeTable(*testing::ggx(Rgb(0.1), Rgb(0.5), 0.5, 0.04), grid);
     const std::shared_ptr<const TabulatedBrdf> taught[] = {table, rough};
     build.components = std::make_shared<const dictionary::PrincipalComponents>(

@@ -38,7 +38,7 @@ class FitRankingTest : public QObject {
  private Q_SLOTS:
   void rowsHoldWhatTheirPartsGiveAlone() {
     const RankingOptions options = fewModels();
-    const std::vector<RankedFit> ranking = rankFits(*plastic(), *plastic(), options);
+    const std::vector<RankedFit> ranking = rankFits({plastic(), plastic()}, options);
     QCOMPARE(ranking.size(), options.models.size());
     for (std::size_t m = 0; m < ranking.size(); ++m) {
       const RankedFit& row = ranking[m];
@@ -59,7 +59,7 @@ class FitRankingTest : public QObject {
     RankingOptions options = fewModels();
     options.models.clear();
     const auto tiny = bakeTable(*plastic(), {.thetaHCount = 12, .thetaDCount = 8, .phiDCount = 9});
-    const std::vector<RankedFit> ranking = rankFits(*tiny, *tiny, options);
+    const std::vector<RankedFit> ranking = rankFits({tiny, tiny}, options);
     QCOMPARE(ranking.size(), models::allModels().size());
     for (const RankedFit& row : ranking) {
       QVERIFY(std::isfinite(row.renderedSnr));
@@ -68,7 +68,7 @@ class FitRankingTest : public QObject {
   }
 
   void sortedByMetricOrByPicture() {
-    std::vector<RankedFit> ranking = rankFits(*plastic(), *plastic(), fewModels());
+    std::vector<RankedFit> ranking = rankFits({plastic(), plastic()}, fewModels());
     ranking.push_back(ranking[0]);
     ranking.back().renderedSnr = std::numeric_limits<double>::quiet_NaN();
     sortRanking(ranking, metrics::BrdfMetric::cubeRoot);
@@ -88,7 +88,7 @@ class FitRankingTest : public QObject {
     options.modelDone = [&](const RankedFit& row) { told.push_back(row.fit.model->spec().id); };
     double last = 0;
     bool falls = false;
-    rankFits(*plastic(), *plastic(), options, {{}, [&](double share) {
+    rankFits({plastic(), plastic()}, options, {{}, [&](double share) {
                                                  falls = falls || share < last || share > 1;
                                                  last = share;
                                                }});
@@ -106,16 +106,16 @@ class FitRankingTest : public QObject {
       options.modelDone = [&](const RankedFit&) {
         if (++done == wanted) source.request_stop();
       };
-      const std::vector<RankedFit> ranking = rankFits(*plastic(), *plastic(), options, {source.get_token(), {}});
+      const std::vector<RankedFit> ranking = rankFits({plastic(), plastic()}, options, {source.get_token(), {}});
       QCOMPARE(ranking.size(), wanted);
       for (const RankedFit& row : ranking) QVERIFY(!row.fit.cancelled);
     }
   }
 
   void hardCase50SameBitsForAnyThreadCount() {
-    const std::vector<RankedFit> two = rankFits(*plastic(), *plastic(), fewModels());
+    const std::vector<RankedFit> two = rankFits({plastic(), plastic()}, fewModels());
     const ThreadLimit limit(1);
-    const std::vector<RankedFit> one = rankFits(*plastic(), *plastic(), fewModels());
+    const std::vector<RankedFit> one = rankFits({plastic(), plastic()}, fewModels());
     for (std::size_t m = 0; m < one.size(); ++m) {
       QVERIFY(one[m].fit.parameters == two[m].fit.parameters);
       QCOMPARE(one[m].renderedSnr, two[m].renderedSnr);
@@ -125,7 +125,7 @@ class FitRankingTest : public QObject {
   /// 0/0 by contract: not a number, told at the end of every ranking.
   void hardCase44BlackReference() {
     const auto black = bakeTable(*testing::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
-    for (const RankedFit& row : rankFits(*black, *black, fewModels())) {
+    for (const RankedFit& row : rankFits({black, black}, fewModels())) {
       QVERIFY(std::isnan(row.renderedSnr));
       QVERIFY(!row.fit.warnings.empty());
     }

@@ -18,7 +18,7 @@ using namespace gonio::study;
 namespace {
 
 constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 20, .phiDCount = 24};
-const SphereRenderOptions thumbnail{.width = 24, .height = 24, .samples = 4, .lobe = {}};
+const RenderOptions thumbnail{.width = 24, .height = 24, .samples = 4, .lobe = {}};
 
 /// What no Blinn lobe explains: the gammas differ in what they give up.
 std::shared_ptr<const TabulatedBrdf> metal() {

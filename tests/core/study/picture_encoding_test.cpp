@@ -18,7 +18,7 @@ using namespace gonio::study;
 
 namespace {
 
-const SphereRenderOptions picture{.width = 32, .height = 32, .samples = 16, .lobe = {}};
+const RenderOptions picture{.width = 32, .height = 32, .samples = 16, .lobe = {}};
 
 struct Studied {
   TrainingMaterials materials = ggxMaterials(7);

@@ -4,6 +4,8 @@
 
 #include <cassert>
 
+#include "widgets/preview/gl/edit_chain.h"
+
 namespace gonio::widgets {
 
 namespace {
@@ -25,10 +27,9 @@ void setMoves(QOpenGLShaderProgram& program, const std::vector<editing::Differen
 
 void addModel(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
               QStringList& preamble) {
-  const QString id = QString::fromUtf8(model.spec().id.data(), qsizetype(model.spec().id.size()));
-  definitions << "EVALUATE_MODEL evaluate_" + QString(id).replace('-', '_')
+  definitions << "EVALUATE_MODEL " + modelFunction(model)
               << QString("MODEL_PARAMETERS %1").arg(model.shaderParameters(values).size());
-  preamble << "models/" + id + ".glsl";
+  preamble << modelFile(model);
 }
 
 void BlendTextures::addVariant(const PreviewBlend& blend, QStringList& definitions, QStringList& preamble) {

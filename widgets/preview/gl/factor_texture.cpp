@@ -24,13 +24,9 @@ constexpr Curve curvesOfTerm[] = {&PdvTerm::f1, &PdvTerm::f2, &PdvTerm::f3};
 using Nodes = std::vector<double> PdvFactors::*;
 constexpr Nodes nodesOfAxis[] = {&PdvFactors::thetaNodes, &PdvFactors::deviationNodes, &PdvFactors::phiNodes};
 
-int axesOf(const FactorEdit& edit) {
-  return edit.edited->phiNodes.size() > 1 || edit.original->phiNodes.size() > 1 ? 3 : 2;
-}
-int termsOf(const FactorEdit& edit) { return std::max(edit.edited->terms(), edit.original->terms()); }
-
-double endOf(const PdvFactors& a, const PdvFactors& b, int axis) {
-  const double end = std::max((a.*nodesOfAxis[axis]).back(), (b.*nodesOfAxis[axis]).back());
+double endOf(const FactorEdit& edit, int axis) {
+  const double end =
+      std::max((edit.edited.get()->*nodesOfAxis[axis]).back(), (edit.original.get()->*nodesOfAxis[axis]).back());
   return end > 0 ? end : 1;
 }
 
@@ -51,58 +47,91 @@ void fillCurve(glm::vec4* texels, int stride, int places, const PdvFactors& f, i
   }
 }
 
-}  // namespace
+/// Texels at one place.
+int strideOf(const FactorEdit& edit) { return 2 * FactorTexture::termsOf(edit) * FactorTexture::axesOf(edit); }
 
-QStringList FactorTexture::definitions(const FactorEdit& edit) {
-  QStringList definitions{"EDIT_FACTORS", QString("FACTOR_AXES %1").arg(axesOf(edit)),
-                          QString("FACTOR_TERMS %1").arg(termsOf(edit))};
-  if (edit.keepDetail) definitions << "KEEP_DETAIL";
-  return definitions;
-}
-
-void FactorTexture::update(QOpenGLFunctions_4_1_Core& gl, const FactorEdit& edit) {
-  const bool known = texture_ != 0 && edit.original == original_ && edit.edited == edited_;
-  if (texture_ == 0) gl.glGenTextures(1, &texture_);
-  gl.glBindTexture(GL_TEXTURE_BUFFER, texture_);
-  if (known) return;
-  original_ = edit.original;
-  edited_ = edit.edited;
-  const int axes = axesOf(edit), terms = termsOf(edit), stride = 2 * terms * axes;
-  GLint mostTexels = 0;
-  gl.glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &mostTexels);
-  places_ = std::clamp(mostTexels / stride, 2, mostPlaces);
-  std::vector<glm::vec4> texels(std::size_t(stride) * std::size_t(places_), glm::vec4(0));
+std::vector<glm::vec4> texelsOf(const FactorEdit& edit, int places) {
+  const int axes = FactorTexture::axesOf(edit), stride = strideOf(edit);
+  std::vector<glm::vec4> texels(std::size_t(stride) * std::size_t(places), glm::vec4(0));
   const auto fill = [&](const PdvFactors& factors, glm::vec4* first) {
     for (int term = 0; term < factors.terms(); ++term)
       for (int axis = 0; axis < axes; ++axis)
-        fillCurve(first + term * axes + axis, stride, places_, factors, term, axis, endOf(*edited_, *original_, axis),
-                  axes);
+        fillCurve(first + term * axes + axis, stride, places, factors, term, axis, endOf(edit, axis), axes);
   };
-  fill(*edited_, texels.data());
+  fill(*edit.edited, texels.data());
   // A blend has no other curves than those it shows.
-  if (original_ != edited_)
-    fill(*original_, texels.data() + terms * axes);
+  if (edit.original != edit.edited)
+    fill(*edit.original, texels.data() + stride / 2);
   else
     for (auto place = texels.begin(); place != texels.end(); place += stride)
-      std::copy_n(place, terms * axes, place + terms * axes);
-  if (buffer_ == 0) gl.glGenBuffers(1, &buffer_);
-  gl.glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
-  gl.glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(), GL_DYNAMIC_DRAW);
+      std::copy_n(place, stride / 2, place + stride / 2);
+  return texels;
+}
+
+}  // namespace
+
+int FactorTexture::axesOf(const FactorEdit& edit) {
+  return edit.edited->phiNodes.size() > 1 || edit.original->phiNodes.size() > 1 ? 3 : 2;
+}
+
+int FactorTexture::termsOf(const FactorEdit& edit) { return std::max(edit.edited->terms(), edit.original->terms()); }
+
+bool FactorTexture::sameLayout(const std::vector<FactorEdit>& edits) const {
+  return std::equal(edits.begin(), edits.end(), edits_.begin(), edits_.end(),
+                    [](const FactorEdit& a, const FactorEdit& b) { return strideOf(a) == strideOf(b); });
+}
+
+void FactorTexture::allocate(QOpenGLFunctions_4_1_Core& gl, const std::vector<FactorEdit>& edits) {
+  int stride = 0;
+  for (const FactorEdit& edit : edits) stride += strideOf(edit);
+  GLint mostTexels = 0;
+  gl.glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &mostTexels);
+  places_ = std::clamp(mostTexels / stride, 2, mostPlaces);
+  firstTexels_.clear();
+  int texels = 0;
+  for (const FactorEdit& edit : edits) {
+    firstTexels_.push_back(texels);
+    texels += strideOf(edit) * places_;
+  }
+  gl.glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(std::size_t(texels) * sizeof(glm::vec4)), nullptr, GL_DYNAMIC_DRAW);
   gl.glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_);
+}
+
+void FactorTexture::update(QOpenGLFunctions_4_1_Core& gl, const std::vector<FactorEdit>& edits) {
+  if (texture_ == 0) gl.glGenTextures(1, &texture_);
+  if (buffer_ == 0) gl.glGenBuffers(1, &buffer_);
+  gl.glBindTexture(GL_TEXTURE_BUFFER, texture_);
+  gl.glBindBuffer(GL_TEXTURE_BUFFER, buffer_);
+  const bool known = sameLayout(edits);
+  if (!known) allocate(gl, edits);
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    if (known && edits[i].original == edits_[i].original && edits[i].edited == edits_[i].edited) continue;
+    const std::vector<glm::vec4> texels = texelsOf(edits[i], places_);
+    gl.glBufferSubData(GL_TEXTURE_BUFFER, GLintptr(std::size_t(firstTexels_[i]) * sizeof(glm::vec4)),
+                       GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data());
+  }
   gl.glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  edits_ = edits;
 }
 
 void FactorTexture::setUniforms(QOpenGLShaderProgram& program, int unit) const {
   program.setUniformValue("factorCurves", unit);
   program.setUniformValue("factorPlaceCount", places_);
-  const auto end = [this](int axis) { return float(endOf(*edited_, *original_, axis)); };
-  program.setUniformValue("factorEnds", QVector3D(end(0), end(deviationAxis), end(phiAxis)));
-  const PdvFactors* sets[] = {edited_.get(), original_.get()};
-  for (int i = 0; i < 2; ++i) {
-    const QByteArray place = '[' + QByteArray::number(i) + ']';
-    program.setUniformValue(("factorHighest" + place).constData(), float(sets[i]->highest));
-    program.setUniformValue(("factorTransform" + place).constData(), int(sets[i]->transform));
+  program.setUniformValueArray("factorFirst", firstTexels_.data(), int(firstTexels_.size()));
+  std::vector<QVector3D> ends;
+  std::vector<float> highest;
+  std::vector<int> transforms;
+  for (const FactorEdit& edit : edits_) {
+    const auto end = [&](int axis) { return float(endOf(edit, axis)); };
+    ends.emplace_back(end(0), end(deviationAxis), end(phiAxis));
+    for (const PdvFactors* set : {edit.edited.get(), edit.original.get()}) {
+      highest.push_back(float(set->highest));
+      transforms.push_back(int(set->transform));
+    }
   }
+  program.setUniformValueArray("factorEnds", ends.data(), int(ends.size()));
+  program.setUniformValueArray("factorHighest", highest.data(), int(highest.size()), 1);
+  program.setUniformValueArray("factorTransform", transforms.data(), int(transforms.size()));
 }
 
 void FactorTexture::release(QOpenGLFunctions_4_1_Core& gl) {

@@ -26,7 +26,7 @@ QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d
 }  // namespace
 
 PreviewRenderer::PreviewRenderer(std::shared_ptr<PreviewResources> resources) : resources_(std::move(resources)) {
-  const Scene sphere = gonio::sceneOf(SphereScene{});
+  const Scene sphere = sphereScene();
   setScene(sphere, previewPlan(sphere, diffuseMaterial(Rgb(0.5))));
 }
 
@@ -42,27 +42,13 @@ void PreviewRenderer::release() {
   tableTexture_.reset();
   uploadedTable_.reset();
   blendTextures_.release();
-  if (resources_->isInitialized()) factorTexture_.release(*this);
+  if (resources_->isInitialized()) editChain_.release(*this);
   if (resources_.use_count() == 1) resources_->release();
   restart();
 }
 
 void PreviewRenderer::setSubject(const PreviewSubject& subject) {
   subject_ = subject;
-  restart();
-}
-
-void PreviewRenderer::setTable(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe) {
-  setSubject({.table = std::move(table), .lobe = lobe});
-}
-
-void PreviewRenderer::setEdit(std::optional<editing::DifferentialEdit> edit) {
-  subject_.edit = std::move(edit);
-  restart();
-}
-
-void PreviewRenderer::setFactors(std::optional<editing::FactorEdit> factors) {
-  subject_.factors = std::move(factors);
   restart();
 }
 
@@ -89,14 +75,14 @@ void PreviewRenderer::setSize(const QSize& size) {
 
 QOpenGLShaderProgram& PreviewRenderer::sceneProgram() {
   QStringList definitions = sceneUniforms_.definitions(), preamble;
-  const bool edited = subject_.hasActiveEdit();
-  const models::Model* model = edited ? subject_.edit->model : subject_.blend ? nullptr : subject_.model;
-  if (model) {
-    definitions << (edited ? "EDIT_MODEL" : "MODEL_ALONE");
-    addModel(*model, edited ? subject_.edit->fitted : subject_.parameters, definitions, preamble);
+  if (const auto* edited = std::get_if<EditedTable>(&subject_.shown)) {
+    EditChain::addVariant(edited->edits, definitions, preamble);
+  } else if (const auto* alone = std::get_if<ModelAlone>(&subject_.shown)) {
+    definitions << "MODEL_ALONE";
+    addModel(*alone->model, alone->parameters, definitions, preamble);
+  } else if (const auto* blend = std::get_if<PreviewBlend>(&subject_.shown)) {
+    BlendTextures::addVariant(*blend, definitions, preamble);
   }
-  if (subject_.blend) BlendTextures::addVariant(*subject_.blend, definitions, preamble);
-  if (subject_.hasActiveFactors()) definitions << FactorTexture::definitions(*subject_.factors);
   return resources_->program("preview/scene.frag", definitions, preamble);
 }
 
@@ -117,26 +103,17 @@ void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
   sceneUniforms_.set(program);
 }
 
-void PreviewRenderer::setModelUniforms(QOpenGLShaderProgram& program) {
-  const auto set = [&](const char* name, const models::Model& model, const models::ParameterValues& values) {
-    const std::vector<glm::vec3> uniforms = model.shaderParameters(values);
-    program.setUniformValueArray(name, &uniforms.front().x, int(uniforms.size()), 3);
-  };
-  if (subject_.blend) return;
-  if (subject_.model) set("modelParameters", *subject_.model, subject_.parameters);
-  if (!subject_.hasActiveEdit()) return;
-  const editing::DifferentialEdit& edit = *subject_.edit;
-  set("editedParameters", *edit.model, edit.edited);
-  set("fittedParameters", *edit.model, edit.fitted);
-  program.setUniformValue("editStrength", float(edit.strength));
-}
-
-void PreviewRenderer::setFactorUniforms(QOpenGLShaderProgram& program) {
-  if (!subject_.hasActiveFactors()) return;
-  glActiveTexture(GL_TEXTURE0 + factorUnit);
-  factorTexture_.update(*this, *subject_.factors);
-  factorTexture_.setUniforms(program, factorUnit);
-  program.setUniformValue("factorStrength", float(subject_.factors->strength));
+/// Uniforms and textures of what is shown.
+void PreviewRenderer::bindMaterial(QOpenGLShaderProgram& program) {
+  bindTable(program);
+  if (const auto* edited = std::get_if<EditedTable>(&subject_.shown))
+    editChain_.bind(*this, program, edited->edits, factorUnit);
+  else if (const auto* alone = std::get_if<ModelAlone>(&subject_.shown))
+    setModelParameters(program, "modelParameters", *alone->model, alone->parameters);
+  else if (const auto* blend = std::get_if<PreviewBlend>(&subject_.shown))
+    blendTextures_.bind(*this, program, *resources_, *blend);
+  program.setUniformValue("lobeRoughness", float(subject_.lobe.roughness));
+  program.setUniformValue("lobeSpecularShare", float(subject_.lobe.specularShare));
 }
 
 void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count) {
@@ -154,22 +131,22 @@ void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count
   program.setUniformValueArray("pixelOffsets", offsets, count);
 }
 
-void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
-  const std::shared_ptr<const TabulatedBrdf> table = subject_.isAlone() ? nullptr : subject_.table;
+void PreviewRenderer::bindTable(QOpenGLShaderProgram& program) {
+  const auto* edited = std::get_if<EditedTable>(&subject_.shown);
+  const std::shared_ptr<const TabulatedBrdf> table = subject_.table();
   if (table != uploadedTable_ || (table && !tableTexture_)) {
     glActiveTexture(GL_TEXTURE0 + tableUnit);
-    tableTexture_ = resources_->table(table, subject_.code);
+    tableTexture_ = resources_->table(table, edited ? edited->code : nullptr);
     uploadedTable_ = table;
   }
-  if (tableTexture_) {
-    glActiveTexture(GL_TEXTURE0 + tableUnit);
-    glBindTexture(GL_TEXTURE_3D, tableTexture_->name);
-    program.setUniformValue("table", tableUnit);
-    program.setUniformValue("phiPeriod", float(tableTexture_->phiPeriod));
-  }
-  if (subject_.blend) blendTextures_.bind(*this, program, *resources_, *subject_.blend);
-  program.setUniformValue("lobeRoughness", float(subject_.lobe.roughness));
-  program.setUniformValue("lobeSpecularShare", float(subject_.lobe.specularShare));
+  if (!tableTexture_) return;
+  glActiveTexture(GL_TEXTURE0 + tableUnit);
+  glBindTexture(GL_TEXTURE_3D, tableTexture_->name);
+  program.setUniformValue("table", tableUnit);
+  program.setUniformValue("phiPeriod", float(tableTexture_->phiPeriod));
+}
+
+void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
   if (!sceneUniforms_.usesEnvironment()) return;
   resources_->bindEnvironment(scene_.environment);
   program.setUniformValue("environment", environmentUnit);
@@ -206,10 +183,9 @@ void PreviewRenderer::accumulate(int count) {
   QOpenGLShaderProgram& program = sceneProgram();
   program.bind();
   createTarget();
+  bindMaterial(program);
   bindTextures(program);
   setCameraUniforms(program);
-  setModelUniforms(program);
-  setFactorUniforms(program);
   prepareTarget();
   setSampleUniforms(program, count);
   drawInBands();

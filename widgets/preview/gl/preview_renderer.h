@@ -7,7 +7,7 @@
 
 #include "core/rendering/film.h"
 #include "widgets/preview/gl/blend_textures.h"
-#include "widgets/preview/gl/factor_texture.h"
+#include "widgets/preview/gl/edit_chain.h"
 #include "widgets/preview/gl/preview_resources.h"
 #include "widgets/preview/gl/preview_subject.h"
 #include "widgets/preview/gl/scene_uniforms.h"
@@ -30,14 +30,10 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   /// Frees what belongs to the context; the resources too unless another picture shares them.
   void release();
 
+  /// What it costs comes with the frame: the upload of a new table (about 20 ms for 90 x 90 x 180); the shader of kinds
+  /// of edits and models that were not drawn before; else uniforms, and the small texture of a factor edit's curves.
   void setSubject(const PreviewSubject& subject);
   const PreviewSubject& subject() const { return subject_; }
-  /// A table without an edit; null: nothing to draw. The upload (about 20 ms for 90 x 90 x 180) comes with the frame.
-  void setTable(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe);
-  /// Uniforms only. The shader of a model is compiled at its first use.
-  void setEdit(std::optional<editing::DifferentialEdit> edit);
-  /// Small textures only: what a drag of a factor curve changes.
-  void setFactors(std::optional<editing::FactorEdit> factors);
   /// Density of the reflected samples under an environment. An edit that sharpens a highlight needs a new one, else the
   /// mirror is dark with sparkles.
   void setLobe(const SamplingLobe& lobe);
@@ -61,15 +57,15 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
 
   /// RGBA32F: sum over samples() of linear radiance, with the coverage in alpha. 0 before the first frame.
   GLuint accumulationTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->texture() : 0; }
-  /// The mean as linear RGB with coverage in alpha: what renderSphere() returns.
+  /// The mean as linear RGB with coverage in alpha: what renderPicture() returns.
   Image readPicture();
 
  private:
   QOpenGLShaderProgram& sceneProgram();
   void setCameraUniforms(QOpenGLShaderProgram& program);
-  void setFactorUniforms(QOpenGLShaderProgram& program);
-  void setModelUniforms(QOpenGLShaderProgram& program);
+  void bindMaterial(QOpenGLShaderProgram& program);
   void setSampleUniforms(QOpenGLShaderProgram& program, int count);
+  void bindTable(QOpenGLShaderProgram& program);
   void bindTextures(QOpenGLShaderProgram& program);
   void createTarget();
   void prepareTarget();
@@ -77,7 +73,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
 
   std::shared_ptr<PreviewResources> resources_;
   std::shared_ptr<const TableTexture> tableTexture_;
-  FactorTexture factorTexture_;
+  EditChain editChain_;
   BlendTextures blendTextures_;
   std::unique_ptr<QOpenGLFramebufferObject> accumulation_;
   PreviewSubject subject_;

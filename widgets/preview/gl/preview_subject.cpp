@@ -4,23 +4,76 @@
 
 namespace gonio::widgets {
 
+namespace {
+
+/// Those that change something, without what is for people alone.
+editing::EditList activeEdits(const editing::EditList& edits) {
+  editing::EditList active;
+  for (const editing::Edit& edit : edits)
+    if (!edit.isIdentity()) active.push_back({edit.content, {}, edit.strength});
+  return active;
+}
+
+bool same(std::monostate, std::monostate) { return true; }
+bool same(const EditedTable& a, const EditedTable& b) {
+  return a.table == b.table && activeEdits(a.edits) == activeEdits(b.edits);
+}
+bool same(const ModelAlone& a, const ModelAlone& b) {
+  return a.model == b.model && a.parameters == b.parameters && a.grid == b.grid;
+}
+bool same(const PreviewBlend& a, const PreviewBlend& b) {
+  return a.interpolation == b.interpolation && a.weights == b.weights;
+}
+
+using BrdfPointer = std::shared_ptr<const Brdf>;
+BrdfPointer brdfOf(std::monostate) { return nullptr; }
+BrdfPointer brdfOf(const EditedTable& shown) { return editing::applyEdits(shown.table, shown.edits); }
+BrdfPointer brdfOf(const ModelAlone& shown) { return shown.model->instantiate(shown.parameters); }
+BrdfPointer brdfOf(const PreviewBlend& shown) { return shown.interpolation->brdf(shown.weights); }
+
+using TablePointer = std::shared_ptr<const TabulatedBrdf>;
+TablePointer tableOf(std::monostate, const TaskControl&) { return nullptr; }
+TablePointer tableOf(const EditedTable& shown, const TaskControl& control) {
+  return editing::bakeEdits(shown.table, shown.edits, control);
+}
+TablePointer tableOf(const ModelAlone& shown, const TaskControl& control) {
+  return bakeTable(*brdfOf(shown), shown.grid, control);
+}
+TablePointer tableOf(const PreviewBlend& shown, const TaskControl& control) {
+  return shown.interpolation->table(shown.weights, control);
+}
+
+}  // namespace
+
+TablePointer PreviewSubject::table() const {
+  const auto* edited = std::get_if<EditedTable>(&shown);
+  return edited ? edited->table : nullptr;
+}
+
+bool PreviewSubject::isMeasured() const {
+  const auto* edited = std::get_if<EditedTable>(&shown);
+  return edited && editing::isIdentity(edited->edits);
+}
+
+PreviewSubject tableSubject(TablePointer table, const SamplingLobe& lobe) {
+  if (!table) return {};
+  return {EditedTable{std::move(table)}, lobe};
+}
+
 bool sameSubject(const PreviewSubject& a, const PreviewSubject& b) {
-  if (a.blend || b.blend)
-    return a.blend && b.blend && a.blend->interpolation == b.blend->interpolation &&
-           a.blend->weights == b.blend->weights;
-  if (a.model || b.model) return a.model == b.model && a.parameters == b.parameters;
-  if (a.table != b.table || a.hasActiveEdit() != b.hasActiveEdit()) return false;
-  if (a.hasActiveFactors() != b.hasActiveFactors() || (a.hasActiveFactors() && a.factors != b.factors)) return false;
-  if (a.lobe.roughness != b.lobe.roughness || a.lobe.specularShare != b.lobe.specularShare) return false;
-  return !a.hasActiveEdit() || (a.edit->model == b.edit->model && a.edit->fitted == b.edit->fitted &&
-                                a.edit->edited == b.edit->edited && a.edit->strength == b.edit->strength);
+  if (a.shown.index() != b.shown.index()) return false;
+  const bool tables = std::holds_alternative<EditedTable>(a.shown);
+  if (tables && (a.lobe.roughness != b.lobe.roughness || a.lobe.specularShare != b.lobe.specularShare)) return false;
+  return std::visit([&](const auto& shown) { return same(shown, std::get<std::decay_t<decltype(shown)>>(b.shown)); },
+                    a.shown);
 }
 
 std::shared_ptr<const Brdf> subjectBrdf(const PreviewSubject& subject) {
-  if (subject.blend) return subject.blend->interpolation->brdf(subject.blend->weights);
-  if (subject.model) return subject.model->instantiate(subject.parameters);
-  if (!subject.table) return nullptr;
-  return editing::applyEdits(subject.table, subject.edits());
+  return std::visit([](const auto& shown) { return brdfOf(shown); }, subject.shown);
+}
+
+std::shared_ptr<const TabulatedBrdf> subjectTable(const PreviewSubject& subject, const TaskControl& control) {
+  return std::visit([&](const auto& shown) { return tableOf(shown, control); }, subject.shown);
 }
 
 }  // namespace gonio::widgets

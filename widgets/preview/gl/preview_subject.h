@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <optional>
+#include <variant>
 
 #include "core/brdf/sampling_lobe.h"
 #include "core/brdf/tabulated_brdf.h"
@@ -11,6 +11,20 @@
 #include "widgets/preview/gl/code_texels.h"
 
 namespace gonio::widgets {
+
+/// A measured table, with or without edits.
+struct EditedTable {
+  std::shared_ptr<const TabulatedBrdf> table;  ///< never null
+  editing::EditList edits = {};
+  std::shared_ptr<const EnsembleCode> code = {};  ///< that `table` was decoded from, where there is one
+};
+
+/// A model without a measurement.
+struct ModelAlone {
+  const models::Model* model = nullptr;
+  models::ParameterValues parameters = {};
+  HalfDifferenceGrid grid = {};  ///< of the table that stands for it where one is needed
+};
 
 /// Materials that the shader mixes: what `interpolation` gives at the weights.
 struct PreviewBlend {
@@ -21,31 +35,29 @@ struct PreviewBlend {
   std::vector<editing::DifferentialEdit> moves = {};  ///< of each material before it is mixed, to one target; or none
 };
 
-/// What a picture shows: a measured table, with or without edits, or a model alone, or a blend of materials.
+/// What a picture shows; nothing at first.
 struct PreviewSubject {
-  std::shared_ptr<const TabulatedBrdf> table;          ///< null: nothing, or the model alone
-  SamplingLobe lobe;                                   ///< density of the reflected samples
-  std::optional<editing::DifferentialEdit> edit = {};  ///< on the table
-  std::optional<editing::FactorEdit> factors = {};     ///< on the table, before `edit`
-  const models::Model* model = nullptr;                ///< alone: the table and the edit do not count
-  models::ParameterValues parameters = {};             ///< of `model`
-  std::optional<PreviewBlend> blend = {};              ///< alone: nothing of the above counts but the lobe
-  std::shared_ptr<const EnsembleCode> code = {};       ///< that `table` was decoded from, where there is one
+  std::variant<std::monostate, EditedTable, ModelAlone, PreviewBlend> shown = {};
+  SamplingLobe lobe = {};  ///< density of the reflected samples
 
-  bool isEmpty() const { return !table && !model && !blend; }
-  bool hasActiveEdit() const { return !isAlone() && edit && !edit->isIdentity(); }
-  bool hasActiveFactors() const { return !isAlone() && factors && !factors->isIdentity(); }
-  /// Whether it is the table as it is.
-  bool isMeasured() const { return !isAlone() && !hasActiveEdit() && !hasActiveFactors(); }
-  /// Whether it needs no table of its own.
-  bool isAlone() const { return model || blend; }
-  std::vector<editing::Edit> edits() const { return editing::editStack(factors, edit); }
+  bool isEmpty() const { return std::holds_alternative<std::monostate>(shown); }
+  /// Null where no table is shown.
+  std::shared_ptr<const TabulatedBrdf> table() const;
+  /// Whether it is a table as it is: without edits that change something.
+  bool isMeasured() const;
 };
+
+/// A table without edits; null: nothing.
+PreviewSubject tableSubject(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe = {});
 
 /// Whether two subjects look the same for certain: equal values on the same table.
 bool sameSubject(const PreviewSubject& a, const PreviewSubject& b);
 
 /// The same as a function: what core/rendering draws for comparison, what metrics judge. Null when it is empty.
 std::shared_ptr<const Brdf> subjectBrdf(const PreviewSubject& subject);
+
+/// The same as a table: of a model alone on its grid, of a blend as the interpolation has it. Null when it is empty.
+/// @throws Cancelled.
+std::shared_ptr<const TabulatedBrdf> subjectTable(const PreviewSubject& subject, const TaskControl& control = {});
 
 }  // namespace gonio::widgets

@@ -9,12 +9,12 @@ namespace gonio::widgets {
 
 namespace {
 
-constexpr float lookedAt = 0, diffuse = 1, emitting = 2;  // of preview/scene_shapes.glsl
+constexpr float materialSlot = 0, diffuse = 1, emitting = 2;  // of preview/scene_shapes.glsl
 
 glm::vec4 colourOf(const SceneObject& object) {
   if (object.emits()) return glm::vec4(object.radiance, emitting);
   if (const auto* surface = std::get_if<Diffuse>(&object.material)) return glm::vec4(surface->reflectance, diffuse);
-  return {0, 0, 0, lookedAt};
+  return {0, 0, 0, materialSlot};
 }
 
 /// The shader's numbers of the objects: spheres, rectangles, lamps.
@@ -134,9 +134,9 @@ void SceneUniforms::set(QOpenGLShaderProgram& program) const {
   if (!blockers_.empty()) program.setUniformValueArray("blockers", blockers_.data(), int(blockers_.size()));
 }
 
-EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const TracedMaterial>& material,
-                       const EffectOverrides& overrides, const TracedMaterials& others) {
-  return planEffects(scene, bindMaterials(scene, lookedAtMaterials(scene, material, others)), overrides);
+EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const RenderMaterial>& material,
+                       const EffectOverrides& overrides, const RenderMaterials& others) {
+  return planEffects(scene, bindMaterials(scene, materialsInSlots(scene, material, others)), overrides);
 }
 
 }  // namespace gonio::widgets

@@ -44,8 +44,8 @@ class SceneUniforms {
        showEnvironment_ = false;
 };
 
-/// The plan of a scene of lookedAtMaterials().
-EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const TracedMaterial>& material,
-                       const EffectOverrides& overrides = {}, const TracedMaterials& others = {});
+/// The plan of a scene of materialsInSlots().
+EffectPlan previewPlan(const Scene& scene, const std::shared_ptr<const RenderMaterial>& material,
+                       const EffectOverrides& overrides = {}, const RenderMaterials& others = {});
 
 }  // namespace gonio::widgets

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document/material_files.h"
+
+#include <QCoreApplication>
+
+#include "core/editing/edit_document.h"
+#include "core/materials/material_formats.h"
+
+namespace gonio::app {
+
+namespace {
+
+struct MaterialFilesText {
+  Q_DECLARE_TR_FUNCTIONS(MaterialFiles)
+};
+
+QString toQt(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
+
+QStringList patterns(bool (*isWanted)(const materials::MaterialFormat&)) {
+  QStringList result;
+  for (const materials::MaterialFormat& format : materials::materialFormats())
+    if (isWanted(format))
+      for (const std::string_view suffix : format.suffixes) result << '*' + toQt(suffix);
+  return result;
+}
+
+/// "MERL table (*.binary)" for each format.
+QStringList filters(bool (*isWanted)(const materials::MaterialFormat&)) {
+  QStringList result;
+  for (const materials::MaterialFormat& format : materials::materialFormats())
+    if (isWanted(format)) result << QStringLiteral("%1 (*%2)").arg(toQt(format.label), toQt(format.suffix()));
+  return result;
+}
+
+QString materialsAndDocuments() {
+  return MaterialFilesText::tr("Materials and documents (%1 *%2)")
+      .arg(materialFilePatterns().join(' '), documentSuffix());
+}
+
+}  // namespace
+
+QStringList materialFilePatterns() { return patterns(materials::isAnyFormat); }
+QStringList measurementFilePatterns() { return patterns(materials::isMeasurement); }
+
+QString materialFilter() { return materialsAndDocuments() + ";;" + MaterialFilesText::tr("All files (*)"); }
+
+QString openFilter() {
+  const QStringList all = QStringList{materialsAndDocuments()} + filters(materials::isAnyFormat) +
+                          QStringList{MaterialFilesText::tr("Gonio document (*%1)").arg(documentSuffix()),
+                                      MaterialFilesText::tr("All files (*)")};
+  return all.join(";;");
+}
+
+QString exportFilter() { return filters(materials::isWritable).join(";;"); }
+QString tableSuffix() { return toQt(materials::formatOf(materials::FormatId::merl).suffix()); }
+
+bool isDocument(const QString& path) { return editing::isDocumentName(path.toStdString()); }
+QString documentSuffix() { return toQt(editing::documentSuffix); }
+
+}  // namespace gonio::app

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QStringList>
+
+/// The table of the formats of materials (core/materials/material_formats.h) in the words of Qt's dialogs and folders.
+/// Files are opened by their content, whatever they are called.
+namespace gonio::app {
+
+/// "*.binary", "*.bsdf", ..: of what a dialog or a folder of the library shows.
+QStringList materialFilePatterns();
+/// Of measured materials alone: what a folder gives to a training set.
+QStringList measurementFilePatterns();
+
+/// "Materials and documents (..);;All files (*)".
+QString materialFilter();
+/// The same with a filter for each format between.
+QString openFilter();
+/// "MERL table (*.binary)": every format that materials are written in.
+QString exportFilter();
+/// ".binary": of what the editor writes where nobody chooses a format.
+QString tableSuffix();
+
+/// By its suffix: a .gonio document, not a material.
+bool isDocument(const QString& path);
+QString documentSuffix();
+
+}  // namespace gonio::app

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/editing/edit.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cassert>
+#include <limits>
+
+#include "core/coordinates/azimuth_rotation.h"
+#include "core/math/parallel.h"
+
+namespace gonio::editing {
+
+namespace {
+
+constexpr std::size_t bakeBlock = 4096;
+/// Pairs that are worked on at once: scratch stays on the stack, so single look-ups allocate nothing.
+constexpr std::size_t chunkSize = 64;
+
+/// An edit that changes something, ready to evaluate.
+struct ActiveEdit {
+  std::shared_ptr<const Brdf> edited;
+  std::shared_ptr<const Brdf> fitted;  ///< null: `edited` takes the place of the base
+  double strength;
+
+  bool isIsotropic() const { return edited->isIsotropic() && (!fitted || fitted->isIsotropic()); }
+  bool isReciprocal() const { return edited->isReciprocal() && (!fitted || fitted->isReciprocal()); }
+};
+
+bool allIsotropic(std::span<const ActiveEdit> edits) {
+  return std::all_of(edits.begin(), edits.end(), [](const ActiveEdit& edit) { return edit.isIsotropic(); });
+}
+
+ActiveEdit activated(const DifferentialEdit& edit, double strength) {
+  assert(edit.model);
+  return {edit.model->instantiate(edit.edited), edit.model->instantiate(edit.fitted), strength};
+}
+
+ActiveEdit activated(const FactorEdit& edit, double strength) {
+  assert(edit.original && edit.edited);
+  return {factorization::makePdvBrdf(*edit.edited),
+          edit.keepDetail ? factorization::makePdvBrdf(*edit.original) : nullptr, strength};
+}
+
+std::vector<ActiveEdit> activate(std::span<const Edit> edits) {
+  std::vector<ActiveEdit> active;
+  for (const Edit& edit : edits)
+    if (!edit.isIdentity())
+      active.push_back(
+          std::visit([&](const auto& content) { return activated(content, edit.strength); }, edit.content));
+  return active;
+}
+
+/// Adds the edits to `values`, which hold the base, for at most chunkSize pairs. The two model values are subtracted
+/// first: where the edit leaves the model as it is, exactly 0 is added and the base survives bit for bit.
+void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> pairs, std::span<Rgb> values,
+              const Rgb& floor = Rgb(0)) {
+  std::array<Rgb, chunkSize> edited, fitted;
+  for (const ActiveEdit& edit : edits) {
+    edit.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
+    if (!edit.fitted) {
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        values[i] = glm::max(floor, (1 - edit.strength) * values[i] + edit.strength * edited[i]);
+      continue;
+    }
+    edit.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      values[i] = glm::max(floor, values[i] + edit.strength * (edited[i] - fitted[i]));
+  }
+}
+
+class EditedBrdf final : public Brdf {
+ public:
+  EditedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> edits, double floor)
+      : base_(std::move(base)), edits_(std::move(edits)), floor_(floor) {}
+
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    for (std::size_t begin = 0; begin < pairs.size(); begin += chunkSize) {
+      const std::size_t count = std::min(chunkSize, pairs.size() - begin);
+      evaluateChunk(pairs.subspan(begin, count), values.subspan(begin, count));
+    }
+  }
+
+  bool hasData(const DirectionPair& pair) const override { return base_->hasData(pair); }
+  bool isIsotropic() const override { return base_->isIsotropic() && allIsotropic(edits_); }
+  bool isReciprocal() const override {
+    return base_->isReciprocal() &&
+           std::all_of(edits_.begin(), edits_.end(), [](const ActiveEdit& edit) { return edit.isReciprocal(); });
+  }
+
+ private:
+  void evaluateChunk(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
+    base_->evaluate(pairs, values);
+    std::array<bool, chunkSize> known;
+    for (std::size_t i = 0; i < pairs.size(); ++i) known[i] = values[i] != Rgb(0) || base_->hasData(pairs[i]);
+    addEdits(edits_, pairs, values, floor_);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (!known[i]) values[i] = Rgb(0);
+  }
+
+  std::shared_ptr<const Brdf> base_;
+  std::vector<ActiveEdit> edits_;
+  Rgb floor_;  ///< of the values
+};
+
+/// The mean of the edited base over the azimuths, for at most chunkSize pairs; `values` hold the base.
+void addAveragedEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> pairs, std::span<Rgb> values) {
+  std::array<DirectionPair, chunkSize> turned;
+  std::array<Rgb, chunkSize> edited;
+  std::array<Rgb, chunkSize> sums{};
+  const auto first = [&](auto& all) { return std::span(all).first(pairs.size()); };
+  for (int n = 0; n < bakedAzimuths; ++n) {
+    const AzimuthRotation turn(pi * n / bakedAzimuths);
+    std::transform(pairs.begin(), pairs.end(), turned.begin(), turn);
+    std::copy(values.begin(), values.end(), edited.begin());
+    addEdits(edits, first(turned), first(edited));
+    for (std::size_t i = 0; i < pairs.size(); ++i) sums[i] += edited[i];
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = sums[i] / double(bakedAzimuths);
+}
+
+/// The directions of a node as bakeTable() evaluates them: rounding must not push a node on the horizon below it.
+DirectionPair bakeDirections(const HalfDifferenceGrid& grid, std::size_t cell) {
+  DirectionPair pair = grid.directions(cell);
+  for (Direction* w : {&pair.wi, &pair.wo})
+    if (!isBelowHorizon(*w)) w->z = std::max(0.0, w->z);
+  return pair;
+}
+
+/// To float; returns how many channels had to be capped.
+std::size_t store(const Rgb& value, TabulatedBrdf::Value& stored) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  std::size_t capped = 0;
+  for (int channel = 0; channel < 3; ++channel) {
+    capped += value[channel] > largest;
+    stored[channel] = static_cast<float>(std::min(value[channel], largest));
+  }
+  return capped;
+}
+
+std::shared_ptr<const Brdf> editedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> active, double floor) {
+  if (active.empty()) return base;
+  return std::make_shared<const EditedBrdf>(std::move(base), std::move(active), floor);
+}
+
+std::shared_ptr<const TabulatedBrdf> bake(const std::shared_ptr<const TabulatedBrdf>& base,
+                                          const std::vector<ActiveEdit>& active, const TaskControl& control,
+                                          std::size_t* cappedCount) {
+  if (cappedCount) *cappedCount = 0;
+  if (active.empty()) return base;
+  const HalfDifferenceGrid& grid = base->grid();
+  std::vector<TabulatedBrdf::Value> baked(base->values().begin(), base->values().end());
+  std::vector<std::uint8_t> valid(base->valid().begin(), base->valid().end());
+  std::atomic<std::size_t> capped = 0;
+  const bool isotropic = allIsotropic(active);
+  const auto bakeCells = [&](std::span<const std::size_t> cells) {
+    std::array<DirectionPair, chunkSize> pairs;
+    std::array<Rgb, chunkSize> values;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      pairs[i] = bakeDirections(grid, cells[i]);
+      values[i] = Rgb(baked[cells[i]]);
+    }
+    const auto chunkPairs = std::span(pairs).first(cells.size());
+    const auto chunkValues = std::span(values).first(cells.size());
+    if (isotropic)
+      addEdits(active, chunkPairs, chunkValues);
+    else
+      addAveragedEdits(active, chunkPairs, chunkValues);
+    for (std::size_t i = 0; i < cells.size(); ++i) capped += store(values[i], baked[cells[i]]);
+  };
+  parallelForBlocks(
+      grid.size(), bakeBlock,
+      [&](std::size_t begin, std::size_t end) {
+        std::array<std::size_t, chunkSize> cells;
+        std::size_t count = 0;
+        for (std::size_t cell = begin; cell < end; ++cell) {
+          if (valid[cell]) cells[count++] = cell;
+          if (count < chunkSize && cell + 1 < end) continue;
+          bakeCells(std::span(cells).first(count));
+          count = 0;
+        }
+      },
+      control);
+  if (cappedCount) *cappedCount = capped;
+  return std::make_shared<const TabulatedBrdf>(grid, std::move(baked), std::move(valid));
+}
+
+}  // namespace
+
+bool Edit::isIdentity() const {
+  return !enabled || strength == 0 || std::visit([](const auto& one) { return one.isIdentity(); }, content);
+}
+
+bool isIdentity(std::span<const Edit> edits) {
+  return std::all_of(edits.begin(), edits.end(), [](const Edit& edit) { return edit.isIdentity(); });
+}
+
+bool isAnisotropic(const Edit& edit) { return !allIsotropic(activate(std::span(&edit, 1))); }
+
+std::shared_ptr<const Brdf> applyEdits(std::shared_ptr<const Brdf> base, std::span<const Edit> edits) {
+  return editedBrdf(std::move(base), activate(edits), 0);
+}
+
+std::shared_ptr<const Brdf> applyEditsUnclamped(std::shared_ptr<const Brdf> base, std::span<const Edit> edits) {
+  return editedBrdf(std::move(base), activate(edits), std::numeric_limits<double>::lowest());
+}
+
+std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
+                                               std::span<const Edit> edits, const TaskControl& control,
+                                               std::size_t* cappedCount) {
+  return bake(base, activate(edits), control, cappedCount);
+}
+
+}  // namespace gonio::editing

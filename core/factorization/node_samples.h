@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/brdf/tabulated_brdf.h"
+#include "core/factorization/deviation_grid.h"
+#include "core/math/parallel.h"
+
+namespace gonio::factorization {
+
+/// BRDF values at the nodes of `Axes`: three vectors of nodes, the first of them thetaH, with size() nodes in all that
+/// index() numbers, theta_h slowest.
+template <typename Axes>
+struct NodeSamples {
+  Axes axes;
+  std::vector<Rgb> values;          ///< 1/sr, without the cosine; 0 where invalid
+  std::vector<double> cosI, cosO;   ///< cosines of the two polar angles; 0 where invalid
+  std::vector<std::uint8_t> valid;  ///< 0 where a direction lies beyond largestPolarAngle or nothing was measured
+};
+
+/// None of them valid.
+template <typename Axes>
+NodeSamples<Axes> emptySamples(const Axes& axes) {
+  return {.axes = axes,
+          .values = std::vector<Rgb>(axes.size(), Rgb(0)),
+          .cosI = std::vector<double>(axes.size(), 0),
+          .cosO = std::vector<double>(axes.size(), 0),
+          .valid = std::vector<std::uint8_t>(axes.size(), 0)};
+}
+
+/// The directions of a node, and the coordinates in which a table is read for it: the sample is their mean.
+template <std::size_t Readings>
+struct NodeReadings {
+  DirectionPair pair;
+  std::array<HalfDifference, Readings> at;
+  bool valid = true;
+};
+
+/// Samples a table. @param readingsOf NodeReadings of theta_h's index and those of the other two axes.
+/// @throws Cancelled.
+template <typename Axes, typename ReadingsOf>
+NodeSamples<Axes> sampleNodes(const TabulatedBrdf& table, const Axes& axes, std::size_t seconds, std::size_t thirds,
+                              const ReadingsOf& readingsOf, const TaskControl& control) {
+  // The last nodes stand on the limit itself.
+  const double smallestCosine = std::cos(largestPolarAngle) * (1 - 1e-9);
+  NodeSamples<Axes> samples = emptySamples(axes);
+  const auto sampleNode = [&](std::size_t i, const auto& node) {
+    if (!node.valid || node.pair.wi.z < smallestCosine || node.pair.wo.z < smallestCosine) return;
+    Rgb sum(0);
+    double count = 0;
+    for (const HalfDifference& at : node.at) {
+      bool measured = false;
+      const Rgb rho = table.lookup(at, TableLookup::trilinear, &measured);
+      if (!measured) continue;
+      sum += rho;
+      ++count;
+    }
+    if (count == 0) return;
+    samples.values[i] = sum / count;
+    samples.cosI[i] = node.pair.wi.z;
+    samples.cosO[i] = node.pair.wo.z;
+    samples.valid[i] = 1;
+  };
+  parallelForBlocks(axes.thetaH.size(), 1,
+                    [&](std::size_t h, std::size_t) {
+                      for (std::size_t s = 0; s < seconds; ++s)
+                        for (std::size_t t = 0; t < thirds; ++t) sampleNode(axes.index(h, s, t), readingsOf(h, s, t));
+                    },
+                    {.stop = control.stop});
+  return samples;
+}
+
+/// Where the cell of a node begins and ends: half way to its neighbours, at the node itself where there is none.
+inline std::pair<double, double> nodeCell(const std::vector<double>& nodes, std::size_t i) {
+  return {(nodes[i == 0 ? 0 : i - 1] + nodes[i]) / 2, (nodes[i] + nodes[std::min(i + 1, nodes.size() - 1)]) / 2};
+}
+
+inline double nodeSpacing(const std::vector<double>& nodes, std::size_t i) {
+  const auto [begin, end] = nodeCell(nodes, i);
+  return end - begin;
+}
+
+/// Solid angle of a polar node's cell for a unit of azimuth.
+inline double solidAngle(const std::vector<double>& nodes, std::size_t i) {
+  const auto [begin, end] = nodeCell(nodes, i);
+  return std::cos(begin) - std::cos(end);
+}
+
+}  // namespace gonio::factorization

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/materials/material.h"
+
+/// The bundled library (bundledLibrary() lists it): how its materials are named and read.
+namespace gonio::materials {
+
+inline constexpr std::string_view libraryScheme = "library:";
+
+/// MaterialSource::sha256 of the material of such a path, which is not read for it; empty where there is none.
+std::string librarySha256(const std::string& path);
+
+/// The material of a path "library:rgl/NAME" (MeasuredMaterial) or "library:sgd/NAME" (SgdFit).
+/// @throws Error when there is none of this name.
+Material readLibraryMaterial(const std::string& path);
+
+}  // namespace gonio::materials

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/materials/code_file.h"
+
+#include <array>
+#include <string>
+
+#include "core/dictionary/decode.h"
+#include "core/io/atomic_file.h"
+#include "core/io/container.h"
+#include "core/support/naming_file.h"
+
+namespace gonio::materials {
+
+namespace {
+
+using dictionary::CodePrecision;
+using dictionary::SparseCode;
+
+constexpr io::ContainerFormat format{.name = "sparse code",
+                                     .signature = "GONIOCOD",
+                                     .versionBytes = sizeof(std::uint16_t),
+                                     .maxBytes = std::uint64_t(1) << 21};
+constexpr int mostNodes = 1024;
+
+/// A number of the header. @param what for the error.
+template <typename Number>
+Number takeNumber(io::ContainerReader& file, const char* what, int low, int high) {
+  const auto number = file.number<Number>();
+  if (number < low || number > high)
+    file.fail(std::string(what) + " is " + std::to_string(number) + ", expected " + std::to_string(low) + " to " +
+              std::to_string(high));
+  return number;
+}
+
+HalfDifferenceGrid takeGrid(io::ContainerReader& file) {
+  const auto nodes = [&file] { return int(takeNumber<std::uint16_t>(file, "a count of nodes", 1, mostNodes)); };
+  return {.thetaHCount = nodes(),
+          .thetaDCount = nodes(),
+          .phiDCount = nodes(),
+          .reciprocal = takeNumber<std::uint16_t>(file, "the fold of phi_d", 0, 1) == 1};
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeCode(const SparseCode& code, std::uint64_t dictionaryId, CodePrecision precision) {
+  const HalfDifferenceGrid& grid = code.grid;
+  io::ContainerWriter file(format);
+  file.number(std::uint8_t(code.transform));
+  file.number(std::uint8_t(precision));
+  for (const int number : {grid.thetaHCount, grid.thetaDCount, grid.phiDCount, int(grid.reciprocal)})
+    file.number(std::uint16_t(number));
+  file.number(dictionaryId);
+  file.append(packChannels(code, precision));
+  return std::move(file).bytes();
+}
+
+void writeCode(const SparseCode& code, std::uint64_t dictionaryId, const std::filesystem::path& path,
+               CodePrecision precision) {
+  io::writeFileAtomically(path, encodeCode(code, dictionaryId, precision));
+}
+
+CodeFile readCode(const io::ByteSource& source) {
+  io::ContainerReader file(format, source);
+  CodeFile result;
+  result.code.transform = DataTransform(takeNumber<std::uint8_t>(file, "the transform", 0, 1));
+  result.precision = CodePrecision(takeNumber<std::uint8_t>(file, "the precision", 0, 1));
+  result.code.grid = takeGrid(file);
+  result.dictionaryId = file.number<std::uint64_t>();
+  unpackChannels(file.rest(), result.precision, result.code);
+  return result;
+}
+
+CodeFile readCode(const std::filesystem::path& path) {
+  return namingFile(path, [&] { return readCode(io::FileSource(path)); });
+}
+
+void expectCode(const io::ByteSource& source) { io::expectSignature(source, format); }
+
+void checkDictionary(const CodeFile& code, const NamedEnsemble& dictionary) {
+  if (code.dictionaryId != dictionary.id)
+    throw Error(
+        "the code is over another dictionary than the bundled or the given one: decode it with its own (goniotool "
+        "decode --dictionary)");
+  dictionary::checkCode(dictionary.ensemble, code.code);
+}
+
+void setCode(const CodeFile& file, Material& material) {
+  const auto dictionary = bundledDictionary();
+  checkDictionary(file, *dictionary);
+  const dictionary::SparseCode& code = file.code;
+  material.code = std::make_shared<const dictionary::SparseCode>(code);
+  material.table = dictionary::decode(dictionary->ensemble, code);
+  material.brdf = material.table;
+  material.source.grid = {code.grid.thetaHCount, code.grid.thetaDCount, code.grid.phiDCount};
+  material.source.description = std::to_string(code.coefficients()) + " coefficients a channel, transform " +
+                                std::string(dataTransformNames[std::size_t(code.transform)]);
+}
+
+}  // namespace gonio::materials

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/materials/material.h"
+
+#include <cassert>
+#include <future>
+
+#include "core/io/atomic_file.h"
+#include "core/io/format_mismatch.h"
+#include "core/io/sha256.h"
+#include "core/materials/bundled_library.h"
+#include "core/materials/material_formats.h"
+#include "core/support/naming_file.h"
+
+namespace gonio::materials {
+
+namespace {
+
+Material readFormat(const io::ByteSource& source, const TaskControl& control) {
+  const MaterialFormat& format = sniffFormat(source);
+  Material material;
+  material.source.format = format.name;
+  try {
+    format.read(source, control, material);
+  } catch (const io::FormatMismatch& mismatch) {
+    throw Error(std::string(format.name) + ": " + mismatch.what());
+  }
+  assert(format.holds.anisotropic || material.brdf->isIsotropic());
+  return material;
+}
+
+/// The bytes of a material's file, as they were read.
+std::vector<std::byte> unchangedFile(const MaterialSource& source) {
+  return namingFile(source.path, [&] {
+    std::vector<std::byte> found = io::FileSource(source.path).readAll();
+    if (io::sha256Hex(found) != source.sha256) throw Error("found other content than when it was read; read it again");
+    return found;
+  });
+}
+
+}  // namespace
+
+std::shared_ptr<const TabulatedBrdf> Material::tabulated(const TaskControl& control) const {
+  return table ? table : bakeTable(*brdf, {}, control);
+}
+
+Material readMaterial(const io::ByteSource& source, const TaskControl& control) {
+  auto hash = std::async(std::launch::async, [&source] { return io::sha256Hex(source); });
+  Material material = readFormat(source, control);
+  material.source.sha256 = hash.get();
+  return material;
+}
+
+Material readMaterial(const std::filesystem::path& path, const TaskControl& control) {
+  if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string());
+  return namingFile(path, [&] {
+    Material material = readMaterial(io::FileSource(path), control);
+    material.name = path.stem().string();
+    material.source.path = std::filesystem::absolute(path).lexically_normal();
+    return material;
+  });
+}
+
+void writeMaterial(const TabulatedBrdf& table, const std::filesystem::path& path) {
+  io::writeFileAtomically(path, writableFormat(path).write(table));
+}
+
+void writeMaterial(const Material& material, const std::filesystem::path& path, const TaskControl& control) {
+  if (material.source.format != writableFormat(path).name) return writeMaterial(*material.tabulated(control), path);
+  const std::vector<std::byte> bytes = unchangedFile(material.source);
+  control.throwIfStopped();
+  io::writeFileAtomically(path, bytes);
+}
+
+}  // namespace gonio::materials

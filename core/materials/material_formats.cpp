@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/materials/material_formats.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/io/format_mismatch.h"
+#include "core/io/merl_file.h"
+#include "core/io/rgl_brdf.h"
+#include "core/io/tensor_file.h"
+#include "core/materials/code_file.h"
+#include "core/materials/pdv_file.h"
+#include "core/support/lower_case.h"
+
+namespace gonio::materials {
+
+namespace {
+
+void sniffMerl(const io::ByteSource& source) { io::readMerlHeader(source); }
+
+void readMerlMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
+  const io::MerlTable merl = io::readMerl(source, control);
+  const HalfDifferenceGrid& grid = merl.table->grid();
+  material.table = merl.table;
+  material.brdf = merl.table;
+  material.source.grid = {grid.thetaHCount, grid.thetaDCount, grid.phiDCount};
+  if (merl.clampedCount > 0)
+    material.source.notes.push_back(std::to_string(merl.clampedCount) + " small negative values were set to 0");
+}
+
+void readRglMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
+  control.throwIfStopped();
+  io::RglFile rgl = io::readRgl(source);
+  material.brdf = std::move(rgl.brdf);
+  material.source.description = std::move(rgl.description);
+  material.source.grid = std::move(rgl.grid);
+  if (rgl.negativeCount > 0)
+    material.source.notes.push_back(std::to_string(rgl.negativeCount) +
+                                    " negative values; where they make a BRDF value negative it is set to 0");
+}
+
+void readPdvMaterial(const io::ByteSource& source, const TaskControl&, Material& material) {
+  const factorization::PdvFactors factors = readPdv(source);
+  material.brdf = factorization::makePdvBrdf(factors);
+  material.source.grid = {int(factors.thetaNodes.size()), int(factors.deviationNodes.size()),
+                          int(factors.phiNodes.size())};
+  material.source.description = std::to_string(factors.terms()) + (factors.terms() == 1 ? " term of " : " terms of ") +
+                                (factors.form == factorization::PdvForm::twoFactors ? "two" : "three") +
+                                " factors, transform " +
+                                std::string(dataTransformNames[std::size_t(factors.transform)]);
+}
+
+void readCodeMaterial(const io::ByteSource& source, const TaskControl&, Material& material) {
+  setCode(readCode(source), material);
+}
+
+constexpr std::string_view merlSuffixes[] = {".binary"}, rglSuffixes[] = {".bsdf"}, pdvSuffixes[] = {".pdv"},
+                           codeSuffixes[] = {".code"};
+
+constexpr std::array formats{
+    MaterialFormat{.id = FormatId::merl,
+                   .name = "MERL",
+                   .label = "MERL table",
+                   .suffixes = merlSuffixes,
+                   .isMeasurement = true,
+                   .holds = {.nonReciprocal = true},
+                   .sniff = sniffMerl,
+                   .read = readMerlMaterial,
+                   .write = io::encodeMerl},
+    MaterialFormat{.id = FormatId::rgl,
+                   .name = "RGL",
+                   .label = "RGL material",
+                   .suffixes = rglSuffixes,
+                   .isMeasurement = true,
+                   .holds = {.nonReciprocal = true, .anisotropic = true},
+                   .sniff = io::expectTensorFile,
+                   .read = readRglMaterial,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::pdv,
+                   .name = "PDV factors",
+                   .label = "PDV factors",
+                   .suffixes = pdvSuffixes,
+                   .isMeasurement = false,
+                   .holds = {.nonReciprocal = true},
+                   .sniff = expectPdv,
+                   .read = readPdvMaterial,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::code,
+                   .name = "sparse code",
+                   .label = "sparse code",
+                   .suffixes = codeSuffixes,
+                   .isMeasurement = false,
+                   .holds = {.nonReciprocal = true},
+                   .sniff = expectCode,
+                   .read = readCodeMaterial,
+                   .write = nullptr},
+};
+
+}  // namespace
+
+std::span<const MaterialFormat> materialFormats() { return formats; }
+
+const MaterialFormat& formatOf(FormatId id) { return *std::ranges::find(formats, id, &MaterialFormat::id); }
+
+const MaterialFormat* formatBySuffix(const std::filesystem::path& path) {
+  const std::string suffix = lowerCase(path.extension().string());
+  for (const MaterialFormat& format : formats)
+    if (std::ranges::find(format.suffixes, suffix) != format.suffixes.end()) return &format;
+  return nullptr;
+}
+
+bool hasSuffixOf(FormatId id, const std::filesystem::path& path) { return formatBySuffix(path) == &formatOf(id); }
+
+bool isMaterialFile(const std::filesystem::path& path) {
+  if (formatBySuffix(path)) return true;
+  try {
+    sniffFormat(io::FileSource(path));
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+const MaterialFormat& sniffFormat(const io::ByteSource& source) {
+  std::string refusals;
+  for (const MaterialFormat& format : formats) {
+    try {
+      format.sniff(source);
+      return format;
+    } catch (const io::FormatMismatch& mismatch) {
+      refusals += "\n  " + std::string(format.name) + ": " + mismatch.what();
+    }
+  }
+  throw Error("this file could not be read:" + refusals);
+}
+
+const MaterialFormat& writableFormat(const std::filesystem::path& path) {
+  if (const MaterialFormat* format = formatBySuffix(path); format && format->write) return *format;
+  throw Error(path.string() + ": found the suffix '" + path.extension().string() + "', expected " +
+              suffixText(isWritable, "or") + ": materials are written as that");
+}
+
+std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction) {
+  std::vector<std::string_view> suffixes;
+  for (const MaterialFormat& format : formats)
+    if (isWanted(format)) suffixes.insert(suffixes.end(), format.suffixes.begin(), format.suffixes.end());
+  std::string text;
+  for (std::size_t i = 0; i < suffixes.size(); ++i) {
+    if (i > 0) text.append(i + 1 < suffixes.size() ? ", " : " " + std::string(conjunction) + " ");
+    text.append(suffixes[i]);
+  }
+  return text;
+}
+
+}  // namespace gonio::materials

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/materials/pdv_file.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/io/atomic_file.h"
+#include "core/io/container.h"
+#include "core/support/naming_file.h"
+#include "core/support/number_text.h"
+
+namespace gonio::materials {
+
+namespace {
+
+using factorization::mostPdvTerms;
+using factorization::PdvFactors;
+using factorization::PdvForm;
+using factorization::PdvTerm;
+
+constexpr io::ContainerFormat format{.name = "PDV", .signature = "GONIOPDV"};
+constexpr std::uint32_t mostNodes = 4096;
+enum HeaderAt { formAt, transformAt, thetaAt, deviationAt, phiAt, termsAt, headerNumbers };
+using Header = std::array<std::uint32_t, headerNumbers>;
+/// Signature, version, header and highest y.
+constexpr std::size_t headerBytes = 8 + sizeof(std::uint32_t) + sizeof(Header) + sizeof(float);
+
+/// The numbers behind the header: those of the axes, and of one term in all channels.
+std::size_t floatCount(std::size_t nodes, std::size_t terms) { return nodes * (1 + 3 * terms); }
+
+template <typename Visit>
+void visitCurves(PdvFactors& f, const Visit& visit) {
+  visit(f.thetaNodes);
+  visit(f.deviationNodes);
+  visit(f.phiNodes);
+  for (std::vector<PdvTerm>& channel : f.channels)
+    for (PdvTerm& term : channel) {
+      visit(term.f1);
+      visit(term.f2);
+      visit(term.f3);
+    }
+}
+
+[[noreturn]] void fail(const io::ContainerReader& file, const std::string& what, const std::string& found,
+                       const std::string& expected) {
+  file.fail(what + " is " + found + ", expected " + expected);
+}
+
+void checkNodes(const io::ContainerReader& file, const std::vector<double>& nodes, const char* what) {
+  if (nodes.front() != 0) fail(file, std::string("the first node of ") + what, numberText(nodes.front()), "0");
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+    if (!(nodes[i] > nodes[i - 1]))
+      fail(file, "node " + std::to_string(i) + " of " + what, numberText(nodes[i]),
+           "more than " + numberText(nodes[i - 1]));
+}
+
+PdvFactors emptyFactors(const Header& header, float highest) {
+  PdvFactors f{.form = header[formAt] == 0 ? PdvForm::twoFactors : PdvForm::threeFactors,
+               .transform = static_cast<DataTransform>(header[transformAt]),
+               .thetaNodes = std::vector<double>(header[thetaAt]),
+               .deviationNodes = std::vector<double>(header[deviationAt]),
+               .phiNodes = std::vector<double>(header[phiAt]),
+               .channels = {},
+               .highest = double(highest)};
+  for (std::vector<PdvTerm>& channel : f.channels)
+    channel.assign(header[termsAt], {std::vector<double>(header[thetaAt]), std::vector<double>(header[deviationAt]),
+                                     std::vector<double>(header[phiAt])});
+  return f;
+}
+
+void checkHeader(const io::ContainerReader& file, const Header& header, float highest) {
+  const auto check = [&](const char* what, HeaderAt at, std::uint32_t low, std::uint32_t high) {
+    if (header[at] < low || header[at] > high)
+      fail(file, what, std::to_string(header[at]),
+           std::to_string(low) + (low == high ? "" : " to " + std::to_string(high)));
+  };
+  check("the form", formAt, 0, 1);
+  check("the transform", transformAt, 0, std::uint32_t(dataTransformNames.size()) - 1);
+  check("the count of nodes of theta_R", thetaAt, 2, mostNodes);
+  check("the count of nodes of |Dp|", deviationAt, 2, mostNodes);
+  const bool isFlat = header[formAt] == 0;
+  check("the count of nodes of |phi|", phiAt, isFlat ? 1 : 2, isFlat ? 1 : mostNodes);
+  check("the count of terms", termsAt, 1, std::uint32_t(mostPdvTerms));
+  if (!std::isfinite(highest)) fail(file, "the highest value", "not finite", "a number");
+  const std::size_t nodes = std::size_t(header[thetaAt]) + header[deviationAt] + header[phiAt];
+  file.expectLeft(sizeof(float) * floatCount(nodes, header[termsAt]));
+}
+
+}  // namespace
+
+std::size_t pdvFileBytes(const PdvFactors& f) {
+  return headerBytes + sizeof(float) * floatCount(f.thetaNodes.size() + f.deviationNodes.size() + f.phiNodes.size(),
+                                                  std::size_t(f.terms()));
+}
+
+void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {
+  PdvFactors f = factors;
+  io::ContainerWriter file(format);
+  file.values(Header{f.form == PdvForm::twoFactors ? 0u : 1u, std::uint32_t(f.transform),
+                     std::uint32_t(f.thetaNodes.size()), std::uint32_t(f.deviationNodes.size()),
+                     std::uint32_t(f.phiNodes.size()), std::uint32_t(f.terms())});
+  file.number(float(f.highest));
+  visitCurves(f, [&](const std::vector<double>& curve) {
+    for (const double value : curve) file.number(float(value));
+  });
+  io::writeFileAtomically(path, file.bytes());
+}
+
+PdvFactors readPdv(const io::ByteSource& source) {
+  io::ContainerReader file(format, source);
+  Header header;
+  file.values(header, "header");
+  const auto highest = file.number<float>();
+  checkHeader(file, header, highest);
+  PdvFactors f = emptyFactors(header, highest);
+  std::size_t at = 0;
+  visitCurves(f, [&](std::vector<double>& curve) {
+    for (double& value : curve) {
+      value = double(file.number<float>());
+      if (!std::isfinite(value)) fail(file, "number " + std::to_string(at), "not finite", "a number");
+      ++at;
+    }
+  });
+  checkNodes(file, f.thetaNodes, "theta_R");
+  checkNodes(file, f.deviationNodes, "|Dp|");
+  checkNodes(file, f.phiNodes, "|phi|");
+  return f;
+}
+
+PdvFactors readPdv(const std::filesystem::path& path) {
+  return namingFile(path, [&] { return readPdv(io::FileSource(path)); });
+}
+
+bool isPdv(const std::filesystem::path& path) {
+  try {
+    return io::hasSignature(io::FileSource(path), format);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+void expectPdv(const io::ByteSource& source) { io::expectSignature(source, format); }
+
+}  // namespace gonio::materials

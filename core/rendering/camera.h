@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/rendering/ray.h"
+
+namespace gonio {
+
+/// A camera that orbits a point of the world (y up), for previews of a sphere its centre at the origin. With both
+/// angles 0 it looks along -z.
+struct OrbitCamera {
+  double yaw = 0;             ///< rad, about +y; positive moves the camera toward +x
+  double pitch = 0;           ///< rad, positive moves the camera up, (-pi/2, pi/2)
+  double distance = 4;        ///< of the eye from the target
+  double fieldOfView = 0.55;  ///< of the picture's smaller side, rad; 0 is an orthographic view that shows |y| <= 1.15
+  Direction target{0};        ///< world
+  bool operator==(const OrbitCamera&) const = default;
+};
+
+/// The camera's rays, for the CPU and the shader alike. A picture position (x, y) in [-1, 1], y up, with the extent e
+/// of viewExtent() gives: perspective: origin eye, direction normalize(x e.x right + y e.y up + forward); orthographic:
+/// origin eye + x e.x right + y e.y up, direction forward.
+struct CameraFrame {
+  Direction eye, right, up, forward;
+  double halfExtent;  ///< of the picture's smaller side, at distance 1 (perspective) or in the world (orthographic)
+  bool orthographic;
+};
+CameraFrame cameraFrame(const OrbitCamera& camera);
+
+/// Half width and half height of the view for a picture of aspect width / height: the target fits into a narrow picture
+/// as into a wide one.
+glm::dvec2 viewExtent(const CameraFrame& frame, double aspect);
+
+Ray cameraRay(const CameraFrame& frame, double x, double y, double aspect);
+/// The same at (x e.x, y e.y).
+inline Ray cameraRay(const CameraFrame& frame, const glm::dvec2& viewPoint) {
+  const Direction across = viewPoint.x * frame.right + viewPoint.y * frame.up;
+  if (frame.orthographic) return {frame.eye + across, frame.forward};
+  return {frame.eye, glm::normalize(across + frame.forward)};
+}
+
+}  // namespace gonio

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/rendering/path_batch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gonio {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Reflections that every path takes before chance may end it.
+constexpr int certainReflections = 3;
+
+/// The weight of a direction that was sampled with a density, where another strategy samples it with the other density:
+/// one sample each, the exponent 2 (Veach 1997, section 9.2.4). It disturbs a good strategy less than the balance
+/// heuristic does.
+double powerHeuristic(double density, double other) {
+  const double ratio = other / density;
+  return 1 / (1 + ratio * ratio);
+}
+
+}  // namespace
+
+std::span<const PathTracer::PathBatch::Result> PathTracer::PathBatch::trace(std::span<const Start> starts) {
+  results_.assign(starts.size(), {});
+  paths_.clear();
+  for (std::size_t i = 0; i < starts.size(); ++i) enter(starts[i], i);
+  for (int reflection = 1; !paths_.empty() && reflection <= tracer_.plan_.reflections; ++reflection) {
+    sampleLights(reflection);
+    sampleMaterials(reflection);
+    evaluateQueries();
+    addSampledLights();
+    follow(reflection);
+  }
+  return results_;
+}
+
+void PathTracer::PathBatch::enter(const Start& start, std::size_t result) {
+  const Ray& ray = start.ray;
+  ++counters_.camera;
+  std::size_t object = 0;
+  double nearest = infinity;
+  for (std::size_t i = 0; i < objects().size(); ++i)
+    if (const double t = nearestDistance(objects()[i].shape, ray, 0, infinity); t < nearest) nearest = t, object = i;
+  const bool showsSources = tracer_.plan_.simulates(Effect::emittedLight);
+  Result& found = results_[result];
+  if (!std::isfinite(nearest)) {
+    if (tracer_.scene_.showEnvironment && tracer_.scene_.environment && showsSources)
+      found = {lights_.background(ray.direction), true};
+    return;
+  }
+  found.covered = true;
+  if (objects()[object].emits()) {
+    const bool front = glm::dot(std::get<Rectangle>(objects()[object].shape).normal(), ray.direction) < 0;
+    if (front && showsSources) found.radiance = objects()[object].radiance;
+    return;
+  }
+  Path& path = paths_.emplace_back();
+  path.result = result;
+  path.seed = start.seed;
+  addSurface(path, object, ray, nearest);
+  if (!(path.wo.z > 0)) paths_.pop_back();
+}
+
+/// Puts the path on the object that its ray meets.
+void PathTracer::PathBatch::addSurface(Path& path, std::size_t object, const Ray& ray, double distance) const {
+  const Shape& shape = objects()[object].shape;
+  const ShapeHit hit = shapeHit(shape, ray, distance);
+  const bool backFaced = glm::dot(hit.geometricNormal, ray.direction) > 0;
+  // A shading normal that turns away from the eye where the surface does not would leave black rims.
+  const bool turnedAway = glm::dot(hit.shadingNormal, ray.direction) >= 0;
+  const Direction normal = turnedAway && !backFaced ? hit.geometricNormal : hit.shadingNormal;
+  const auto* rectangle = std::get_if<Rectangle>(&shape);
+  if (!tracer_.plan_.simulates(Effect::anisotropicFrames))
+    path.frame = anyFrame(normal);
+  else if (rectangle)
+    path.frame = {glm::normalize(rectangle->halfU), glm::normalize(rectangle->halfV), normal};
+  else
+    path.frame = shadingFrame(normal);
+  path.object = object;
+  path.position = hit.position;
+  path.geometricNormal = hit.geometricNormal;
+  path.wo = backFaced ? Direction(0, 0, -1) : path.frame.toLocal(-ray.direction);
+  if (tracer_.sendsRays_[object]) path.origin = leavingPoint(shape, hit);
+}
+
+void PathTracer::PathBatch::sampleLights(int reflection) {
+  const EffectPlan& plan = tracer_.plan_;
+  lightQueries_.clear();
+  for (std::size_t light = 0; light < plan.lights.size(); ++light) {
+    const bool isLamp = plan.lights[light].kind == SceneLight::Kind::rectangle;
+    if (isLamp && !plan.simulates(Effect::areaLightSampling)) continue;
+    const bool sized = hasSize(plan.lights[light]);
+    if (sized && tracer_.strategy_ == Strategy::materials) continue;
+    PathSamples samples(reflection, PathSamples::firstLight + std::uint32_t(light));
+    for (Path& path : paths_)
+      if (plan.lit[path.object][light]) sampleLight(light, path, sized ? samples.pair(path.seed) : glm::dvec2(0));
+  }
+}
+
+void PathTracer::PathBatch::sampleLight(std::size_t light, Path& path, const glm::dvec2& u) {
+  const SceneLight& source = tracer_.plan_.lights[light];
+  const LightSample sample = lights_.sample(source, path.position, path.geometricNormal, u);
+  const Direction wi = path.frame.toLocal(sample.toLight);
+  if (!(wi.z > 0) || !(glm::dot(path.geometricNormal, sample.toLight) > 0)) return;
+  double weight = wi.z;
+  if (hasSize(source)) {
+    if (!(sample.density > 0)) return;
+    const RenderMaterial& material = *tracer_.materials_[path.object];
+    const double other = tracer_.strategy_ == Strategy::both ? material.pdf(wi, path.wo) : 0;
+    weight *= powerHeuristic(sample.density, other) / sample.density;
+  }
+  LightQuery& query = lightQueries_.emplace_back();
+  query.path = std::size_t(&path - paths_.data());
+  query.light = light;
+  query.query = queriesOf(path).add(wi, path.wo);
+  query.weight = sample.radiance * weight;
+  query.toLight = sample.toLight;
+  query.distance = sample.distance;
+}
+
+bool PathTracer::PathBatch::goesOn(const Path& path, int reflection) const {
+  return reflection < tracer_.plan_.reflections && !tracer_.plan_.visible[path.object].empty();
+}
+
+void PathTracer::PathBatch::sampleMaterials(int reflection) {
+  PathSamples directions(reflection, PathSamples::reflectedDirection), lobes(reflection, PathSamples::reflectedLobe);
+  for (Path& path : paths_) {
+    path.sample.pdf = 0;
+    if (!tracer_.findsLights_[path.object] && !goesOn(path, reflection)) continue;
+    const glm::dvec2 u = directions.pair(path.seed);
+    const RenderMaterial& material = *tracer_.materials_[path.object];
+    path.sample = material.sample(path.wo, {lobes.number(path.seed), u.x, u.y});
+    path.toward = path.frame.toWorld(path.sample.wi);
+    if (!(glm::dot(path.geometricNormal, path.toward) > 0)) path.sample.pdf = 0;
+    if (path.sample.pdf > 0) path.query = queriesOf(path).add(path.sample.wi, path.wo);
+  }
+}
+
+void PathTracer::PathBatch::evaluateQueries() {
+  for (std::size_t brdf = 0; brdf < queries_.size(); ++brdf) {
+    BrdfQueries& queries = queries_[brdf];
+    queries.values.resize(queries.pairs.size());
+    if (!queries.pairs.empty()) tracer_.brdfs_[brdf]->evaluate(queries.pairs, queries.values);
+    queries.pairs.clear();
+  }
+}
+
+void PathTracer::PathBatch::addSampledLights() {
+  for (const LightQuery& query : lightQueries_) {
+    const Path& path = paths_[query.path];
+    const Rgb value = queriesOf(path).values[query.query] * query.weight;
+    if (maxChannel(value) > 0 && !isBlocked(query, path)) results_[path.result].radiance += path.throughput * value;
+  }
+}
+
+bool PathTracer::PathBatch::isBlocked(const LightQuery& query, const Path& path) {
+  const std::vector<std::size_t>& blockers = tracer_.plan_.blockers[path.object][query.light];
+  if (blockers.empty()) return false;
+  ++counters_.shadow;
+  const Ray ray{path.origin, query.toLight};
+  // The far end lies on the lamp itself.
+  return std::ranges::any_of(blockers, [&](std::size_t blocker) {
+    return blocks(objects()[blocker].shape, ray, 0, query.distance * (1 - 1e-7));
+  });
+}
+
+void PathTracer::PathBatch::follow(int reflection) {
+  PathSamples survival(reflection, PathSamples::survival);
+  std::size_t kept = 0;
+  for (Path& path : paths_) {
+    if (!(path.sample.pdf > 0) || !followOne(path, reflection, survival)) continue;
+    if (&path != &paths_[kept]) paths_[kept] = path;
+    ++kept;
+  }
+  paths_.resize(kept);
+}
+
+bool PathTracer::PathBatch::followOne(Path& path, int reflection, PathSamples& survival) {
+  path.throughput *= queriesOf(path).values[path.query] * (path.sample.wi.z / path.sample.pdf);
+  if (!(maxChannel(path.throughput) > 0)) return false;
+
+  const auto& candidates = tracer_.candidates_[path.object];
+  const Ray ray{path.origin, path.toward};
+  if (!candidates.empty()) ++counters_.bounce;
+  distances_.resize(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    distances_[i] = nearestDistance(objects()[candidates[i]].shape, ray, 0, infinity);
+  if (tracer_.findsLights_[path.object]) results_[path.result].radiance += path.throughput * foundLights(path);
+  if (!goesOn(path, reflection)) return false;
+
+  if (reflection > certainReflections) {
+    const double kept = std::min(0.95, maxChannel(path.throughput));
+    if (survival.number(path.seed) >= kept) return false;
+    path.throughput /= kept;
+  }
+  std::size_t next = 0;
+  double nearest = infinity;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (distances_[i] < nearest) nearest = distances_[next = i];
+  // Reflections of what the plan does not see add nothing; a lamp reflects nothing.
+  const std::vector<std::size_t>& visible = tracer_.plan_.visible[path.object];
+  if (!std::isfinite(nearest) || std::ranges::find(visible, candidates[next]) == visible.end()) return false;
+  addSurface(path, candidates[next], ray, nearest);
+  return path.wo.z > 0;
+}
+
+/// Radiance of the lights that the sampled direction meets, each weighted against its own samples.
+Rgb PathTracer::PathBatch::foundLights(const Path& path) const {
+  const EffectPlan& plan = tracer_.plan_;
+  const auto& candidates = tracer_.candidates_[path.object];
+  const auto distanceOf = [&](std::size_t object) {
+    return distances_[std::size_t(std::ranges::lower_bound(candidates, object) - candidates.begin())];
+  };
+  Rgb sum(0);
+  for (std::size_t i = 0; i < plan.lights.size(); ++i) {
+    const SceneLight& light = plan.lights[i];
+    if (!plan.lit[path.object][i] || !hasSize(light)) continue;
+    const bool isLamp = light.kind == SceneLight::Kind::rectangle;
+    const double distance = isLamp ? distanceOf(light.index) : infinity;
+    if (isLamp && !std::isfinite(distance)) continue;
+    const bool blocked = std::ranges::any_of(plan.blockers[path.object][i],
+                                             [&](std::size_t blocker) { return distanceOf(blocker) < distance; });
+    if (blocked) continue;
+    const bool sampled = tracer_.strategy_ == Strategy::both && (!isLamp || plan.simulates(Effect::areaLightSampling));
+    const auto [radiance, density] = lights_.evalLight(light, path.toward, distance);
+    // Where the density of the light's own samples is 0, this direction has the light to itself.
+    sum += radiance * powerHeuristic(path.sample.pdf, sampled ? density : 0);
+  }
+  return sum;
+}
+
+}  // namespace gonio

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/rendering/light_sampling.h"
+#include "core/rendering/path_samples.h"
+#include "core/rendering/path_tracer.h"
+#include "core/rendering/shading_frame.h"
+
+namespace gonio {
+
+/// Many paths from the eye at once: each step is made for all of them, so that the BRDF values of a material are
+/// evaluated in one call. What a path finds does not depend on the others of its batch.
+class PathTracer::PathBatch {
+ public:
+  /// Enough for the batches of a BRDF, few enough for the cache.
+  static constexpr std::size_t capacity = 128;
+
+  struct Start {
+    std::size_t pixel;
+    PathSeed seed;
+    Ray ray;
+  };
+  struct Result {
+    Rgb radiance{0};       ///< along the camera's ray
+    bool covered = false;  ///< whether it meets anything that is drawn
+  };
+
+  PathBatch(const PathTracer& tracer, RayCounters& counters)
+      : tracer_(tracer), counters_(counters), lights_(tracer.scene_), queries_(tracer.brdfs_.size()) {}
+
+  /// One result for each start, valid until the next call.
+  std::span<const Result> trace(std::span<const Start> starts);
+
+ private:
+  /// A path at the surface that it met last.
+  struct Path {
+    Path() {}  // without it each would be set to 0 first
+
+    std::size_t result, object;
+    PathSeed seed;
+    Rgb throughput{1};
+    ShadingFrame frame;
+    Direction position, geometricNormal;
+    Direction wo;            ///< local; below the horizon on the back of a surface
+    Direction origin;        ///< of rays that leave, where the object sends any
+    DirectionSample sample;  ///< from the material, local; pdf 0 where there is none
+    Direction toward;        ///< the sample in the world
+    std::size_t query;       ///< of the sample, at the path's material
+  };
+  /// A light sample whose BRDF value is asked for.
+  struct LightQuery {
+    std::size_t path, light, query;
+    Rgb weight;  ///< of the BRDF value, throughput excluded
+    Direction toLight;
+    double distance;
+  };
+  /// BRDF values of one material that are evaluated together.
+  struct BrdfQueries {
+    std::vector<DirectionPair> pairs;
+    std::vector<Rgb> values;
+
+    std::size_t add(const Direction& wi, const Direction& wo) {
+      DirectionPair& pair = pairs.emplace_back();
+      pair.wi = wi;
+      pair.wo = wo;
+      return pairs.size() - 1;
+    }
+  };
+
+  const std::vector<SceneObject>& objects() const { return tracer_.scene_.objects; }
+  BrdfQueries& queriesOf(const Path& path) { return queries_[tracer_.brdfOf_[path.object]]; }
+  bool goesOn(const Path& path, int reflection) const;
+
+  void enter(const Start& start, std::size_t result);
+  void addSurface(Path& path, std::size_t object, const Ray& ray, double distance) const;
+  void sampleLights(int reflection);
+  void sampleLight(std::size_t light, Path& path, const glm::dvec2& u);
+  void sampleMaterials(int reflection);
+  void evaluateQueries();
+  void addSampledLights();
+  bool isBlocked(const LightQuery& query, const Path& path);
+  /// Adds what the sampled directions find and moves the paths that go on to their next surface; the others are
+  /// dropped.
+  void follow(int reflection);
+  bool followOne(Path& path, int reflection, PathSamples& survival);
+  Rgb foundLights(const Path& path) const;
+
+  const PathTracer& tracer_;
+  RayCounters& counters_;
+  LightSampler lights_;
+  std::vector<Result> results_;
+  std::vector<Path> paths_;
+  std::vector<LightQuery> lightQueries_;
+  std::vector<BrdfQueries> queries_;  ///< of each of the tracer's BRDFs
+  /// Of the candidates of a path's object, along its sampled direction.
+  std::vector<double> distances_;
+};
+
+}  // namespace gonio

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/csv_text.h"
+
+#include <QTest>
+#include <array>
+
+#include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::test;
+
+namespace {
+
+constexpr std::array<std::string_view, 2> names{"x", "y"};
+using Strings = std::vector<std::string>;
+
+}  // namespace
+
+/// Files of plans test what spreadsheets write (plan_file_test.cpp); here is what all tables share.
+class CsvTextTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void namesAndRows() {
+    const io::CsvText csv = io::readCsvText("# note\nName,Value\na, 1\n\n\"b\",+2e1\r\n");
+    QCOMPARE(csv.comments, Strings{"note"});
+    QCOMPARE(csv.names, (Strings{"name", "value"}));
+    QCOMPARE(csv.rows.size(), std::size_t(2));
+    QCOMPARE(csv.rows[1].line, std::size_t(5));
+    QCOMPARE(csv.rows[1].fields[csv.neededColumn("name")], std::string("b"));
+    QCOMPARE(csv.number(csv.rows[1], 1), 20.0);
+    QCOMPARE(csv.integer(csv.rows[0], 1), 1);
+    QVERIFY(!csv.column("other"));
+  }
+
+  /// A first line of numbers is a row where the names are given; more columns than these are named by their number.
+  void tablesWithoutNames() {
+    const io::CsvText csv = io::readCsvText("# note\n1.5,2,a\n3,4,b\n", names);
+    QCOMPARE(csv.names, (Strings{"x", "y", "3"}));
+    QCOMPARE(csv.rows.size(), std::size_t(2));
+    QCOMPARE(csv.number(csv.rows[0], csv.neededColumn("x")), 1.5);
+    QCOMPARE(csv.rows[1].fields[2], std::string("b"));
+    const io::CsvText commas = io::readCsvText("1,5;2\n", names);
+    QCOMPARE(commas.number(commas.rows[0], 0), 1.5);
+    const io::CsvText named = io::readCsvText("y,x\n1,2\n", names);
+    QCOMPARE(named.number(named.rows[0], named.neededColumn("x")), 2.0);
+    QVERIFY(contains(errorOf([] { io::readCsvText("1\n", names); }), "line 1: found 1 columns, expected 2: x, y"));
+    QCOMPARE(io::readCsvText("1,2\n").names, (Strings{"1", "2"}));
+  }
+
+  void errorsStateLineAndColumn() {
+    const io::CsvText csv = io::readCsvText("name,value\na,1e400\nb,1.5\n");
+    QCOMPARE(errorOf([&] { csv.number(csv.rows[0], 1); }),
+             std::string("line 2: found '1e400' for value, expected a finite number"));
+    QCOMPARE(errorOf([&] { csv.integer(csv.rows[1], 1); }),
+             std::string("line 3: found '1.5' for value, expected a whole number"));
+    QCOMPARE(errorOf([&] { csv.neededColumn("size"); }),
+             std::string("line 1: found the columns name, value, expected one named size"));
+    QCOMPARE(errorOf([] { io::readCsvText("a,b\n1\n"); }), std::string("line 2: found 1 columns, expected 2: a, b"));
+    QVERIFY(contains(errorOf([] { io::readCsvText("# only\n"); }), "no line with the names"));
+    QVERIFY(contains(errorOf([] { io::readText(outputPath("io/no_such_table.csv")); }), "cannot be opened"));
+  }
+};
+
+GONIO_TEST(CsvTextTest)
+#include "csv_text_test.moc"

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/materials/material_formats.h"
+
+#include <QTest>
+#include <set>
+
+#include "core/io/sha256.h"
+#include "core/materials/code_file.h"
+#include "tests/fuzz/reader_seeds.h"
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::test;
+using materials::FormatId;
+using materials::MaterialFormat;
+
+namespace {
+
+/// A file of a format, without its suffix in its name.
+Bytes fileOf(FormatId id) {
+  switch (id) {
+    case FormatId::merl:
+      return fuzz::merlSeed();
+    case FormatId::rgl:
+      return fuzz::rglSeed();
+    case FormatId::pdv:
+      return fuzz::pdvSeed();
+    case FormatId::code:
+      break;
+  }
+  dictionary::SparseCode code{.grid = {}, .transform = DataTransform::logPlus, .channels = {}};
+  for (dictionary::ChannelCode& channel : code.channels) channel.coefficients = {{0, 30.0f}};
+  return materials::encodeCode(code, materials::bundledDictionary()->id);
+}
+
+std::shared_ptr<const TabulatedBrdf> greyTable(const HalfDifferenceGrid& grid) {
+  return std::make_shared<const TabulatedBrdf>(grid, std::vector<glm::vec3>(grid.size(), glm::vec3(0.2f)),
+                                               std::vector<std::uint8_t>(grid.size(), 1));
+}
+
+}  // namespace
+
+class MaterialFormatsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void everyRowIsCompleteAndOnce() {
+    std::set<std::string_view> names, suffixes;
+    for (const MaterialFormat& format : materials::materialFormats()) {
+      QVERIFY(&materials::formatOf(format.id) == &format);
+      QVERIFY(!format.label.empty() && format.sniff && format.read && !format.suffixes.empty());
+      QVERIFY(names.insert(format.name).second);
+      for (const std::string_view suffix : format.suffixes)
+        QVERIFY(suffix.starts_with('.') && suffixes.insert(suffix).second);
+    }
+    QCOMPARE(names.size(), std::size_t(4));
+  }
+
+  /// Each format's file is sniffed as its own alone, whatever it is called, and holds no more than the table says.
+  void contentFindsTheFormat() {
+    for (const MaterialFormat& format : materials::materialFormats()) {
+      const Bytes bytes = fileOf(format.id);
+      int takers = 0;
+      for (const MaterialFormat& other : materials::materialFormats())
+        takers += errorOf([&] { other.sniff(io::MemorySource(bytes)); }).empty();
+      QCOMPARE(takers, 1);
+      QVERIFY(&materials::sniffFormat(io::MemorySource(bytes)) == &format);
+      const auto path = writeFile("materials/other.name", bytes);
+      QVERIFY(materials::isMaterialFile(path) && !materials::formatBySuffix(path));
+      const materials::Material material = materials::readMaterial(path);
+      QCOMPARE(material.source.format, std::string(format.name));
+      QVERIFY(format.holds.anisotropic || material.brdf->isIsotropic());
+      QVERIFY(format.holds.nonReciprocal || material.brdf->isReciprocal());
+    }
+  }
+
+  void suffixesFindTheFormatInEitherCase() {
+    QVERIFY(materials::formatBySuffix("/a.b/x.BINARY") == &materials::formatOf(FormatId::merl));
+    QVERIFY(materials::hasSuffixOf(FormatId::code, "x.code") && !materials::hasSuffixOf(FormatId::pdv, "x.code"));
+    for (const char* none : {"x", "x.binary.txt", ".binary", "", "x.gonio"}) QVERIFY(!materials::formatBySuffix(none));
+    QVERIFY(materials::isMaterialFile("/nowhere/x.pdv") && !materials::isMaterialFile("/nowhere/x.png"));
+    QCOMPARE(materials::suffixText(materials::isAnyFormat, "or"), std::string(".binary, .bsdf, .pdv or .code"));
+    QCOMPARE(materials::suffixText(materials::isMeasurement, "and"), std::string(".binary and .bsdf"));
+    QCOMPARE(materials::suffixText(materials::isWritable, "or"), std::string(".binary"));
+  }
+
+  void writtenByTheSuffix() {
+    for (const HalfDifferenceGrid& grid : {HalfDifferenceGrid{2, 3, 4, true}, HalfDifferenceGrid{2, 3, 12, false}}) {
+      const auto path = outputPath("materials/written.Binary");
+      materials::writeMaterial(*greyTable(grid), path);
+      QVERIFY(materials::readMaterial(path).table->grid() == grid);
+    }
+    for (const char* name : {"x.bsdf", "x.pdv", "x.png", "x"}) {
+      const std::string error = errorOf([&] { materials::writeMaterial(*greyTable({2, 3, 4, true}), name); });
+      QVERIFY2(contains(error, std::string(name) + ": found the suffix '") && contains(error, "expected .binary"),
+               error.c_str());
+    }
+  }
+
+  void fileThatWasOnlyReadIsCopiedByteForByte() {
+    Bytes bytes;
+    for (const std::int32_t count : {2, 3, 4}) append(bytes, count);
+    // Reading changes the negative ones, copying must not.
+    for (int i = 0; i < 72; ++i) append(bytes, i == 1 ? -0.3 : i == 2 ? -7.5 : double(i + 1) / 3);
+    const auto path = writeFile("materials/source.binary", bytes), copy = outputPath("materials/copy.binary");
+    const materials::Material material = materials::readMaterial(path);
+    QCOMPARE(material.name, std::string("source"));
+    QCOMPARE(material.source.format, std::string("MERL"));
+    QCOMPARE(material.source.sha256, io::sha256Hex(bytes));
+    QCOMPARE(material.source.grid, (std::vector<int>{2, 3, 4}));
+    QCOMPARE(material.source.notes.size(), std::size_t(1));
+    QVERIFY(material.tabulated() == material.table);
+    materials::writeMaterial(material, copy);
+    QCOMPARE(readFile(copy), bytes);
+
+    Bytes changed = bytes;
+    changed.back() ^= std::byte(1);
+    writeFile("materials/source.binary", changed);
+    QVERIFY(contains(errorOf([&] { materials::writeMaterial(material, copy); }), "source.binary"));
+    QCOMPARE(readFile(copy), bytes);
+  }
+
+  void refusedFileStatesWhatEachFormatFound() {
+    const auto path = writeFile("materials/notes.txt", std::as_bytes(std::span("these are only words")));
+    const std::string error = errorOf([&] { materials::readMaterial(path); });
+    QVERIFY2(contains(error, "notes.txt: this file could not be read:") &&
+                 contains(error, "\n  MERL: found axis counts") && contains(error, "\n  RGL: found") &&
+                 contains(error, "expected the signature 'tensor_file'") &&
+                 contains(error, "\n  PDV factors: not a PDV file (signature missing)"),
+             error.c_str());
+  }
+
+  /// A file that begins like one of a format is reported as a broken file of that format alone.
+  void brokenFileIsReportedByItsFormat() {
+    Bytes bytes = fuzz::rglSeed();
+    bytes.resize(bytes.size() / 2);
+    const auto path = writeFile("materials/half.bsdf", bytes);
+    const std::string error = errorOf([&] { materials::readMaterial(path); });
+    QVERIFY2(contains(error, "half.bsdf: RGL: found") && !contains(error, "MERL"), error.c_str());
+  }
+};
+
+GONIO_TEST(MaterialFormatsTest)
+#include "material_formats_test.moc"

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "tests/studies/research/dictionary/patch_code.h"
+
+#include <QTest>
+#include <cmath>
+
+#include "core/math/parallel.h"
+#include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/test_program.h"
+
+using namespace gonio;
+using namespace gonio::dictionary;
+using namespace gonio::dictionary::test;
+
+namespace {
+
+constexpr Sizes patch{4, 3, 3};
+
+Eigen::MatrixXd materialPatches(std::size_t material) {
+  const auto signals = signalsOf(*ggxMaterials(6).load(material), DataTransform::logPlus, *GridGeometry::of(smallGrid));
+  return patchesOf(signals[0], modeSizes(smallGrid), patch);
+}
+
+double relativeError(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return (a - b).norm() / a.norm(); }
+
+PatchTrainingOptions smallTraining() {
+  PatchTrainingOptions options;
+  options.patch = patch;
+  options.samples = 800;
+  options.kSvd = {.atoms = 48, .sparsity = 2, .iterations = 15};
+  return options;
+}
+
+}  // namespace
+
+class PatchCodeTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// Every cell stands once, in the patch of its place.
+  void patchesTileASignal() {
+    const Sizes sizes{8, 6, 9};
+    const Eigen::ArrayXf signal = Eigen::ArrayXf::LinSpaced(Eigen::Index(count(sizes)), 0, float(count(sizes) - 1));
+    const Eigen::MatrixXd patches = patchesOf(signal, sizes, patch);
+    QCOMPARE(patches.rows(), Eigen::Index(36));
+    QCOMPARE(patches.cols(), Eigen::Index(12));
+    // The patch (1, 0, 2), in it the cell (3, 2, 1).
+    QCOMPARE(patches(3 + 4 * (2 + 3 * 1), 1 + 2 * (0 + 2 * 2)), double(4 + 3 + 8 * (0 + 2 + 6 * (6 + 1))));
+    QVERIFY((signalOf(patches, sizes, patch) == signal).all());
+    QVERIFY_EXCEPTION_THROWN(patchesOf(signal, sizes, {5, 3, 3}), Error);
+    QVERIFY_EXCEPTION_THROWN(patchesOf(signal, sizes, {4, 3, 0}), Error);
+  }
+
+  /// Over a complete basis a code of all coefficients is the signal; of fewer, at most as many.
+  void budgetsHoldAndAllIsExact() {
+    std::mt19937_64 random(1);
+    const AtomSet basis(randomOrthonormal(36, random));
+    const Eigen::MatrixXd patches = materialPatches(2);
+    const PatchCode all = encodePatches(basis, patches, std::size_t(patches.size()), 36);
+    QVERIFY(relativeError(patches, decodePatches(basis, all)) < 1e-4);
+    double last = 1;
+    for (const std::size_t coefficients : {0, 20, 100, 500}) {
+      const PatchCode code = encodePatches(basis, patches, coefficients);
+      QVERIFY(code.coefficients() <= coefficients);
+      QVERIFY(code.coefficients() >= coefficients * 9 / 10);
+      const double error = relativeError(patches, decodePatches(basis, code));
+      QVERIFY(error < last || (coefficients == 0 && error == 1));
+      last = error;
+    }
+  }
+
+  /// The same as a search that pursues all patches anew to every error that it tries.
+  void patchesShareOneError() {
+    std::mt19937_64 random(3);
+    Eigen::MatrixXd overcomplete(36, 72);
+    overcomplete << randomOrthonormal(36, random), randomOrthonormal(36, random);
+    const AtomSet atoms(overcomplete);
+    const Eigen::MatrixXd patches = materialPatches(3);
+    constexpr int most = 6;
+    for (const std::size_t coefficients : {7, 60, 300, 2000}) {
+      double tooMany = 0, fits = patches.colwise().norm().maxCoeff();
+      std::vector<PursuitResult> best(std::size_t(patches.cols()));
+      for (int step = 0; step < 16; ++step) {
+        const double error = (tooMany + fits) / 2;
+        std::vector<PursuitResult> codes;
+        std::size_t sum = 0;
+        for (const auto& column : patches.colwise()) {
+          const Eigen::VectorXd patch = column;
+          const double norm = patch.norm();
+          codes.push_back(
+              orthogonalMatchingPursuit(atoms, patch, {.steps = most, .residual = norm > 0 ? error / norm : 0}));
+          sum += codes.back().atoms.size();
+        }
+        (sum > coefficients ? tooMany : fits) = error;
+        if (sum <= coefficients) best = codes;
+      }
+      const PatchCode code = encodePatches(atoms, patches, coefficients, most);
+      for (std::size_t p = 0; p < best.size(); ++p) {
+        QCOMPARE(code.patches[p].atoms, best[p].atoms);
+        QCOMPARE(code.patches[p].coefficients, best[p].coefficients);
+      }
+    }
+  }
+
+  /// What K-SVD learned from some materials serves another one better than patches of those materials do.
+  void learnedAtomsServeAnotherMaterial() {
+    TrainingMaterials materials = ggxMaterials(6);
+    materials.names.resize(5);
+    const KSvdResult learned = learnPatchAtoms(materials, smallTraining());
+    QCOMPARE(learned.atoms.rows(), Eigen::Index(36));
+    QVERIFY(learned.errors.back() < 0.5 * learned.errors.front());
+    const Eigen::MatrixXd patches = materialPatches(5);
+    std::mt19937_64 random(2);
+    const AtomSet atoms(learned.atoms), noise(randomOrthonormal(36, random));
+    const double error = relativeError(patches, decodePatches(atoms, encodePatches(atoms, patches, 150)));
+    QVERIFY(error < 0.2);
+    QVERIFY(error < 0.5 * relativeError(patches, decodePatches(noise, encodePatches(noise, patches, 150))));
+  }
+
+  void hardCase12BlackPatches() {
+    std::mt19937_64 random(1);
+    const AtomSet basis(randomOrthonormal(36, random));
+    const Eigen::MatrixXd black = Eigen::MatrixXd::Zero(36, 10);
+    const PatchCode code = encodePatches(basis, black, 100);
+    QCOMPARE(code.coefficients(), std::size_t(0));
+    QVERIFY(decodePatches(basis, code) == black);
+    QCOMPARE(encodePatches(basis, Eigen::MatrixXd(36, 0), 100).patches.size(), std::size_t(0));
+  }
+
+  void hardCase50SameBitsForAnyThreads() {
+    std::vector<Eigen::MatrixXd> atoms, decoded;
+    for (const int threads : {1, 16}) {
+      const ThreadLimit limit(threads);
+      atoms.push_back(learnPatchAtoms(ggxMaterials(4), smallTraining()).atoms);
+      const AtomSet set(atoms.back());
+      decoded.push_back(decodePatches(set, encodePatches(set, materialPatches(1), 100)));
+    }
+    QVERIFY(atoms[0] == atoms[1] && decoded[0] == decoded[1]);
+  }
+
+  void canBeCancelled() {
+    std::stop_source stop;
+    stop.request_stop();
+    const TaskControl control{stop.get_token(), {}};
+    std::mt19937_64 random(1);
+    QVERIFY_EXCEPTION_THROWN(learnPatchAtoms(ggxMaterials(2), smallTraining(), control), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(encodePatches(AtomSet(randomOrthonormal(36, random)), materialPatches(0), 10, 32, control),
+                             Cancelled);
+  }
+};
+
+GONIO_TEST(PatchCodeTest)
+#include "patch_code_test.moc"

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace gonio::widgets {
+
+struct EditEntry;
+class NumberField;
+class ParameterSlider;
+
+/// One edit of an EditStack: eye, name and the button that deletes above, the strength below.
+class EditRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit EditRow(QWidget* parent = nullptr);
+
+  void show(const EditEntry& entry);
+  /// The name becomes a field; Return or leaving it takes what was typed, Escape leaves the name as it was.
+  void beginRename();
+
+ Q_SIGNALS:
+  void enabledChosen(bool enabled);
+  void editingStarted();
+  void strengthEdited(double strength);
+  void editingFinished();
+  void renamed(const QString& name);
+  void deleteRequested();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void endRename();
+  void elideName();
+
+  QToolButton* m_eye;
+  QLabel* m_name;
+  QLineEdit* m_nameField;
+  ParameterSlider* m_slider;
+  NumberField* m_field;
+  QToolButton* m_delete;
+  QString m_fullName, m_ownName;
+};
+
+}  // namespace gonio::widgets

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "widgets/preview/gl/factor_texture.h"
+#include "widgets/preview/gl/preview_subject.h"
+
+namespace gonio::widgets {
+
+/// The edits of a table in shaders/preview/material.glsl: a step of generated text for each that changes something, in
+/// the order of the list. A variant depends on the kinds of edits and their models alone; values are uniforms and the
+/// texels of curves.
+class EditChain {
+ public:
+  /// What the shader is compiled for; nothing where no edit changes something.
+  static void addVariant(const editing::EditList& edits, QStringList& definitions, QStringList& preamble);
+  /// Sets the uniforms of a shader of that variant, and brings the curves of factor edits to `unit`.
+  void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, const editing::EditList& edits, int unit);
+  /// In the context of bind().
+  void release(QOpenGLFunctions_4_1_Core& gl) { factors_.release(gl); }
+
+ private:
+  FactorTexture factors_;
+};
+
+/// "evaluate_ggx": the function of shaders/models that evaluates a model.
+QString modelFunction(const models::Model& model);
+/// "models/ggx.glsl": the file that it is in.
+QString modelFile(const models::Model& model);
+void setModelParameters(QOpenGLShaderProgram& program, const QString& name, const models::Model& model,
+                        const models::ParameterValues& values);
+
+}  // namespace gonio::widgets
