@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "app/gonio/document/edit_steps.h"
 #include "tests/app/gonio/interpolation_panel_test_support.h"
 #include "tests/support/test_program.h"
 #include "widgets/inputs/number_field.h"
@@ -189,7 +190,7 @@ class InterpolationPanelTest : public QObject {
     fit.parameters = {{Rgb(0.6)}};
     editor.document.adoptFit(fit);
     QVERIFY(editor.panel.subject());
-    editor.document.setParameter(0, Rgb(0.5));
+    setParameter(editor.document, 0, Rgb(0.5));
     QVERIFY(!editor.panel.subject());
     editor.panel.moveTo({0.6, 0});
     QVERIFY(editor.panel.subject());

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "app/gonio/document/document_controller.h"
+#include "app/gonio/document/edit_steps.h"
 #include "core/models/model.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
@@ -128,7 +129,7 @@ class PlotsPanelTest : public QObject {
     p.panel.show();
     p.open();
     for (int i = 0; i <= 40; ++i) {
-      p.document.setParameter(0, Rgb(0.5 + i * 0.01));
+      setParameter(p.document, 0, Rgb(0.5 + i * 0.01));
       if (i < 30) QTest::qWait(1);  // the last ones come while the first of them is still being plotted
     }
     QTRY_VERIFY(p.panel.isSettled());

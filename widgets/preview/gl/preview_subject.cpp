@@ -52,7 +52,7 @@ TablePointer PreviewSubject::table() const {
 
 bool PreviewSubject::isMeasured() const {
   const auto* edited = std::get_if<EditedTable>(&shown);
-  return edited && editing::isIdentity(edited->edits);
+  return edited ? editing::isIdentity(edited->edits) : isEmpty();
 }
 
 PreviewSubject tableSubject(TablePointer table, const SamplingLobe& lobe) {

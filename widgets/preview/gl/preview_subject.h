@@ -43,7 +43,7 @@ struct PreviewSubject {
   bool isEmpty() const { return std::holds_alternative<std::monostate>(shown); }
   /// Null where no table is shown.
   std::shared_ptr<const TabulatedBrdf> table() const;
-  /// Whether it is a table as it is: without edits that change something.
+  /// Whether it is a table as it is, without edits that change something; or nothing.
   bool isMeasured() const;
 };
 
