@@ -7,6 +7,7 @@
 #include "app/gonio/acquisition/acquisition_training.h"
 #include "app/gonio/document/background_task.h"
 #include "core/acquisition/sample_selection.h"
+#include "core/acquisition/sampling_plan.h"
 
 namespace gonio::app {
 
