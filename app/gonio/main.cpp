@@ -11,12 +11,15 @@
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_curves_panel.h"
+#include "app/gonio/inspector/inspector.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/library/thumbnail.h"
+#include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/study/study_panel.h"
+#include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/main_window.h"
 #include "app/gonio/window/screenshot.h"
 #include "app/gonio/window/theme.h"
@@ -109,23 +112,22 @@ QString asGiven(const QString& file) {
 }
 
 /// Edits the factor curves as soon as they are known.
-void editFactors(MainWindow& window, const Options& options) {
+void editFactors(FactorCurvesPanel& factors, const Options& options) {
   constexpr int checkMilliseconds = 100;
-  auto* timer = new QTimer(&window);
-  QObject::connect(timer, &QTimer::timeout, &window, [&window, timer, options] {
-    if (window.factors().column(FactorAxis::deviation).editor().nodes().empty()) return;
+  auto* timer = new QTimer(&factors);
+  QObject::connect(timer, &QTimer::timeout, &factors, [&factors, timer, options] {
+    if (factors.column(FactorAxis::deviation).editor().nodes().empty()) return;
     timer->stop();
-    if (options.widen > 0) window.factors().widen(options.widen);
-    if (!options.takeF1.isEmpty()) window.factors().takeOver(FactorAxis::theta, options.takeF1);
+    if (options.widen > 0) factors.widen(options.widen);
+    if (!options.takeF1.isEmpty()) factors.takeOver(FactorAxis::theta, options.takeF1);
   });
   timer->start(checkMilliseconds);
 }
 
 /// Measures the representations of the material that is opened, and shows one of them.
-void measureRepresentations(MainWindow& window, const QString& label) {
-  window.showDock(QStringLiteral("study"));
-  StudyPanel& study = window.study();
-  QObject::connect(&window.document(), &Document::materialChanged, &study, &StudyPanel::measure, Qt::QueuedConnection);
+void measureRepresentations(const EditorParts& parts, const QString& label) {
+  StudyPanel& study = parts.study;
+  QObject::connect(&parts.document, &Document::materialChanged, &study, &StudyPanel::measure, Qt::QueuedConnection);
   QObject::connect(&study.model(), &StudyModel::dataChanged, &study, [&study, label](const QModelIndex& index) {
     const int row = index.row();
     const bool isIt = study.model().representation(row).fullLabel() == label.toStdString();
@@ -134,57 +136,71 @@ void measureRepresentations(MainWindow& window, const QString& label) {
 }
 
 /// Acquires the material that is opened, and shows a page of the panel then.
-void acquire(MainWindow& window, int samples, int page) {
-  window.showAcquisitionLayout();
-  AcquisitionPanel& panel = window.acquisition();
-  panel.controls().setSamples(samples);
-  QObject::connect(&window.document(), &Document::materialChanged, &panel, &AcquisitionPanel::start,
+void acquire(const EditorParts& parts, int samples, int page) {
+  AcquisitionPanel& panel = parts.acquisition;
+  panel.controls().directions().setSamples(samples);
+  QObject::connect(&parts.document, &Document::materialChanged, &panel, &AcquisitionPanel::start,
                    Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
   QObject::connect(
       &panel.session(), &AcquisitionSession::resultChanged, &panel,
       [&panel, page] { panel.pages().setCurrentIndex(page); }, Qt::QueuedConnection);
 }
 
-/// Puts the window into the state that a picture is to show.
-void prepare(MainWindow& window, const Options& options) {
-  if (!options.plot.isEmpty()) window.plots().showKind(options.plot);
-  const QStringList modes{"off", "split", "flicker", "difference", "two-up"};
-  if (modes.contains(options.compare))
-    window.comparison().setComparison({.mode = gonio::widgets::CompareMode(modes.indexOf(options.compare))});
-  if (options.factors) window.showDock(QStringLiteral("factors"));
-  if (!options.scene.isEmpty()) {
-    window.showDock(QStringLiteral("scene"));
-    window.scenePanel().open(options.scene);
-  }
-  if (options.encoded > 0) {
-    window.inspector().unfoldRepresentation();
-    window.inspector().representation()->setCoefficients(options.encoded);
-    window.inspector().representation()->showEncoded().setChecked(true);
-  }
-  if (options.widen > 0 || !options.takeF1.isEmpty()) editFactors(window, options);
-  if (!options.blended.isEmpty()) window.showDock(QStringLiteral("interpolation"));
-  // Also when the material that is opened comes later than these.
-  InterpolationPanel& interpolation = window.interpolation();
-  if (!options.blended.isEmpty())
-    QObject::connect(
-        &window.document(), &Document::materialChanged, &window,
-        [&interpolation] { interpolation.setShownInPreview(true); }, Qt::QueuedConnection);
-  for (qsizetype i = 0; i < options.blended.size(); ++i) {
-    if (i >= interpolation.ends().count()) interpolation.ends().addPlace();
-    interpolation.ends().read(int(i), options.blended[i]);
-  }
-  if (options.acquired > 0) acquire(window, options.acquired, options.acquisitionPage);
-  if (!options.study.isEmpty()) measureRepresentations(window, options.study);
-  if (!options.models) return;
-  window.showDock(QStringLiteral("models"));
-  // Once, when the material and its first fit are there.
+/// Shows the Interpolation dock's blend of materials, also when the material that is opened comes later than these.
+void interpolate(const EditorParts& parts, const QStringList& blended) {
+  InterpolationPanel& interpolation = parts.interpolation;
   QObject::connect(
-      &window.document(), &Document::stateChanged, &window,
-      [&window] {
-        if (window.document().active<editing::DifferentialEdit>() && window.ranking().model().rowCount() == 0 && !window.ranking().isRunning())
-          window.ranking().fitAll();
+      &parts.document, &Document::materialChanged, &interpolation,
+      [&interpolation] { interpolation.setShownInPreview(true); }, Qt::QueuedConnection);
+  for (qsizetype i = 0; i < blended.size(); ++i) {
+    if (i >= interpolation.ends().count()) interpolation.ends().addPlace();
+    interpolation.ends().read(int(i), blended[i]);
+  }
+}
+
+/// Ranks the fits of the material that is opened, once it and its first fit are there.
+void rankFits(const EditorParts& parts) {
+  QObject::connect(
+      &parts.document, &Document::stateChanged, &parts.ranking,
+      [&document = parts.document, &ranking = parts.ranking] {
+        if (document.active<gonio::editing::DifferentialEdit>() && ranking.model().rowCount() == 0 && !ranking.isRunning()) ranking.fitAll();
       },
       Qt::QueuedConnection);
+}
+
+/// Brings an editor into the state that a picture is to show.
+void prepare(EditorParts& parts, DockLayout& docks, const Options& options) {
+  if (!options.plot.isEmpty()) parts.plots.showKind(options.plot);
+  const QStringList modes{"off", "split", "flicker", "difference", "two-up"};
+  if (modes.contains(options.compare))
+    parts.comparison.setComparison({.mode = gonio::widgets::CompareMode(modes.indexOf(options.compare))});
+  if (options.factors) docks.show(QStringLiteral("factors"));
+  if (!options.scene.isEmpty()) {
+    docks.show(QStringLiteral("scene"));
+    parts.scene.open(options.scene);
+  }
+  if (options.encoded > 0) {
+    parts.inspector.unfoldRepresentation();
+    parts.inspector.representation()->setCoefficients(options.encoded);
+    parts.inspector.representation()->showEncoded().setChecked(true);
+  }
+  if (options.widen > 0 || !options.takeF1.isEmpty()) editFactors(parts.factors, options);
+  if (!options.blended.isEmpty()) {
+    docks.show(QStringLiteral("interpolation"));
+    interpolate(parts, options.blended);
+  }
+  if (options.acquired > 0) {
+    docks.showWorkspace(DockLayout::Workspace::acquire);
+    acquire(parts, options.acquired, options.acquisitionPage);
+  }
+  if (!options.study.isEmpty()) {
+    docks.show(QStringLiteral("study"));
+    measureRepresentations(parts, options.study);
+  }
+  if (options.models) {
+    docks.show(QStringLiteral("models"));
+    rankFits(parts);
+  }
 }
 
 }  // namespace
@@ -206,15 +222,16 @@ int main(int argc, char** argv) {
   auto* window = new MainWindow;
   if (options.size.isValid()) window->resize(options.size);
   window->show();
-  prepare(*window, options);
+  prepare(window->parts(), window->docks(), options);
   if (!options.screenshot.isEmpty())
-    new Screenshot(*window, options.screenshot, options.waitSeconds);
+    new Screenshot(
+        *window, [window] { return window->parts().isSettled(); }, options.screenshot, options.waitSeconds);
   else
-    window->offerRecovery();
+    window->files().offerRecovery();
   for (qsizetype i = 0; i < options.files.size(); ++i) {
     auto* target = i == 0 ? window : new MainWindow;
     target->show();
-    target->open(asGiven(options.files[i]));
+    target->files().open(asGiven(options.files[i]));
   }
   return QApplication::exec();
 }

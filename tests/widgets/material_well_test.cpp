@@ -53,6 +53,9 @@ class MaterialWellTest : public QObject {
     QMimeData text;
     text.setText("chrome");
     QVERIFY(!drop(text));
+    QMimeData picture;
+    picture.setUrls({QUrl::fromLocalFile("/some/where/sky.hdr")});
+    QVERIFY(!drop(picture));
     QCOMPARE(dropped.count(), 2);
     QCOMPARE(dropped[0][0].toString(), QStringLiteral("library:sgd/nickel"));
     QCOMPARE(dropped[1][0].toString(), QStringLiteral("/some/where/chrome.binary"));

@@ -15,7 +15,7 @@ class QOpenGLContext;
 namespace gonio::widgets {
 
 /// Draws the preview's pictures in a thread of its own, with an OpenGL context that shares the widget's objects:
-/// compiling shaders, uploading tables, and waiting for the card keep the GUI thread from nothing. Where the platform
+/// compiling shaders, uploading tables, and waiting for the card do not hold up the GUI thread. Where the platform
 /// has no OpenGL in several threads, it draws in this one, between its events.
 class PictureThread : public QObject {
   Q_OBJECT

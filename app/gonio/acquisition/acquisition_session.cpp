@@ -25,8 +25,52 @@ QString freePath(const QString& folder, QString name) {
 }
 }  // namespace
 
-AcquisitionSession::AcquisitionSession(BackgroundTasks& tasks, QObject* parent) : QObject(parent), m_tasks(tasks) {
+AcquisitionSession::AcquisitionSession(BackgroundTasks& tasks, QObject* parent)
+    : QObject(parent), m_tasks(tasks), m_planner(tasks, stepKey, this) {
   connect(&m_tasks, &BackgroundTasks::changed, this, &AcquisitionSession::progressed);
+  connectPlanner();
+}
+
+void AcquisitionSession::connectPlanner() {
+  connect(&m_planner, &AcquisitionPlanner::learning, this, [this] { setStep(Step::learning); });
+  connect(&m_planner, &AcquisitionPlanner::choosing, this, [this] { setStep(Step::choosing); });
+  connect(&m_planner, &AcquisitionPlanner::directionChosen, this, &AcquisitionSession::directionsChanged);
+  connect(&m_planner, &AcquisitionPlanner::stopped, this, &AcquisitionSession::cancel);
+  connect(&m_planner, &AcquisitionPlanner::planned, this, [this] {
+    setStep(Step::idle);
+    Q_EMIT directionsChanged();
+    Q_EMIT planChanged();
+    if (m_simulated) measureReference();
+  });
+  connect(&m_planner, &AcquisitionPlanner::failed, this, [this](const QString& title, const QString& text) {
+    setStep(Step::idle);
+    Q_EMIT failed(title, text);
+  });
+}
+
+// --- The plan
+
+void AcquisitionSession::plan(const PlanSettings& settings, const std::optional<acquisition::SamplingPlan>& given) {
+  m_tasks.drop(stepKey);
+  forgetPlan();
+  m_planner.plan(settings, m_referenceId, given);
+}
+
+void AcquisitionSession::forgetPlan() {
+  m_planner.forget();
+  m_values = {};
+  m_simulated = true;
+  forgetResult();
+  Q_EMIT directionsChanged();
+  Q_EMIT planChanged();
+  Q_EMIT valuesChanged();
+}
+
+void AcquisitionSession::forgetResult() {
+  m_result.reset();
+  m_curve.clear();
+  Q_EMIT resultChanged();
+  Q_EMIT curveChanged();
 }
 
 void AcquisitionSession::setStep(Step step) {
@@ -105,7 +149,7 @@ void AcquisitionSession::install(const AcquisitionReferencePtr& reference) {
   Q_EMIT referenceChanged();
   if (m_step == Step::learning || m_step == Step::choosing) return;
   if (m_simulated) return measureReference();
-  if (hasPlan() && !m_values.rgb.empty()) reconstruct();
+  if (m_planner.hasPlan() && !m_values.rgb.empty()) reconstruct();
 }
 
 // --- The values
@@ -113,15 +157,15 @@ void AcquisitionSession::install(const AcquisitionReferencePtr& reference) {
 void AcquisitionSession::simulate(const acquisition::MeasurementNoise& noise) {
   m_noise = noise;
   m_simulated = true;
-  if (hasPlan()) measureReference();
+  if (m_planner.hasPlan()) measureReference();
 }
 
 void AcquisitionSession::measureReference() {
   forgetResult();
   m_values = {};
-  if (hasPlan() && m_reference) {
+  if (m_planner.hasPlan() && m_reference) {
     try {
-      m_values = acquisition::measure(*m_reference->table, m_plan, m_noise);
+      m_values = acquisition::measure(*m_reference->table, m_planner.samplingPlan(), m_noise);
     } catch (const Error& error) {
       Q_EMIT failed(tr("Cannot measure %1").arg(m_referenceName), QString::fromUtf8(error.what()));
     }
@@ -136,9 +180,9 @@ void AcquisitionSession::measureReference() {
 }
 
 void AcquisitionSession::setValues(const acquisition::MeasuredValues& values, const QString& name) {
-  if (values.rgb.size() != m_plan.samples.size())
+  if (values.rgb.size() != m_planner.samplingPlan().samples.size())
     throw Error("found " + std::to_string(values.rgb.size()) + " values, expected one for each of the plan's " +
-                std::to_string(m_plan.samples.size()) + " samples");
+                std::to_string(m_planner.samplingPlan().samples.size()) + " samples");
   m_simulated = false;
   m_values = values;
   m_valuesName = name;
@@ -152,10 +196,12 @@ void AcquisitionSession::setValues(const acquisition::MeasuredValues& values, co
 
 void AcquisitionSession::setReconstruction(const acquisition::ReconstructionOptions& options) {
   m_options = options;
-  if (hasPlan() && !m_values.rgb.empty()) reconstruct();
+  if (m_planner.hasPlan() && !m_values.rgb.empty()) reconstruct();
 }
 
-AcquisitionInput AcquisitionSession::input() const { return {m_basis, m_plan, m_values, m_options}; }
+AcquisitionInput AcquisitionSession::input() const {
+  return {m_planner.basis(), m_planner.samplingPlan(), m_values, m_options};
+}
 
 void AcquisitionSession::reconstruct() {
   m_curve.clear();
@@ -200,7 +246,7 @@ void AcquisitionSession::startCurve(const AcquisitionInput& input) {
 }
 
 QString AcquisitionSession::resultName() const {
-  return tr("%1 from %n samples", nullptr, int(m_plan.samples.size())).arg(m_resultOf);
+  return tr("%1 from %n samples", nullptr, int(m_planner.samplingPlan().samples.size())).arg(m_resultOf);
 }
 
 void AcquisitionSession::open(Document& document, const QString& folder) {

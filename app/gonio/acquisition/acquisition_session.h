@@ -4,25 +4,11 @@
 
 #include <QObject>
 
+#include "app/gonio/acquisition/acquisition_planner.h"
 #include "app/gonio/acquisition/acquisition_result.h"
-#include "app/gonio/acquisition/acquisition_training.h"
-#include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
-#include "core/acquisition/sample_selection.h"
 
 namespace gonio::app {
-
-/// From what and how the directions are chosen.
-struct PlanSettings {
-  TrainingSet training = measuredTraining();
-  bool leaveOutReference = true;  ///< the measured material teaches nothing of itself
-  acquisition::SelectionMethod method = acquisition::SelectionMethod::simultaneousPursuit;
-  int samples = 20;
-  acquisition::MeasurableDirections measurable;
-  std::uint64_t seed = 1;
-
-  bool operator==(const PlanSettings&) const = default;
-};
 
 /// An acquisition without its widgets: chooses directions, simulates or takes measured values, reconstructs the
 /// material and measures the error. Each step runs in the background and starts the next one.
@@ -54,29 +40,18 @@ class AcquisitionSession : public QObject {
   QString referenceName() const { return m_referenceName; }
   bool isReadingReference() const;
 
-  /// Chooses directions anew: learns the training set, unless the last plan was of the same one, and tells each
-  /// direction as it is chosen. With a reference it is measured then.
-  void plan(const PlanSettings& settings);
-  /// Takes a plan that was made before instead of choosing one, at the nearest cells of what `settings` learn.
-  void plan(const PlanSettings& settings, const acquisition::SamplingPlan& given);
+  /// Chooses directions anew, and reports each as it is chosen. With a reference it is measured then.
+  /// @param given a plan that was made before, to take instead.
+  void plan(const PlanSettings& settings, const std::optional<acquisition::SamplingPlan>& given = {});
+  const AcquisitionPlanner& planner() const { return m_planner; }
   /// Stops what is under way. What is there stays.
   void cancel();
   Step step() const { return m_step; }
   bool isBusy() const { return m_step != Step::idle; }
   /// Share of the current step, [0, 1].
   double share() const;
-  const PlanSettings& settings() const { return m_settings; }
-  /// Those chosen so far.
-  std::vector<DirectionPair> directions() const;
-  bool hasPlan() const { return !m_plan.samples.empty(); }
-  const acquisition::SamplingPlan& samplingPlan() const { return m_plan; }
-  const acquisition::SampleSelection& selection() const { return m_selection; }
-  /// Null until a training set is learned.
-  const std::shared_ptr<const dictionary::PrincipalComponents>& basis() const { return m_basis; }
-  /// How many materials it was learned from.
-  int learnedMaterials() const { return int(m_learned.size()); }
-  /// Whether the reference, or a copy of it, is among those that were learned.
-  bool isReferenceLearned() const;
+  /// Whether the reference, or a copy of it, is among the materials that were learned.
+  bool isReferenceLearned() const { return m_planner.hasLearned(m_referenceId); }
 
   /// From now on the reference is measured with this noise.
   void simulate(const acquisition::MeasurementNoise& noise);
@@ -112,10 +87,6 @@ class AcquisitionSession : public QObject {
   void failed(const QString& title, const QString& text);
 
  private:
-  struct Planned {
-    acquisition::SampleSelection selection;
-    acquisition::SamplingPlan plan;
-  };
   /// One key for all steps: a step takes the place of the one before.
   inline static const QString stepKey = QStringLiteral("acquisition");
   void setStep(Step step);
@@ -123,12 +94,7 @@ class AcquisitionSession : public QObject {
   void forgetResult();
   void install(const AcquisitionReferencePtr& reference);
   void readReference(std::function<AcquisitionReferencePtr(const TaskControl&)> read);
-  void start(const PlanSettings& settings, const std::optional<acquisition::SamplingPlan>& given);
-  void learn(const QStringList& ids);
-  void choose();
-  void takeGiven();
-  void installPlan(const Planned& planned);
-  void takeChosen(int run, std::uint32_t cell);
+  void connectPlanner();
   void measureReference();
   void reconstruct();
   void startCurve(const AcquisitionInput& input);
@@ -140,14 +106,7 @@ class AcquisitionSession : public QObject {
   RenderOptions m_picture = acquisitionPicture();
   QString m_referenceId, m_referenceName;
   AcquisitionReferencePtr m_reference;
-  PlanSettings m_settings;
-  std::shared_ptr<const dictionary::PrincipalComponents> m_basis;
-  QStringList m_learned;                             ///< that m_basis is of
-  std::optional<acquisition::SamplingPlan> m_given;  ///< to be taken as it is
-  int m_run = 0;                                     ///< numbers the plans: directions of an earlier one are late
-  std::vector<std::uint32_t> m_chosen;
-  acquisition::SampleSelection m_selection;
-  acquisition::SamplingPlan m_plan;
+  AcquisitionPlanner m_planner;
   acquisition::MeasurementNoise m_noise;
   acquisition::MeasuredValues m_values;
   QString m_valuesName;

@@ -4,13 +4,13 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStackedWidget>
-#include <QToolButton>
 
-#include "widgets/inputs/number_field.h"
-#include "widgets/inputs/parameter_slider.h"
+#include "app/gonio/interpolation/blend_overview.h"
+#include "app/gonio/interpolation/blend_place_editor.h"
+#include "app/gonio/interpolation/blend_wells.h"
 #include "widgets/interpolation/blend_pad.h"
 #include "widgets/interpolation/blend_strip.h"
 #include "widgets/interpolation/material_well.h"
@@ -18,6 +18,7 @@
 namespace gonio::app {
 
 namespace {
+constexpr int placeEms = 17;
 const QString keepKey = QStringLiteral("keep-blend");
 using Space = editing::InterpolationSpace;
 }  // namespace
@@ -29,22 +30,77 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_ends(document, tasks),
       m_spaces(tasks),
       m_place(widgets::middlePlace(widgets::fewestBlended)),
-      m_swap(new QToolButton),
-      m_add(new QToolButton),
-      m_places(new QStackedWidget),
-      m_slider(new widgets::ParameterSlider),
-      m_number(new widgets::NumberField),
-      m_pad(new widgets::BlendPad),
+      m_wells(new BlendWells(document, m_ends)),
+      m_placeEditor(new BlendPlaceEditor),
+      m_overview(new BlendOverview(m_spaces)),
       m_spaceBox(new QComboBox),
       m_show(new QCheckBox(tr("Show in the &preview"))),
-      m_explanation(new QLabel),
-      m_keep(new QPushButton(tr("&Keep as Material"))),
-      m_draw(new QPushButton(tr("&Draw the Spaces"))),
-      m_strip(new widgets::BlendStrip) {
-  buildChoice();
+      m_keep(new QPushButton(tr("&Keep as Material"))) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->setSpacing(fontMetrics().height());
+  layout->addWidget(m_wells);
+  layout->addWidget(buildChoice());
+  layout->addWidget(m_overview, 1);
   connectParts();
   setSpace(m_space);
   endsChanged();
+}
+
+QSize InterpolationPanel::sizeHint() const { return QSize(80, 22) * fontMetrics().height(); }
+
+QWidget* InterpolationPanel::buildChoice() {
+  for (const Space space : m_spaces.spaces()) {
+    m_spaceBox->addItem(widgets::spaceName(space), int(space));
+    m_spaceBox->setItemData(m_spaceBox->count() - 1, widgets::spaceExplanation(space), Qt::ToolTipRole);
+  }
+  m_spaceBox->setAccessibleName(tr("Space of interpolation"));
+  m_show->setToolTip(tr("The preview shows the blend and follows the hand; off: the open material"));
+  m_show->setChecked(true);
+  m_keep->setToolTip(
+      tr("The blend becomes the open material, to be edited further, saved and exported.\n"
+         "Undo brings back what was open."));
+  auto* label = new QLabel(tr("Spa&ce"));
+  label->setBuddy(m_spaceBox);
+  auto* row = new QHBoxLayout;
+  row->addWidget(label);
+  row->addWidget(m_spaceBox, 1);
+  auto* choice = new QWidget;
+  auto* column = new QVBoxLayout(choice);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(row);
+  column->addWidget(m_placeEditor, 1);
+  column->addWidget(m_show);
+  column->addWidget(m_keep);
+  choice->setFixedWidth(placeEms * fontMetrics().height());
+  return choice;
+}
+
+void InterpolationPanel::connectParts() {
+  connect(&m_ends, &BlendEnds::changed, this, &InterpolationPanel::endsChanged);
+  connect(&m_ends, &BlendEnds::stateChanged, this, &InterpolationPanel::showEnds);
+  connect(&m_ends, &BlendEnds::failed, this, &InterpolationPanel::failed);
+  connect(&m_spaces, &BlendSpaces::changed, this, [this](Space space) {
+    showKeepable();
+    if (space == m_space) Q_EMIT subjectChanged();
+  });
+  connect(m_wells, &BlendWells::touched, this, &InterpolationPanel::touched);
+  connect(m_placeEditor, &BlendPlaceEditor::placeEdited, this, &InterpolationPanel::moveTo);
+  connect(m_spaceBox, &QComboBox::activated, this, [this](int index) {
+    touched();
+    setSpace(Space(m_spaceBox->itemData(index).toInt()));
+  });
+  connect(m_overview, &BlendOverview::chosen, this, [this](Space space, double t) {
+    setSpace(space);
+    moveTo(t < 0 ? m_place : widgets::wayPlace(m_ends.count(), t));
+  });
+  connect(m_overview, &BlendOverview::drawRequested, this, [this] { m_spaces.want(m_space); });
+  connect(m_show, &QCheckBox::toggled, this, &InterpolationPanel::subjectChanged);
+  connect(m_keep, &QPushButton::clicked, this, &InterpolationPanel::keep);
+  // What is edited or opened is what the user wants to see.
+  for (const auto signal : {&Document::materialChanged, &Document::editChanged})
+    connect(&m_document, signal, this, [this] { setShownInPreview(false); });
+  connect(&m_document, &Document::materialChanged, this, &InterpolationPanel::materialChanged);
 }
 
 std::vector<double> InterpolationPanel::weights() const { return widgets::weightsAt(m_ends.count(), m_place); }
@@ -68,15 +124,13 @@ QString InterpolationPanel::description() const {
   return tr("%1 (%2)").arg(shares.join(QStringLiteral(", ")), widgets::spaceName(m_space));
 }
 
-void InterpolationPanel::touched() { setShownInPreview(true); }
-
 void InterpolationPanel::setSpace(Space space) {
   m_space = space;
   const int index = m_spaceBox->findData(int(space));
   m_spaceBox->setCurrentIndex(index);
   m_spaceBox->setToolTip(widgets::spaceExplanation(space));
-  m_explanation->setText(widgets::spaceExplanation(space));
-  m_strip->setCurrentRow(index);
+  m_placeEditor->setExplanation(widgets::spaceExplanation(space));
+  m_overview->strip().setCurrentRow(index);
   if (isVisible()) m_spaces.want(space);
   showPlace();
   Q_EMIT subjectChanged();
@@ -99,15 +153,14 @@ void InterpolationPanel::take(const QString& id) {
 void InterpolationPanel::begin() {
   if (m_document.material() && !m_ends.at(0) && !m_ends.isReading(0)) m_ends.takeCurrent(0);
   touched();
-  m_wells[0]->setFocus(Qt::OtherFocusReason);
+  m_wells->well(0).setFocus(Qt::OtherFocusReason);
 }
 
 void InterpolationPanel::endsChanged() {
   m_place = widgets::nearestPlace(m_ends.count(), m_place);
   m_spaces.setEnds(m_ends.isComplete() ? m_ends.ends() : std::vector<editing::InterpolationEnd>());
-  m_places->setCurrentIndex(m_ends.count() > widgets::fewestBlended ? 1 : 0);
-  showWells();
-  showStrip();
+  showEnds();
+  m_overview->showSpaces();
   if (isVisible()) m_spaces.want(m_space);
   Q_EMIT subjectChanged();
 }
@@ -115,89 +168,30 @@ void InterpolationPanel::endsChanged() {
 void InterpolationPanel::materialChanged() {
   // A blend that is still being kept was to take the place of the material that was open.
   m_tasks.drop(keepKey);
-  showWells();
+  showEnds();
 }
 
-void InterpolationPanel::request() { m_spaces.want(m_space); }
-
-void InterpolationPanel::showWells() {
-  const std::vector<double> all = weights();
+void InterpolationPanel::showEnds() {
+  m_wells->showEnds(weights());
   std::vector<widgets::BlendCorner> corners;
-  for (int i = 0; i < widgets::mostBlended; ++i) {
-    widgets::MaterialWell& one = well(i);
-    one.setVisible(i < m_ends.count());
-    one.setCurrentAvailable(m_document.material() != nullptr);
-    if (i >= m_ends.count()) continue;
-    widgets::WellContent content;
-    if (const BlendEnd* end = m_ends.at(i)) content = {end->name, end->description, end->picture, {}};
-    corners.push_back({content.name, content.picture});
-    content.removable = m_ends.count() > widgets::fewestBlended;
-    content.note = m_ends.isReading(i)      ? tr("Opening...")
-                   : content.name.isEmpty() ? QString()
-                                            : widgets::weightText(all[std::size_t(i)]);
-    if (const QString failure = m_ends.failure(i); !failure.isEmpty()) {
-      content.note = tr("Could not be opened");
-      content.toolTip = failure;
-      content.failed = true;
-    }
-    one.setContent(content);
+  for (int i = 0; i < m_ends.count(); ++i) {
+    const BlendEnd* end = m_ends.at(i);
+    corners.push_back(end ? widgets::BlendCorner{end->name, end->picture} : widgets::BlendCorner());
   }
-  m_pad->setCorners(std::move(corners));
-  m_add->setEnabled(m_ends.count() < widgets::mostBlended);
+  m_placeEditor->setCorners(std::move(corners));
   showPlace();
 }
 
 void InterpolationPanel::showPlace() {
-  const std::vector<double> all = weights();
-  for (int i = 0; i < m_ends.count(); ++i)
-    if (m_ends.at(i) && !m_ends.isReading(i) && m_ends.failure(i).isEmpty())
-      well(i).setNote(widgets::weightText(all[std::size_t(i)]));
-  m_slider->setNumber(m_place.x());
-  m_number->setValue(m_place.x());
-  m_pad->setPlace(m_place);
+  m_wells->showWeights(weights());
+  m_placeEditor->setPlace(m_place);
   // Only a place on the strip's way has a mark there.
   const double t = m_ends.count() == 3 ? 2 * m_place.x() : m_place.x();
-  m_strip->setMark(widgets::wayPlace(m_ends.count(), t) == m_place ? t : -1);
-  m_keep->setEnabled(m_spaces.prepared(m_space) != nullptr);
+  m_overview->strip().setMark(widgets::wayPlace(m_ends.count(), t) == m_place ? t : -1);
+  showKeepable();
 }
 
-void InterpolationPanel::showStrip() {
-  std::vector<widgets::BlendStrip::Row> rows;
-  if (m_spaces.hasEnds()) rows.resize(m_spaces.spaces().size());
-  m_strip->setRows(std::move(rows));
-  for (const Space space : m_spaces.spaces()) showRow(space);
-}
-
-void InterpolationPanel::showRow(Space space) {
-  const auto found = std::find(m_spaces.spaces().begin(), m_spaces.spaces().end(), space);
-  const auto row = std::size_t(found - m_spaces.spaces().begin());
-  bool cancelled = false;
-  for (const Space one : m_spaces.spaces()) cancelled |= m_spaces.state(one) == BlendSpaces::State::cancelled;
-  m_draw->setVisible(cancelled);
-  if (row < m_strip->rows().size()) {
-    widgets::BlendStrip::Row content{widgets::spaceName(space), widgets::spaceExplanation(space),
-                                     m_spaces.pictures(space)};
-    content.pictures.resize(BlendSpaces::pictureCount);
-    switch (m_spaces.state(space)) {
-      case BlendSpaces::State::failed:
-        content.note = m_spaces.failure(space);
-        content.failed = true;
-        content.pictures.clear();
-        break;
-      case BlendSpaces::State::cancelled:
-        content.note = tr("Cancelled");
-        content.pictures.clear();
-        break;
-      case BlendSpaces::State::running:
-        content.note = m_spaces.prepared(space) ? tr("Drawing...") : tr("Preparing...");
-        break;
-      default:
-        break;
-    }
-    m_strip->setRow(int(row), std::move(content));
-  }
-  m_keep->setEnabled(m_spaces.prepared(m_space) != nullptr);
-}
+void InterpolationPanel::showKeepable() { m_keep->setEnabled(m_spaces.prepared(m_space) != nullptr); }
 
 void InterpolationPanel::keep() {
   const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space);

@@ -11,20 +11,13 @@
 
 class QCheckBox;
 class QComboBox;
-class QLabel;
 class QPushButton;
-class QStackedWidget;
-class QToolButton;
-
-namespace gonio::widgets {
-class BlendPad;
-class BlendStrip;
-class MaterialWell;
-class NumberField;
-class ParameterSlider;
-}  // namespace gonio::widgets
 
 namespace gonio::app {
+
+class BlendOverview;
+class BlendPlaceEditor;
+class BlendWells;
 
 /// The content of the Interpolation dock: two to four materials, the place between them under the hand, the space in
 /// which they are blended, all spaces side by side. While it is in sight it tells what the preview is to show. Nothing
@@ -58,17 +51,14 @@ class InterpolationPanel : public QWidget {
   void begin();
   /// The blend becomes the document's material: computed in the background, one undo step.
   void keep();
-  /// Nothing is to come.
+  /// No work is pending.
   bool isSettled() const;
 
-  widgets::MaterialWell& well(int place) const { return *m_wells[std::size_t(place)]; }
-  widgets::ParameterSlider& slider() const { return *m_slider; }
-  widgets::NumberField& number() const { return *m_number; }
-  widgets::BlendPad& pad() const { return *m_pad; }
-  widgets::BlendStrip& strip() const { return *m_strip; }
+  BlendWells& wells() const { return *m_wells; }
+  BlendPlaceEditor& placeEditor() const { return *m_placeEditor; }
+  BlendOverview& overview() const { return *m_overview; }
   QComboBox& spaceBox() const { return *m_spaceBox; }
   QPushButton& keepButton() const { return *m_keep; }
-  QPushButton& drawButton() const { return *m_draw; }
 
  Q_SIGNALS:
   /// subject() is another one.
@@ -81,21 +71,15 @@ class InterpolationPanel : public QWidget {
   QSize sizeHint() const override;
 
  private:
-  QWidget* buildWells();
-  QWidget* buildPlace();
   QWidget* buildChoice();
-  void connectWells();
   void connectParts();
   void endsChanged();
   void materialChanged();
-  void askForFile(int place);
   /// The hand works here: the preview follows.
-  void touched();
-  void showWells();
+  void touched() { setShownInPreview(true); }
+  void showEnds();
   void showPlace();
-  void showStrip();
-  void showRow(editing::InterpolationSpace space);
-  void request();
+  void showKeepable();
 
   Document& m_document;
   BackgroundTasks& m_tasks;
@@ -103,17 +87,12 @@ class InterpolationPanel : public QWidget {
   BlendSpaces m_spaces;
   QPointF m_place;
   editing::InterpolationSpace m_space = editing::InterpolationSpace::linear;
-  std::vector<widgets::MaterialWell*> m_wells;
-  QToolButton *m_swap, *m_add;
-  QStackedWidget* m_places;
-  widgets::ParameterSlider* m_slider;
-  widgets::NumberField* m_number;
-  widgets::BlendPad* m_pad;
+  BlendWells* m_wells;
+  BlendPlaceEditor* m_placeEditor;
+  BlendOverview* m_overview;
   QComboBox* m_spaceBox;
   QCheckBox* m_show;
-  QLabel* m_explanation;
-  QPushButton *m_keep, *m_draw;
-  widgets::BlendStrip* m_strip;
+  QPushButton* m_keep;
 };
 
 }  // namespace gonio::app

@@ -2,99 +2,103 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/study/study_panel.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QPointer>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
-#include <QTreeView>
+#include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/io/atomic_file.h"
-#include "core/study/study_csv.h"
-#include "core/study/study_plot.h"
-#include "widgets/study/study_scatter.h"
+#include "app/gonio/study/study_view.h"
+#include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
 namespace {
-const QString studyKey = QStringLiteral("study"), showKey = QStringLiteral("study preview");
+const QString showKey = QStringLiteral("study preview");
 }
 
-StudyPanel::StudyPanel(Document& document, BackgroundTasks& tasks, QWidget* parent)
+StudyPanel::StudyPanel(const Document& document, BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent),
       m_document(document),
       m_tasks(tasks),
-      m_sorted(new QSortFilterProxyModel(this)),
-      m_measure(new QPushButton(this)),
-      m_back(new QPushButton(tr("&Back to the Material"), this)),
-      m_copy(new QPushButton(tr("Copy as &CSV"), this)),
-      m_export(new QPushButton(tr("E&xport as SVG..."), this)),
-      m_quality(new QComboBox(this)),
-      m_cost(new QComboBox(this)),
-      m_scatter(new widgets::StudyScatter(this)),
-      m_view(new QTreeView(this)),
-      m_budget(new StudyBudgetBar(this)),
-      m_empty(new QLabel(m_view)),
-      m_footer(new QLabel(this)) {
-  buildControls();
-  buildView();
+      m_run(new StudyRun(document, tasks, m_model, this)),
+      m_measure(new QPushButton),
+      m_back(new QPushButton(tr("&Back to the Material"))),
+      m_copy(new QPushButton(tr("Copy as &CSV"))),
+      m_export(new QPushButton(tr("E&xport as SVG..."))),
+      m_quality(new QComboBox),
+      m_cost(new QComboBox),
+      m_view(new StudyView(m_model)),
+      m_budget(new StudyBudgetBar),
+      m_footer(new QLabel) {
+  m_footer->setForegroundRole(QPalette::PlaceholderText);
+  m_footer->setTextFormat(Qt::PlainText);
+  m_footer->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_footer->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(buildChoice());
+  layout->addWidget(m_view, 1);
+  layout->addWidget(m_budget);
+  layout->addWidget(m_footer);
   connectParts();
-  materialChanged();
-}
-
-bool StudyPanel::isRunning() const { return m_tasks.isRunning(studyKey); }
-
-void StudyPanel::setChoice(const study::RepresentationChoice& choice, const study::StudyOptions& options) {
-  m_choice = choice;
-  m_options = options;
-  materialChanged();
-}
-
-void StudyPanel::materialChanged() {
-  m_tasks.drop(studyKey);
-  m_machine.reset();
-  m_model.plan(m_document.material() ? study::representationsOf(m_choice) : std::vector<study::Representation>());
-  show(-1);
   refreshPlot();
 }
 
-void StudyPanel::measure() {
-  const LoadedMaterialPtr material = m_document.material();
-  if (!material || isRunning()) return;
-  if (m_model.missing().empty()) materialChanged();
-  start(material);
-}
-
-void StudyPanel::start(const LoadedMaterialPtr& material) {
-  m_machine = study::machineFacts();
-  study::StudyOptions options = m_options;
-  // A row is told as it is measured: through the tasks' thread, to a panel that may be gone by then.
-  options.measured = [panel = QPointer(this), tasks = &m_tasks, material](const study::StudiedRepresentation& one) {
-    const auto studied = std::make_shared<const study::StudiedRepresentation>(one);
-    QMetaObject::invokeMethod(
-        tasks,
-        [panel, material, studied] {
-          if (panel && panel->m_document.material() == material) panel->take(studied);
-        },
-        Qt::QueuedConnection);
+QWidget* StudyPanel::buildChoice() {
+  m_quality->addItem(tr("rendered SNR"));
+  for (const metrics::MetricRecord& record : metrics::metricRecords()) {
+    m_quality->addItem(widgets::fromView(record.name));
+    m_quality->setItemData(m_quality->count() - 1, widgets::fromView(record.formula), Qt::ToolTipRole);
+  }
+  m_quality->setToolTip(tr("What the plot shows upward, and which error the table has"));
+  for (const study::Cost cost : study::allCosts) m_cost->addItem(QString::fromStdString(study::axisTitle(cost)));
+  m_cost->setToolTip(tr("What the plot shows to the right"));
+  m_copy->setToolTip(tr("Copies all that is measured, with every error, as comma-separated text"));
+  m_export->setToolTip(tr("The plot as it is chosen, dark on white"));
+  m_back->setToolTip(tr("The preview shows the material again (Escape)"));
+  m_measure->setToolTip(tr("Measures every representation in the background: those that are missing, or all anew"));
+  auto* choice = new QWidget;
+  auto* top = new QHBoxLayout(choice);
+  top->setContentsMargins(0, 0, 0, 0);
+  top->addWidget(m_measure);
+  const auto labelled = [&](const QString& text, QComboBox* box) {
+    auto* label = new QLabel(text);
+    label->setBuddy(box);
+    top->addWidget(label);
+    top->addWidget(box);
   };
-  m_tasks.run<bool>(
-      {tr("Measuring representations"), studyKey},
-      [material, options, missing = m_model.missing()](const TaskControl& control) {
-        study::runStudy({material->table, material->material.brdf}, missing, options, control);
-        return true;
-      },
-      [this](bool) { refresh(); },
-      [this](const QString& error) { Q_EMIT failed(tr("Cannot measure all representations"), error); });
-  refresh();
+  labelled(tr("E&rror by"), m_quality);
+  labelled(tr("o&ver"), m_cost);
+  top->addStretch();
+  for (QPushButton* button : {m_back, m_copy, m_export}) top->addWidget(button);
+  return choice;
 }
 
-void StudyPanel::take(const StudyModel::Studied& studied) {
-  m_model.add(studied);
-  refreshPlot();
+void StudyPanel::connectParts() {
+  connect(m_measure, &QPushButton::clicked, this, [this] { m_run->isRunning() ? m_run->cancel() : measure(); });
+  connect(m_back, &QPushButton::clicked, this, [this] { show(-1); });
+  connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_run->csv()); });
+  connect(m_export, &QPushButton::clicked, this, &StudyPanel::exportSvg);
+  connect(m_cost, &QComboBox::currentIndexChanged, this, &StudyPanel::refreshPlot);
+  connect(m_quality, &QComboBox::currentIndexChanged, this, [this] {
+    if (const auto metric = axes().quality) m_model.setMetric(*metric);
+    refreshPlot();
+  });
+  connect(m_view, &StudyView::chosen, this, &StudyPanel::show);
+  connect(m_view, &StudyView::dismissed, this, [this] { show(-1); });
+  connect(m_budget, &StudyBudgetBar::budgetChanged, this, &StudyPanel::refresh);
+  connect(m_budget, &StudyBudgetBar::taken, this, &StudyPanel::takeBest);
+  connect(m_run, &StudyRun::restarted, this, [this] {
+    show(-1);
+    refreshPlot();
+  });
+  connect(m_run, &StudyRun::rowMeasured, this, &StudyPanel::refreshPlot);
+  connect(m_run, &StudyRun::runningChanged, this, &StudyPanel::refresh);
+  connect(m_run, &StudyRun::failed, this, &StudyPanel::failed);
 }
 
 void StudyPanel::show(int row) {
@@ -135,37 +139,6 @@ QString StudyPanel::shownName() const {
   return m_shown < 0 ? QString() : QString::fromStdString(m_model.representation(m_shown).fullLabel());
 }
 
-std::string StudyPanel::studyTitle() const {
-  return m_document.material() ? m_document.material()->material.name : std::string();
-}
-
-std::string StudyPanel::pictures() const {
-  const RenderOptions& picture = m_options.picture;
-  return study::picturesText(picture.width, picture.height, picture.samples);
-}
-
-QString StudyPanel::csv() const {
-  const auto records = m_model.records();
-  return QString::fromStdString(plots::toCsv(
-      study::studyCsv("material: " + studyTitle(), records, m_machine.value_or(study::MachineFacts()), pictures())));
-}
-
-void StudyPanel::exportSvg() {
-  const QString name = QString::fromStdString(studyTitle() + " accuracy.svg").replace('/', '-');
-  QString path = QFileDialog::getSaveFileName(this, tr("Export Plot"), name, tr("SVG file (*.svg)"));
-  if (path.isEmpty()) return;
-  if (!path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive)) path += QStringLiteral(".svg");
-  try {
-    const study::StudyAxes panels[] = {axes()};
-    std::vector<std::string> notes = machineLines(*m_machine);
-    notes.push_back("pictures and frames: " + pictures());
-    io::writeFileAtomically(path.toStdString(), study::studySvg(studyTitle(), m_model.records(), panels, notes));
-    Q_EMIT exported(path);
-  } catch (const Error& error) {
-    Q_EMIT failed(tr("Cannot export the plot"), QString::fromUtf8(error.what()));
-  }
-}
-
 study::StudyAxes StudyPanel::axes() const {
   study::StudyAxes axes{.cost = study::allCosts[m_cost->currentIndex()], .quality = {}};
   if (const int metric = m_quality->currentIndex() - 1; metric >= 0)
@@ -173,39 +146,51 @@ study::StudyAxes StudyPanel::axes() const {
   return axes;
 }
 
-void StudyPanel::clicked(const QModelIndex& index) {
-  if (index.isValid()) show(m_sorted->mapToSource(index).row());
+void StudyPanel::takeBest() {
+  if (m_best < 0) return;
+  const study::Representation representation = m_model.representation(m_best);
+  if (m_shown != m_best) show(m_best);
+  Q_EMIT taken(representation);
 }
 
-bool StudyPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != m_view || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
-  switch (static_cast<QKeyEvent*>(event)->key()) {
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-    case Qt::Key_Space:
-      clicked(m_view->currentIndex());
-      return true;
-    case Qt::Key_Escape:
-      if (!m_subject) return false;
-      show(-1);
-      return true;
-    default:
-      return false;
+void StudyPanel::exportSvg() {
+  const QString name = QString::fromStdString(m_run->title() + " accuracy.svg").replace('/', '-');
+  QString path = QFileDialog::getSaveFileName(this, tr("Export Plot"), name, tr("SVG file (*.svg)"));
+  if (path.isEmpty()) return;
+  if (!path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive)) path += QStringLiteral(".svg");
+  try {
+    m_run->writeSvg(path, axes());
+    Q_EMIT exported(path);
+  } catch (const Error& error) {
+    Q_EMIT failed(tr("Cannot export the plot"), QString::fromUtf8(error.what()));
   }
 }
 
 void StudyPanel::refreshPlot() {
-  m_scatter->setRecords(m_model.records(), axes());
+  m_view->showPoints(axes());
   refresh();
 }
 
 void StudyPanel::refresh() {
-  const bool open = m_document.material() != nullptr, running = isRunning();
-  const auto rows = m_model.measuredRows();
+  const bool open = m_document.material() != nullptr, running = m_run->isRunning();
   const bool whole = open && m_model.missing().empty();
   m_measure->setText(running ? tr("Stop") : whole ? tr("Re-&measure") : tr("&Measure"));
   m_measure->setEnabled(open);
   m_back->setVisible(m_subject.has_value());
+  refreshBudget();
+  m_view->setMarks(m_shown, m_best);
+  m_view->setHint(!open ? tr("Open a material to see what accuracy costs.")
+                  : running
+                      ? tr("The first representation is being measured.")
+                      : tr("Measure takes some minutes in the background: every way to keep this material, its error "
+                           "and what it costs."));
+  QStringList facts;
+  for (const std::string& line : m_run->machine()) facts << QString::fromStdString(line);
+  m_footer->setText(facts.join(QStringLiteral(" · ")));
+}
+
+void StudyPanel::refreshBudget() {
+  const auto rows = m_model.measuredRows();
   for (QPushButton* button : {m_copy, m_export}) button->setEnabled(!rows.empty());
   const auto best = study::bestWithin(m_model.records(), m_budget->budget());
   m_best = best ? rows[*best] : -1;
@@ -214,24 +199,6 @@ void StudyPanel::refresh() {
                       : best ? tr("Best: %1").arg(QString::fromStdString(m_model.representation(m_best).fullLabel()))
                              : tr("None of the %1 measured ones keeps these limits.").arg(rows.size()),
                       best.has_value());
-  m_model.setMarks(m_shown, m_best);
-  const auto pointOf = [&](int row) {
-    const auto found = std::ranges::find(rows, row);
-    return found == rows.end() ? -1 : int(found - rows.begin());
-  };
-  m_scatter->setMarks(pointOf(m_shown), pointOf(m_best));
-  const QString hint = !open ? tr("Open a material to see what accuracy costs.")
-                       : running
-                           ? tr("The first representation is being measured.")
-                           : tr("Measure takes some minutes in the background: every way to keep this material, its "
-                                "error and what it costs.");
-  m_scatter->setHint(hint);
-  m_empty->setVisible(!open);
-  m_empty->setText(hint);
-  QStringList facts;
-  if (m_machine)
-    for (const std::string& line : machineLines(*m_machine)) facts << QString::fromStdString(line);
-  m_footer->setText(facts.join(QStringLiteral(" · ")));
 }
 
 }  // namespace gonio::app

@@ -2,26 +2,26 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QObject>
-
-class QMenu;
+#include <QMenu>
 
 namespace gonio::app {
 
-class MainWindow;
+class ComparisonController;
+class DockLayout;
+class Document;
+class StudyPanel;
 
-/// The Analyse menu: comparisons.
-class AnalyseMenu : public QObject {
+/// The Analyse menu: comparisons, and the study of representations.
+class AnalyseMenu : public QMenu {
   Q_OBJECT
 
  public:
-  explicit AnalyseMenu(MainWindow& window);
+  AnalyseMenu(const Document& document, ComparisonController& comparison, DockLayout& docks, StudyPanel& study,
+              QWidget* window);
 
  private:
-  void addModes(QMenu* menu);
-  void chooseReference();
-
-  MainWindow& m_window;
+  void addComparison(ComparisonController& comparison);
+  void addModes(QMenu* menu, ComparisonController& comparison);
 };
 
 }  // namespace gonio::app

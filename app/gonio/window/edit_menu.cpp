@@ -6,15 +6,15 @@
 #include <QClipboard>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QDockWidget>
 #include <QFormLayout>
-#include <QMenuBar>
 #include <QMimeData>
+#include <QSettings>
 #include <QSpinBox>
 
 #include "app/gonio/document/edit_steps.h"
+#include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/edit_transfer.h"
-#include "app/gonio/window/main_window.h"
+#include "app/gonio/inspector/inspector.h"
 #include "widgets/parameters/parameter_panel.h"
 
 namespace gonio::app {
@@ -22,50 +22,53 @@ namespace gonio::app {
 namespace {
 const QString historyLimitKey = QStringLiteral("history/megabytes");
 constexpr int defaultHistoryMegabytes = int(History::defaultByteLimit >> 20);
-
-void applyHistoryLimit(MainWindow& window) {
-  const int megabytes = window.settings().value(historyLimitKey, defaultHistoryMegabytes).toInt();
-  window.document().history().setByteLimit(std::size_t(std::max(1, megabytes)) << 20);
-}
 }  // namespace
 
-EditMenu::EditMenu(MainWindow& window) : QObject(&window), m_window(window) {
-  QMenu* menu = window.menuBar()->addMenu(tr("&Edit"));
-  addHistory(menu);
-  menu->addSeparator();
-  addEdits(menu);
-  menu->addSeparator();
-  menu->addAction(tr("&Preferences..."), QKeySequence(Qt::CTRL | Qt::Key_Comma), this, &EditMenu::showPreferences);
-  applyHistoryLimit(window);
+EditMenu::EditMenu(Document& document, DocumentController& controller, const Inspector& inspector, QSettings& settings,
+                   QAction* showHistory, QWidget* window)
+    : QMenu(tr("&Edit"), window),
+      m_document(document),
+      m_controller(controller),
+      m_inspector(inspector),
+      m_settings(settings) {
+  addHistory(showHistory);
+  addSeparator();
+  addEdits();
+  addSeparator();
+  addAction(tr("&Preferences..."), QKeySequence(Qt::CTRL | Qt::Key_Comma), this, &EditMenu::showPreferences);
+  applyHistoryLimit();
 }
 
-void EditMenu::addHistory(QMenu* menu) {
-  History& history = m_window.document().history();
+int EditMenu::historyMegabytes() const {
+  return std::max(1, m_settings.value(historyLimitKey, defaultHistoryMegabytes).toInt());
+}
+
+void EditMenu::applyHistoryLimit() { m_document.history().setByteLimit(std::size_t(historyMegabytes()) << 20); }
+
+void EditMenu::addHistory(QAction* showHistory) {
+  History& history = m_document.history();
   QAction* undo = history.createUndoAction(this, tr("&Undo"));
   undo->setShortcut(QKeySequence::Undo);
   QAction* redo = history.createRedoAction(this, tr("&Redo"));
   redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-  menu->addActions({undo, redo});
-  for (QDockWidget* dock : m_window.docks())
-    if (dock->objectName() == "history") menu->addAction(dock->toggleViewAction());
+  addActions({undo, redo, showHistory});
 }
 
-void EditMenu::addEdits(QMenu* menu) {
-  Document& document = m_window.document();
-  QAction* copy = menu->addAction(tr("&Copy Edits"), QKeySequence::Copy, this, [&document] {
+void EditMenu::addEdits() {
+  Document& document = m_document;
+  QAction* copy = addAction(tr("&Copy Edits"), QKeySequence::Copy, this, [&document] {
     QApplication::clipboard()->setMimeData(toClipboard(document.toEditDocument()));
   });
-  QAction* paste = menu->addAction(tr("&Paste Edits"), QKeySequence::Paste, this, [this] {
-    m_window.controller().paste(editsFromClipboard(QApplication::clipboard()->mimeData()));
-  });
-  menu->addSeparator();
-  QAction* reset = menu->addAction(tr("Reset Pa&rameter"), QKeySequence(Qt::Key_Backspace), this, [this, &document] {
-    const int parameter = m_window.inspector().parameters()->currentParameter();
+  QAction* paste = addAction(tr("&Paste Edits"), QKeySequence::Paste, this,
+                             [this] { m_controller.paste(editsFromClipboard(QApplication::clipboard()->mimeData())); });
+  addSeparator();
+  QAction* reset = addAction(tr("Reset Pa&rameter"), QKeySequence(Qt::Key_Backspace), this, [this, &document] {
+    const int parameter = m_inspector.parameters()->currentParameter();
     if (parameter >= 0) resetParameter(document, parameter);
   });
   reset->setToolTip(tr("Resets the parameter under the pointer or with the focus"));
-  QAction* resetAll = menu->addAction(tr("Reset &All"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Backspace), this,
-                                      [&document] { resetParameters(document); });
+  QAction* resetAll = addAction(tr("Reset &All"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Backspace), this,
+                                [&document] { resetParameters(document); });
   const auto update = [=, this, &document] {
     const auto* edit = document.active<editing::DifferentialEdit>();
     copy->setEnabled(!document.edits().empty());
@@ -85,21 +88,21 @@ void EditMenu::addEdits(QMenu* menu) {
 }
 
 void EditMenu::showPreferences() {
-  QDialog dialog(&m_window);
+  QDialog dialog(parentWidget());
   dialog.setWindowTitle(tr("Preferences"));
   auto* megabytes = new QSpinBox(&dialog);
   megabytes->setRange(1, 1 << 14);
   megabytes->setSuffix(tr(" MB"));
-  megabytes->setValue(m_window.settings().value(historyLimitKey, defaultHistoryMegabytes).toInt());
+  megabytes->setValue(historyMegabytes());
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
   connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
   auto* form = new QFormLayout(&dialog);
-  form->addRow(tr("&Memory of the undo history"), megabytes);
+  form->addRow(tr("Undo &memory"), megabytes);
   form->addRow(buttons);
   if (dialog.exec() != QDialog::Accepted) return;
-  m_window.settings().setValue(historyLimitKey, megabytes->value());
-  applyHistoryLimit(m_window);
+  m_settings.setValue(historyLimitKey, megabytes->value());
+  applyHistoryLimit();
 }
 
 }  // namespace gonio::app

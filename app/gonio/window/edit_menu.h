@@ -2,27 +2,36 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QObject>
+#include <QMenu>
 
-class QMenu;
+class QSettings;
 
 namespace gonio::app {
 
-class MainWindow;
+class Document;
+class DocumentController;
+class Inspector;
 
 /// The Edit menu.
-class EditMenu : public QObject {
+class EditMenu : public QMenu {
   Q_OBJECT
 
  public:
-  explicit EditMenu(MainWindow& window);
+  /// @param showHistory shows and hides the list of the undo steps.
+  EditMenu(Document& document, DocumentController& controller, const Inspector& inspector, QSettings& settings,
+           QAction* showHistory, QWidget* window);
 
  private:
-  void addHistory(QMenu* menu);
-  void addEdits(QMenu* menu);
+  void addHistory(QAction* showHistory);
+  void addEdits();
   void showPreferences();
+  int historyMegabytes() const;
+  void applyHistoryLimit();
 
-  MainWindow& m_window;
+  Document& m_document;
+  DocumentController& m_controller;
+  const Inspector& m_inspector;
+  QSettings& m_settings;
   bool m_pasteable = false;  ///< what the clipboard holds
 };
 

@@ -2,32 +2,32 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QObject>
-
-class QAction;
-class QMenu;
+#include <QMenu>
+#include <functional>
 
 namespace gonio::app {
 
-class MainWindow;
+class DockLayout;
+class DocumentFiles;
+class LibraryController;
 
-/// The File menu and what its actions ask.
-class FileMenu : public QObject {
+/// The File menu.
+class FileMenu : public QMenu {
   Q_OBJECT
 
  public:
-  explicit FileMenu(MainWindow& window);
+  FileMenu(DocumentFiles& files, LibraryController& library, DockLayout& docks, const std::function<void()>& newWindow,
+           QWidget* window);
 
  private:
-  void addOpening(QMenu* menu);
-  void addSaving(QMenu* menu);
+  void addOpening(const std::function<void()>& newWindow);
+  void addSaving();
   void fillRecent(QMenu* menu);
-  void openFile();
   void openFolder();
-  void exportBrdf();
-  void exportImage();
 
-  MainWindow& m_window;
+  DocumentFiles& m_files;
+  LibraryController& m_library;
+  DockLayout& m_docks;
 };
 
 }  // namespace gonio::app

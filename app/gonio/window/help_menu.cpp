@@ -2,27 +2,23 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/help_menu.h"
 
-#include <QMenuBar>
-
 #include "app/gonio/window/command_search.h"
 #include "app/gonio/window/help_pages.h"
-#include "app/gonio/window/main_window.h"
 
 namespace gonio::app {
 
-HelpMenu::HelpMenu(MainWindow& window) : QObject(&window) {
-  QMenu* menu = window.menuBar()->addMenu(tr("&Help"));
-  menu->addAction(tr("&Search Commands..."), QKeySequence(Qt::CTRL | Qt::Key_K), this, [&window] {
-    auto* search = new CommandSearch(&window);
+HelpMenu::HelpMenu(QWidget* window) : QMenu(tr("&Help"), window) {
+  addAction(tr("&Search Commands..."), QKeySequence(Qt::CTRL | Qt::Key_K), this, [window] {
+    auto* search = new CommandSearch(window);
     search->setAttribute(Qt::WA_DeleteOnClose);
     search->show();
   });
-  QAction* shortcuts = menu->addAction(tr("S&hortcuts"), this,
-                                       [&window] { showPage(tr("Shortcuts"), shortcutsPage(&window), &window); });
+  QAction* shortcuts =
+      addAction(tr("S&hortcuts"), this, [window] { showPage(tr("Shortcuts"), shortcutsPage(window), window); });
   shortcuts->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)});
-  menu->addAction(tr("&Formulae"), this, [&window] { showPage(tr("Formulae"), formulaePage(), &window); });
-  menu->addSeparator();
-  menu->addAction(tr("&About Gonio"), this, [&window] { showPage(tr("About Gonio"), aboutPage(), &window); });
+  addAction(tr("&Formulae"), this, [window] { showPage(tr("Formulae"), formulaePage(), window); });
+  addSeparator();
+  addAction(tr("&About Gonio"), this, [window] { showPage(tr("About Gonio"), aboutPage(), window); });
 }
 
 }  // namespace gonio::app

@@ -2,18 +2,17 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QObject>
+#include <QMenu>
 
 namespace gonio::app {
 
-class MainWindow;
-
 /// The Help menu and the command search.
-class HelpMenu : public QObject {
+class HelpMenu : public QMenu {
   Q_OBJECT
 
  public:
-  explicit HelpMenu(MainWindow& window);
+  /// @param window whose actions are searched and listed.
+  explicit HelpMenu(QWidget* window);
 };
 
 }  // namespace gonio::app

@@ -2,18 +2,38 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QObject>
+#include <QMenu>
 
 namespace gonio::app {
 
-class MainWindow;
+class AcquisitionPanel;
+class BackgroundTasks;
+class DockLayout;
+class Document;
+class DocumentController;
+class FitRankingPanel;
+class InterpolationPanel;
 
-/// The Material menu: fits, and stopping work.
-class MaterialMenu : public QObject {
+/// The Material menu: fits, blends, acquisition, and stopping work.
+class MaterialMenu : public QMenu {
   Q_OBJECT
 
  public:
-  explicit MaterialMenu(MainWindow& window);
+  struct Parts {
+    Document& document;
+    DocumentController& controller;
+    BackgroundTasks& tasks;
+    DockLayout& docks;
+    FitRankingPanel& ranking;
+    InterpolationPanel& interpolation;
+    AcquisitionPanel& acquisition;
+  };
+  MaterialMenu(const Parts& parts, QWidget* window);
+
+ private:
+  void addFits(const Parts& parts);
+  void addBlends(const Parts& parts);
+  void addCancel(BackgroundTasks& tasks);
 };
 
 }  // namespace gonio::app

@@ -4,8 +4,7 @@
 
 #include <QApplication>
 #include <QTextStream>
-
-#include "app/gonio/window/main_window.h"
+#include <QWidget>
 
 namespace gonio::app {
 
@@ -15,8 +14,12 @@ constexpr int checkMilliseconds = 200;
 constexpr int neededChecks = 4;
 }  // namespace
 
-Screenshot::Screenshot(MainWindow& window, const QString& path, double longestWaitSeconds)
-    : QObject(&window), m_window(window), m_path(path), m_longestWaitSeconds(longestWaitSeconds) {
+Screenshot::Screenshot(QWidget& window, std::function<bool()> isSettled, const QString& path, double longestWaitSeconds)
+    : QObject(&window),
+      m_window(window),
+      m_isSettled(std::move(isSettled)),
+      m_path(path),
+      m_longestWaitSeconds(longestWaitSeconds) {
   m_elapsed.start();
   m_timer.setInterval(checkMilliseconds);
   connect(&m_timer, &QTimer::timeout, this, &Screenshot::check);
@@ -24,7 +27,7 @@ Screenshot::Screenshot(MainWindow& window, const QString& path, double longestWa
 }
 
 void Screenshot::check() {
-  m_settledChecks = m_window.isSettled() ? m_settledChecks + 1 : 0;
+  m_settledChecks = m_isSettled() ? m_settledChecks + 1 : 0;
   const bool late = double(m_elapsed.elapsed()) > 1000 * m_longestWaitSeconds;
   if (m_settledChecks < neededChecks && !late) return;
   m_timer.stop();

@@ -6,22 +6,24 @@
 #include <QObject>
 #include <QSize>
 #include <QTimer>
+#include <functional>
+
+class QWidget;
 
 namespace gonio::app {
-
-class MainWindow;
 
 /// Saves a picture of a window when everything in it is settled, or after the longest wait, and ends the program.
 class Screenshot : public QObject {
   Q_OBJECT
 
  public:
-  Screenshot(MainWindow& window, const QString& path, double longestWaitSeconds);
+  Screenshot(QWidget& window, std::function<bool()> isSettled, const QString& path, double longestWaitSeconds);
 
  private:
   void check();
 
-  MainWindow& m_window;
+  QWidget& m_window;
+  std::function<bool()> m_isSettled;
   QString m_path;
   double m_longestWaitSeconds;
   QElapsedTimer m_elapsed;

@@ -2,32 +2,39 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QObject>
+#include <QMenu>
 
-class QMenu;
+class QSettings;
+
+namespace gonio::widgets {
+class PreviewWidget;
+}
 
 namespace gonio::app {
 
-class MainWindow;
+class ComparisonController;
+class DockLayout;
 
 /// The View menu: layouts, docks, tone map, exposure, light, theme.
-class ViewMenu : public QObject {
+class ViewMenu : public QMenu {
   Q_OBJECT
 
  public:
-  explicit ViewMenu(MainWindow& window);
+  /// @param light its submenu.
+  ViewMenu(DockLayout& docks, ComparisonController& comparison, widgets::PreviewWidget& preview, QMenu* light,
+           QSettings& settings, QWidget* window);
 
  private:
-  void addLayouts(QMenu* menu);
-  void addDocks(QMenu* menu);
-  void addPicture(QMenu* menu);
+  void addLayouts(QMenu* menu, ComparisonController& comparison);
+  void addDocks();
+  void addPicture();
   void addToneMap(QMenu* menu);
-  void addLight(QMenu* menu);
-  void addTheme(QMenu* menu);
-  void addWindow(QMenu* menu);
+  void addTheme(QMenu* menu, QSettings& settings);
+  void addWindow();
   void changeExposure(double stops);
 
-  MainWindow& m_window;
+  DockLayout& m_docks;
+  widgets::PreviewWidget& m_preview;
 };
 
 }  // namespace gonio::app

@@ -13,6 +13,11 @@
 
 #include "core/materials/plan_file.h"
 #include "core/materials/values_file.h"
+#include "app/gonio/acquisition/acquisition_charts.h"
+#include "app/gonio/acquisition/acquisition_files.h"
+#include "app/gonio/acquisition/error_curve_page.h"
+#include "app/gonio/acquisition/reconstruction_page.h"
+#include "app/gonio/acquisition/samples_page.h"
 #include "tests/app/gonio/acquisition_test_support.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
@@ -40,8 +45,8 @@ struct Editor {
     panel.resize(1400, 420);
     panel.show();
     panel.session().setPicture(smallPicture());
-    panel.controls().setTraining(library.training);
-    panel.controls().setSamples(8);
+    panel.controls().training().setTraining(library.training);
+    panel.controls().directions().setSamples(8);
   }
   bool settle() {
     return QTest::qWaitFor([&] { return tasks.isIdle() && panel.isSettled(); }, patienceMilliseconds);
@@ -78,18 +83,18 @@ class AcquisitionPanelTest : public QObject {
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
     QVERIFY2(editor.failed.isEmpty(), qPrintable(editor.failure()));
-    QCOMPARE(panel.hemisphere().samples().size(), std::size_t(8));
-    QCOMPARE(panel.chart().samples().size(), std::size_t(8));
-    QCOMPARE(panel.table().model()->rowCount(), 8);
+    QCOMPARE(panel.charts().hemisphere().samples().size(), std::size_t(8));
+    QCOMPARE(panel.charts().chart().samples().size(), std::size_t(8));
+    QCOMPARE(panel.samples().table().model()->rowCount(), 8);
     for (int column = 0; column < AcquisitionSampleModel::ColumnCount; ++column)
-      QVERIFY(!panel.table().model()->index(3, column).data().toString().isEmpty());
+      QVERIFY(!panel.samples().table().model()->index(3, column).data().toString().isEmpty());
     QCOMPARE(panel.pages().currentIndex(), int(AcquisitionPanel::reconstructionPage));
-    QCOMPARE(panel.view().squares().size(), 3);
-    QVERIFY(panel.numbers().contains("rendered SNR"));
-    QVERIFY(!panel.chart().slice().deviations.empty());
-    QCOMPARE(panel.curve().points().size(), curveCounts(8).size());
+    QCOMPARE(panel.reconstruction().view().squares().size(), 3);
+    QVERIFY(panel.reconstruction().numbers().contains("rendered SNR"));
+    QVERIFY(!panel.charts().chart().slice().deviations.empty());
+    QCOMPARE(panel.curve().curve().points().size(), curveCounts(8).size());
     QCOMPARE(panel.status(), "Values: simulated from subject");
-    panel.controls().setSamples(9);
+    panel.controls().directions().setSamples(9);
     Q_EMIT panel.controls().planSettingsEdited();
     QCOMPARE(panel.status(), "The settings have changed: start anew.");
     QVERIFY(editor.button("Start"));
@@ -102,8 +107,8 @@ class AcquisitionPanelTest : public QObject {
     QVERIFY(editor.button("Cancel"));
     editor.panel.startButton().click();
     QVERIFY(editor.settle());
-    QVERIFY(!editor.panel.session().hasPlan() && editor.button("Start"));
-    QCOMPARE(editor.panel.hemisphere().samples().size(), std::size_t(0));
+    QVERIFY(!editor.panel.session().planner().hasPlan() && editor.button("Start"));
+    QCOMPARE(editor.panel.charts().hemisphere().samples().size(), std::size_t(0));
   }
 
   /// A plan whose reconstruction was stopped stays, and the panel says so.
@@ -116,7 +121,7 @@ class AcquisitionPanelTest : public QObject {
     editor.open(editor.library.subject);
     panel.startButton().click();
     QVERIFY(editor.settle());
-    QVERIFY(panel.session().hasPlan() && !panel.session().result());
+    QVERIFY(panel.session().planner().hasPlan() && !panel.session().result());
     QCOMPARE(panel.status(), "Stopped before the material was reconstructed: start anew.");
     QVERIFY(editor.button("Start") && editor.button("Save Plan...")->isEnabled());
     disconnect(stop);
@@ -130,48 +135,48 @@ class AcquisitionPanelTest : public QObject {
     Editor editor;
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
-    tests::pointAt(panel.hemisphere(), panel.hemisphere().places(5)[0].toPoint());
-    const int marked = panel.hemisphere().current();
+    tests::pointAt(panel.charts().hemisphere(), panel.charts().hemisphere().places(5)[0].toPoint());
+    const int marked = panel.charts().hemisphere().current();
     QVERIFY(marked >= 0);
-    QCOMPARE(panel.chart().current(), marked);
-    QCOMPARE(panel.table().currentIndex().row(), marked);
-    QTest::keyClick(&panel.chart(), Qt::Key_Home);
-    QCOMPARE(panel.hemisphere().current(), 0);
-    QCOMPARE(panel.table().currentIndex().row(), 0);
-    panel.table().setCurrentIndex(panel.table().model()->index(7, 2));
-    QCOMPARE(panel.hemisphere().current(), 7);
-    QCOMPARE(panel.chart().current(), 7);
-    QTest::keyClick(&panel.chart(), Qt::Key_Return);
-    QVERIFY(panel.chart().isInSlice(7));
-    const DirectionPair& pair = panel.chart().samples()[7];
-    QVERIFY(std::abs(panel.chart().slice().phiD - foldPhiD(toHalfDifference(pair.wi, pair.wo).phiD)) < 1e-6);
+    QCOMPARE(panel.charts().chart().current(), marked);
+    QCOMPARE(panel.samples().table().currentIndex().row(), marked);
+    QTest::keyClick(&panel.charts().chart(), Qt::Key_Home);
+    QCOMPARE(panel.charts().hemisphere().current(), 0);
+    QCOMPARE(panel.samples().table().currentIndex().row(), 0);
+    panel.samples().table().setCurrentIndex(panel.samples().table().model()->index(7, 2));
+    QCOMPARE(panel.charts().hemisphere().current(), 7);
+    QCOMPARE(panel.charts().chart().current(), 7);
+    QTest::keyClick(&panel.charts().chart(), Qt::Key_Return);
+    QVERIFY(panel.charts().chart().isInSlice(7));
+    const DirectionPair& pair = panel.charts().chart().samples()[7];
+    QVERIFY(std::abs(panel.charts().chart().slice().phiD - foldPhiD(toHalfDifference(pair.wi, pair.wo).phiD)) < 1e-6);
   }
 
   void thePlanIsAFile() {
     Editor editor;
     QVERIFY(editor.acquire());
-    const auto plan = materials::parsePlan(editor.panel.planText().toStdString());
+    const auto plan = materials::parsePlan(editor.panel.files().planText().toStdString());
     QCOMPARE(plan.samples.size(), std::size_t(8));
     const QString path = editor.library.folder.filePath("plan.csv");
     QSignalSpy exported(&editor.panel, &AcquisitionPanel::exported);
-    editor.panel.savePlan(path);
+    editor.panel.files().savePlan(path);
     QCOMPARE(exported.count(), 1);
     QCOMPARE(materials::readPlan(path.toStdString()).samples[3].order,
-             editor.panel.session().samplingPlan().samples[3].order);
-    editor.panel.savePlan("/nowhere/plan.csv");
+             editor.panel.session().planner().samplingPlan().samples[3].order);
+    editor.panel.files().savePlan("/nowhere/plan.csv");
     QVERIFY(editor.failure().contains("/nowhere/plan.csv"));
     // Read again, also by another editor: the same cells in the same order.
-    const auto cells = editor.panel.session().selection().cells;
-    editor.panel.controls().setSamples(5);
-    editor.panel.controls().methodBox().setCurrentIndex(4);
-    editor.panel.readPlan(path);
+    const auto cells = editor.panel.session().planner().selection().cells;
+    editor.panel.controls().directions().setSamples(5);
+    editor.panel.controls().directions().methodBox().setCurrentIndex(4);
+    editor.panel.files().readPlan(path);
     QVERIFY(editor.settle());
-    QCOMPARE(editor.panel.session().selection().cells, cells);
+    QCOMPARE(editor.panel.session().planner().selection().cells, cells);
     QCOMPARE(editor.panel.controls().planSettings().samples, 8);
     QVERIFY(editor.panel.session().result() && editor.panel.session().curve().size() == curveCounts(8).size());
-    editor.panel.readPlan("/nowhere/plan.csv");
+    editor.panel.files().readPlan("/nowhere/plan.csv");
     QVERIFY(editor.failure().contains("/nowhere/plan.csv"));
-    QVERIFY(editor.panel.session().hasPlan());
+    QVERIFY(editor.panel.session().planner().hasPlan());
   }
 
   /// What is wrong with a value is told with its line; the values that were there stay.
@@ -179,7 +184,7 @@ class AcquisitionPanelTest : public QObject {
     Editor editor;
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
-    const auto& plan = panel.session().samplingPlan();
+    const auto& plan = panel.session().planner().samplingPlan();
     QString text = QString::fromStdString(materials::valuesCsv(plan, panel.session().values()));
     QStringList lines = text.split('\n', Qt::SkipEmptyParts);
     const auto line =
@@ -196,19 +201,19 @@ class AcquisitionPanelTest : public QObject {
                                                {with("99,0.1,0.1,0.1"), place},
                                                {QStringLiteral(" \n"), "clipboard"}};
     for (const auto& [pasted, told] : bad) {
-      panel.paste(pasted);
+      panel.files().paste(pasted);
       const QString failure = editor.failure();
       QVERIFY2(failure.contains(told), qPrintable(failure));
       QVERIFY(panel.session().isSimulated());
     }
     // With tabs, as spreadsheets copy them.
-    panel.paste(with("3,0.25,0.1,0.1").replace(',', '\t'));
+    panel.files().paste(with("3,0.25,0.1,0.1").replace(',', '\t'));
     QVERIFY2(editor.failed.isEmpty(), qPrintable(editor.failure()));
     QVERIFY(!panel.session().isSimulated());
     QCOMPARE(panel.session().values().rgb[2].r, 0.25);
     QVERIFY(editor.settle());
     QCOMPARE(panel.status(), "Values: pasted");
-    panel.readValues("/nowhere/values.csv");
+    panel.files().readValues("/nowhere/values.csv");
     QVERIFY(editor.failure().contains("/nowhere/values.csv"));
   }
 
@@ -216,8 +221,10 @@ class AcquisitionPanelTest : public QObject {
   void limitsOfTheRigAreKept() {
     Editor editor;
     AcquisitionPanel& panel = editor.panel;
-    widgets::ForbiddenRegionsEditor& forbidden = panel.controls().forbidden();
-    const auto shaded = [&] { return std::ranges::count(panel.chart().slice().states, widgets::CellState::forbidden); };
+    widgets::ForbiddenRegionsEditor& forbidden = panel.controls().directions().forbidden();
+    const auto shaded = [&] {
+      return std::ranges::count(panel.charts().chart().slice().states, widgets::CellState::forbidden);
+    };
     QCOMPARE(shaded(), 0);
     forbidden.addButton().click();
     QVERIFY(shaded() > 0);
@@ -228,7 +235,8 @@ class AcquisitionPanelTest : public QObject {
     const acquisition::MeasurableDirections measurable = panel.controls().planSettings().measurable;
     QCOMPARE(measurable.forbidden.size(), std::size_t(1));
     QVERIFY(std::abs(measurable.forbidden[0].thetaI.lowest - radians(50)) < 1e-12);
-    for (const DirectionPair& pair : panel.hemisphere().samples()) QVERIFY(polarAngle(pair.wi) < radians(50) + 1e-9);
+    for (const DirectionPair& pair : panel.charts().hemisphere().samples())
+      QVERIFY(polarAngle(pair.wi) < radians(50) + 1e-9);
     forbidden.removeButton().click();
     QVERIFY(panel.controls().planSettings().measurable.forbidden.empty());
   }
@@ -239,14 +247,14 @@ class AcquisitionPanelTest : public QObject {
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
     const auto result = panel.session().result();
-    panel.openButton().click();
+    panel.reconstruction().openButton().click();
     QVERIFY(editor.settle());
     QVERIFY(editor.document.name().startsWith("subject from 8 samples"));
     QVERIFY(editor.document.history().canUndo());
     QCOMPARE(panel.session().result(), result);
     QCOMPARE(panel.session().referenceName(), "subject");
-    QCOMPARE(panel.controls().subject(), AcquisitionControls::Subject::chosen);
-    QCOMPARE(panel.controls().subjectBox().currentText(), "subject");
+    QCOMPARE(panel.controls().subject().subject(), SubjectRows::Subject::chosen);
+    QCOMPARE(panel.controls().subject().box().currentText(), "subject");
     editor.document.history().undo();
     QCOMPARE(editor.document.name(), "subject");
   }
@@ -255,18 +263,18 @@ class AcquisitionPanelTest : public QObject {
     Editor editor;
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
-    const auto cells = panel.session().selection().cells;
+    const auto cells = panel.session().planner().selection().cells;
     const double snr = panel.session().result()->error->renderedSnr;
     panel.measure(editor.library.training.ids[1]);
     QVERIFY(editor.settle());
-    QCOMPARE(panel.session().selection().cells, cells);
+    QCOMPARE(panel.session().planner().selection().cells, cells);
     QVERIFY(panel.session().result()->error->renderedSnr != snr);
     QVERIFY2(panel.status().contains("is in the training set"), qPrintable(panel.status()));
     panel.controls().reconstructionBox().setCurrentIndex(2);
     Q_EMIT panel.controls().reconstructionBox().activated(2);
     QVERIFY(editor.settle());
     QVERIFY(panel.session().result()->reconstruction->deviation.empty());
-    QVERIFY(panel.chart().slice().deviations.empty());
+    QVERIFY(panel.charts().chart().slice().deviations.empty());
   }
 };
 

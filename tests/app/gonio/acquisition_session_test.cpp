@@ -44,7 +44,7 @@ struct Acquisition {
   }
   bool plan(const PlanSettings& settings) {
     session.plan(settings);
-    return waitForAll() && session.hasPlan();
+    return waitForAll() && session.planner().hasPlan();
   }
 };
 
@@ -64,10 +64,10 @@ class AcquisitionSessionTest : public QObject {
     QVERIFY(acquisition.failures.isEmpty());
     // One by one, beside being forgotten at first and all at the end.
     QCOMPARE(directions.count(), 8 + 2);
-    QCOMPARE(session.directions().size(), std::size_t(8));
-    const auto& cells = session.selection().cells;
+    QCOMPARE(session.planner().directions().size(), std::size_t(8));
+    const auto& cells = session.planner().selection().cells;
     QCOMPARE(std::set(cells.begin(), cells.end()).size(), std::size_t(8));
-    QCOMPARE(session.samplingPlan().samples.size(), std::size_t(8));
+    QCOMPARE(session.planner().samplingPlan().samples.size(), std::size_t(8));
     // Without noise a reading is the table's value there.
     QCOMPARE(session.values().rgb.size(), std::size_t(8));
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -113,7 +113,7 @@ class AcquisitionSessionTest : public QObject {
     AcquisitionSession& session = acquisition.session;
     QVERIFY(acquisition.measure(acquisition.library.training.ids[2]));
     QVERIFY(acquisition.plan(acquisition.library.settings()));
-    QCOMPARE(session.learnedMaterials(), int(acquisition.library.training.ids.size()) - 1);
+    QCOMPARE(session.planner().learnedMaterials(), int(acquisition.library.training.ids.size()) - 1);
     QVERIFY(!session.isReferenceLearned());
     QCOMPARE(without({"library:rgl/cc_iris", "/a/cc_iris_rgb.bsdf", "/a/CC_IRIS.binary", "library:rgl/cc_iris2"},
                      "library:rgl/cc_iris"),
@@ -125,10 +125,10 @@ class AcquisitionSessionTest : public QObject {
     Acquisition acquisition;
     AcquisitionSession& session = acquisition.session;
     QVERIFY(acquisition.plan(acquisition.library.settings(5)));
-    const auto basis = session.basis();
+    const auto basis = session.planner().basis();
     acquisition.steps.clear();
     QVERIFY(acquisition.plan(acquisition.library.settings(6)));
-    QCOMPARE(session.basis(), basis);
+    QCOMPARE(session.planner().basis(), basis);
     QVERIFY(std::ranges::find(acquisition.steps, AcquisitionSession::Step::learning) == acquisition.steps.end());
     // Without a material to measure there are no values and no result.
     QVERIFY(session.values().rgb.empty() && !session.result());
@@ -136,7 +136,7 @@ class AcquisitionSessionTest : public QObject {
     PlanSettings other = acquisition.library.settings(5);
     other.training.ids.removeLast();
     QVERIFY(acquisition.plan(other));
-    QVERIFY(session.basis() != basis);
+    QVERIFY(session.planner().basis() != basis);
   }
 
   void whatIsCancelledLeavesNothing() {
@@ -145,13 +145,15 @@ class AcquisitionSessionTest : public QObject {
     QVERIFY(acquisition.measure(acquisition.library.subject));
     QVERIFY(acquisition.plan(acquisition.library.settings(5)));
     const auto stop = connect(&session, &AcquisitionSession::directionsChanged, &session, [&] {
-      if (!session.directions().empty() && session.step() == AcquisitionSession::Step::choosing) session.cancel();
+      if (!session.planner().directions().empty() && session.step() == AcquisitionSession::Step::choosing)
+        session.cancel();
     });
     session.plan(acquisition.library.settings(30));
-    QVERIFY(session.directions().empty() && !session.result());
+    QVERIFY(session.planner().directions().empty() && !session.result());
     QVERIFY(acquisition.waitForAll());
     QTest::qWait(100);
-    QVERIFY(session.directions().empty() && !session.hasPlan() && session.values().rgb.empty() && !session.result());
+    QVERIFY(session.planner().directions().empty() && !session.planner().hasPlan() && session.values().rgb.empty() &&
+            !session.result());
     QCOMPARE(session.step(), AcquisitionSession::Step::idle);
     QVERIFY(acquisition.failures.isEmpty());
     disconnect(stop);
@@ -169,7 +171,7 @@ class AcquisitionSessionTest : public QObject {
     acquisition.tasks.cancelTopmost();
     release.count_down();
     QVERIFY(acquisition.waitForAll());
-    QVERIFY(!session.isBusy() && !session.hasPlan());
+    QVERIFY(!session.isBusy() && !session.planner().hasPlan());
     QVERIFY(acquisition.plan(acquisition.library.settings(5)));
   }
 
@@ -212,7 +214,7 @@ class AcquisitionSessionTest : public QObject {
     session.clearReference();
     QVERIFY(acquisition.waitForAll());
     QVERIFY(!session.isBusy() && !session.result() && session.values().rgb.empty() && session.curve().empty());
-    QVERIFY(session.hasPlan());
+    QVERIFY(session.planner().hasPlan());
   }
 
   void theResultIsAMaterialLikeAnyOther() {

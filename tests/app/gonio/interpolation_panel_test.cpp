@@ -33,9 +33,9 @@ class InterpolationPanelTest : public QObject {
     Editor editor;
     QVERIFY(editor.panel.isSettled());
     QVERIFY(!editor.panel.subject());
-    QVERIFY(editor.panel.strip().rows().empty());
+    QVERIFY(editor.panel.overview().strip().rows().empty());
     QVERIFY(!editor.panel.keepButton().isEnabled());
-    QVERIFY(!editor.panel.well(0).currentButton()->isEnabled());
+    QVERIFY(!editor.panel.wells().well(0).currentButton()->isEnabled());
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
     editor.panel.keep();
     QCOMPARE(failed.count(), 1);
@@ -50,19 +50,19 @@ class InterpolationPanelTest : public QObject {
     editor.fill(1, "light", 0.6);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.spaces().prepared(InterpolationSpace::linear), patienceMilliseconds);
     QSignalSpy changed(&editor.panel, &InterpolationPanel::subjectChanged);
-    Q_EMIT editor.panel.slider().numberEdited(0.25);
+    Q_EMIT editor.panel.placeEditor().slider().numberEdited(0.25);
     QVERIFY(changed.count() > 0);
-    QCOMPARE(editor.panel.number().value(), 0.25);
-    QCOMPARE(editor.panel.slider().number(), 0.25);
+    QCOMPARE(editor.panel.placeEditor().number().value(), 0.25);
+    QCOMPARE(editor.panel.placeEditor().slider().number(), 0.25);
     QVERIFY(std::holds_alternative<widgets::PreviewBlend>(editor.panel.subject()->shown));
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.3) < 1e-6);
-    Q_EMIT editor.panel.number().valueEdited(0.5);
-    QCOMPARE(editor.panel.slider().number(), 0.5);
+    Q_EMIT editor.panel.placeEditor().number().valueEdited(0.5);
+    QCOMPARE(editor.panel.placeEditor().slider().number(), 0.5);
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.4) < 1e-6);
     QVERIFY(editor.panel.description().contains("50 % dark") && editor.panel.description().contains("Linear"));
-    QCOMPARE(editor.panel.well(1).content().note, QStringLiteral("50 %"));
+    QCOMPARE(editor.panel.wells().well(1).content().note, QStringLiteral("50 %"));
     // The end is the material, not a blend of one.
-    Q_EMIT editor.panel.slider().numberEdited(1);
+    Q_EMIT editor.panel.placeEditor().slider().numberEdited(1);
     QVERIFY(editor.panel.subject()->isMeasured());
     QCOMPARE(editor.panel.subject()->table(), editor.panel.ends().at(1)->material.table);
     // Swapped: the same place, the other end.
@@ -77,7 +77,7 @@ class InterpolationPanelTest : public QObject {
     editor.fill(0, "dark", 0.2);
     editor.fill(1, "light", 0.6);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.isSettled(), patienceMilliseconds);
-    const auto& rows = editor.panel.strip().rows();
+    const auto& rows = editor.panel.overview().strip().rows();
     QCOMPARE(rows.size(), editor.panel.spaces().spaces().size());
     for (const auto& row : rows) {
       QVERIFY2(row.note.isEmpty(), qPrintable(row.name + ": " + row.note));
@@ -87,12 +87,12 @@ class InterpolationPanelTest : public QObject {
       QVERIFY(row.pictures.front() == rows[0].pictures.front());  // an end is the material in every space
       QVERIFY(!row.toolTip.isEmpty());
     }
-    Q_EMIT editor.panel.strip().chosen(1, 2);
+    Q_EMIT editor.panel.overview().strip().chosen(1, 2);
     QCOMPARE(editor.panel.space(), editor.panel.spaces().spaces()[1]);
     QCOMPARE(editor.panel.spaceBox().currentIndex(), 1);
     QVERIFY(std::abs(editor.panel.place().x() - 1 / 3.0) < 1e-12);
     // Its name takes the space alone.
-    Q_EMIT editor.panel.strip().chosen(0, -1);
+    Q_EMIT editor.panel.overview().strip().chosen(0, -1);
     QCOMPARE(editor.panel.space(), InterpolationSpace::linear);
     QVERIFY(std::abs(editor.panel.place().x() - 1 / 3.0) < 1e-12);
   }
@@ -102,24 +102,24 @@ class InterpolationPanelTest : public QObject {
     Editor editor;
     editor.fill(0, "dark", 0.2);
     editor.fill(1, "light", 0.6);
-    QVERIFY(editor.panel.slider().isVisible());
+    QVERIFY(editor.panel.placeEditor().slider().isVisible());
     editor.panel.ends().addPlace();
-    QVERIFY(!editor.panel.slider().isVisible() && editor.panel.pad().isVisible());
+    QVERIFY(!editor.panel.placeEditor().slider().isVisible() && editor.panel.placeEditor().pad().isVisible());
     QVERIFY(!editor.panel.subject());
     editor.fill(2, "white", 0.9);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject() || !editor.panel.isShownInPreview(), patienceMilliseconds);
-    editor.panel.pad().setFocus();
-    QTest::keyClick(&editor.panel.pad(), Qt::Key_Home);
+    editor.panel.placeEditor().pad().setFocus();
+    QTest::keyClick(&editor.panel.placeEditor().pad(), Qt::Key_Home);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
-    QVERIFY(editor.panel.pad().place() == editor.panel.place());
-    QVERIFY(editor.panel.weights() == editor.panel.pad().weights());
+    QVERIFY(editor.panel.placeEditor().pad().place() == editor.panel.place());
+    QVERIFY(editor.panel.weights() == editor.panel.placeEditor().pad().weights());
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 1.7 / 3) < 1e-6);
-    QTest::keyClick(&editor.panel.pad(), Qt::Key_3);
+    QTest::keyClick(&editor.panel.placeEditor().pad(), Qt::Key_3);
     QVERIFY(std::abs(normalValue(*widgets::subjectBrdf(*editor.panel.subject())) - 0.9) < 1e-6);
     // Back to two: the place goes to the nearest that there is.
-    editor.panel.well(2).clearButton()->click();
+    editor.panel.wells().well(2).clearButton()->click();
     QCOMPARE(editor.panel.ends().count(), 2);
-    QVERIFY(editor.panel.slider().isVisible());
+    QVERIFY(editor.panel.placeEditor().slider().isVisible());
     QCOMPARE(editor.panel.weights(), (std::vector<double>{1, 0}));
   }
 
@@ -129,15 +129,15 @@ class InterpolationPanelTest : public QObject {
     QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
     const std::unique_ptr<QMimeData> data(widgets::toDrag("/nowhere/at-all.binary"));
     QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
-    QApplication::sendEvent(&editor.panel.well(0), &enter);
+    QApplication::sendEvent(&editor.panel.wells().well(0), &enter);
     QDropEvent drop(QPointF(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
-    QApplication::sendEvent(&editor.panel.well(0), &drop);
-    QCOMPARE(editor.panel.well(0).content().note, QStringLiteral("Opening..."));
+    QApplication::sendEvent(&editor.panel.wells().well(0), &drop);
+    QCOMPARE(editor.panel.wells().well(0).content().note, QStringLiteral("Opening..."));
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, patienceMilliseconds);
     QVERIFY(failed[0][1].toString().contains("at-all.binary"));
-    QVERIFY(editor.panel.well(0).content().failed);
+    QVERIFY(editor.panel.wells().well(0).content().failed);
     editor.fill(0, "dark", 0.2);
-    QVERIFY(!editor.panel.well(0).content().failed);
+    QVERIFY(!editor.panel.wells().well(0).content().failed);
   }
 
   /// Library materials are taken into the first empty place; a hidden panel leaves the preview alone.
@@ -161,7 +161,7 @@ class InterpolationPanelTest : public QObject {
     editor.fill(0, "dark", 0.2);
     editor.fill(1, "light", 0.6);
     const auto cancelled = [&] {
-      for (const auto& row : editor.panel.strip().rows())
+      for (const auto& row : editor.panel.overview().strip().rows())
         if (row.note == "Cancelled") return true;
       return false;
     };
@@ -171,11 +171,11 @@ class InterpolationPanelTest : public QObject {
       return cancelled();
     };
     QTRY_VERIFY_WITH_TIMEOUT(cancel(), patienceMilliseconds);
-    QVERIFY(editor.panel.isSettled() && editor.panel.drawButton().isVisible());
-    editor.panel.drawButton().click();
+    QVERIFY(editor.panel.isSettled() && editor.panel.overview().drawButton().isVisible());
+    editor.panel.overview().drawButton().click();
     QVERIFY(!editor.panel.isSettled());
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.isSettled(), patienceMilliseconds);
-    QVERIFY(!cancelled() && !editor.panel.drawButton().isVisible());
+    QVERIFY(!cancelled() && !editor.panel.overview().drawButton().isVisible());
   }
 
   /// What is edited is what is seen: the preview leaves the blend, and comes back to it with the hand.

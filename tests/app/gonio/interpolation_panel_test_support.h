@@ -7,6 +7,9 @@
 #include <QToolButton>
 
 #include "app/gonio/document/document_controller.h"
+#include "app/gonio/interpolation/blend_overview.h"
+#include "app/gonio/interpolation/blend_place_editor.h"
+#include "app/gonio/interpolation/blend_wells.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "core/models/registry.h"
 #include "widgets/interpolation/material_well.h"
@@ -44,7 +47,7 @@ struct Editor {
   /// Opens a grey and takes it as it is.
   void fill(int place, const char* name, double albedo) {
     document.setMaterial(greyMaterial(name, albedo));
-    panel.well(place).currentButton()->click();
+    panel.wells().well(place).currentButton()->click();
     QTRY_VERIFY_WITH_TIMEOUT(panel.ends().at(place), patienceMilliseconds);
   }
 };

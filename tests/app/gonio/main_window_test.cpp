@@ -11,7 +11,9 @@
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/document/edit_steps.h"
+#include "app/gonio/inspector/inspector.h"
 #include "app/gonio/window/command_search.h"
+#include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/help_pages.h"
 #include "core/models/model.h"
 #include "tests/app/gonio/document_edits.h"
@@ -75,19 +77,19 @@ class MainWindowTest : public QObject {
     auto* window = new MainWindow;
     window->show();
     QVERIFY(window->windowTitle().contains("Untitled"));
-    window->document().setMaterial(greyMaterial());
+    window->parts().document.setMaterial(greyMaterial());
     fitting::FitResult fit;
     fit.model = &defaultModel();
     fit.parameters = models::defaultParameters(fit.model->spec());
-    window->document().adoptFit(fit);
+    window->parts().document.adoptFit(fit);
     QVERIFY(window->windowTitle().contains("grey"));
-    auto* panel = window->inspector().parameters();
+    auto* panel = window->parts().inspector.parameters();
     Q_EMIT panel->valueEdited(0, Rgb(0.75));
     QVERIFY(window->isWindowModified());
-    QVERIFY(modelEdit(window->document())->edited.values[0] == Rgb(0.75));
-    window->document().history().undo();
+    QVERIFY(modelEdit(window->parts().document)->edited.values[0] == Rgb(0.75));
+    window->parts().document.history().undo();
     QVERIFY(!window->isWindowModified());
-    QVERIFY(modelEdit(window->document())->isIdentity());
+    QVERIFY(modelEdit(window->parts().document)->isIdentity());
     QTest::qWait(50);
     delete window;
   }
@@ -95,14 +97,14 @@ class MainWindowTest : public QObject {
   void commandSearchRunsWhatItFinds() {
     auto* window = new MainWindow;
     window->show();
-    const bool before = window->preview().overlayVisible();
+    const bool before = window->parts().preview.overlayVisible();
     auto& search = *new CommandSearch(window);
     search.show();
     auto* text = search.findChild<QLineEdit*>();
     QTest::keyClicks(text, "view overl");
     QCOMPARE(search.findChild<QListWidget*>()->count(), 1);
     QTest::keyClick(text, Qt::Key_Return);
-    QCOMPARE(window->preview().overlayVisible(), !before);
+    QCOMPARE(window->parts().preview.overlayVisible(), !before);
     delete window;
   }
 
@@ -115,14 +117,10 @@ class MainWindowTest : public QObject {
         if (named.path == path) return named.action->trigger();
       QFAIL(qPrintable(path));
     };
-    const auto isShown = [&](const char* name) {
-      for (const QDockWidget* dock : window->docks())
-        if (dock->objectName() == name) return !dock->isHidden();
-      return false;
-    };
+    const auto isShown = [&](const char* name) { return !window->docks().dock(name)->isHidden(); };
     run("View > Layouts > Compare");
     QVERIFY(isShown("comparison") && !isShown("library"));
-    QVERIFY(window->comparison().comparison().mode != widgets::CompareMode::off);
+    QVERIFY(window->parts().comparison.comparison().mode != widgets::CompareMode::off);
     run("View > Layouts > Analyse");
     QVERIFY(isShown("plots") && isShown("models") && isShown("library"));
     run("View > Layouts > Acquire");
@@ -138,18 +136,18 @@ class MainWindowTest : public QObject {
     auto* window = new MainWindow;
     window->show();
     QVERIFY(QTest::qWaitForWindowExposed(window));
-    window->document().setMaterial(greyMaterial());
+    window->parts().document.setMaterial(greyMaterial());
     fitting::FitResult fit;
     fit.model = &defaultModel();
     fit.parameters = models::defaultParameters(fit.model->spec());
-    window->document().adoptFit(fit);
-    window->comparison().setComparison({.mode = widgets::CompareMode::flicker});
-    const auto* shown = window->preview().overlay()->name(0);
-    QTest::keyPress(&window->preview(), Qt::Key_Backslash);
+    window->parts().document.adoptFit(fit);
+    window->parts().comparison.setComparison({.mode = widgets::CompareMode::flicker});
+    const auto* shown = window->parts().preview.overlay()->name(0);
+    QTest::keyPress(&window->parts().preview, Qt::Key_Backslash);
     QCOMPARE(shown->text(), "Measured");
-    QTest::keyRelease(&window->preview(), Qt::Key_Backslash);
+    QTest::keyRelease(&window->parts().preview, Qt::Key_Backslash);
     QCOMPARE(shown->text(), "Fit: GGX");
-    auto* search = window->libraryView().search();
+    auto* search = window->parts().libraryView.search();
     search->setFocus();
     QTest::keyPress(search, Qt::Key_Backslash, {});
     QCOMPARE(shown->text(), "Fit: GGX");
@@ -160,13 +158,13 @@ class MainWindowTest : public QObject {
   /// A search of the library leaves fewer materials to learn from.
   void acquisitionsLearnFromWhatTheLibraryShows() {
     auto* window = new MainWindow;
-    AcquisitionControls& controls = window->acquisition().controls();
-    controls.trainingBox().setCurrentIndex(3);
-    QCOMPARE(controls.trainingBox().currentText(), "What the library shows");
-    QCOMPARE(controls.planSettings().training.ids.size(), window->library().model().rowCount());
-    window->libraryView().search()->setText("paper_");
+    AcquisitionControls& controls = window->parts().acquisition.controls();
+    controls.training().box().setCurrentIndex(3);
+    QCOMPARE(controls.training().box().currentText(), "What the library shows");
+    QCOMPARE(controls.planSettings().training.ids.size(), window->parts().library.model().rowCount());
+    window->parts().libraryView.search()->setText("paper_");
     const QStringList ids = controls.planSettings().training.ids;
-    QVERIFY(!ids.isEmpty() && ids.size() < window->library().model().rowCount());
+    QVERIFY(!ids.isEmpty() && ids.size() < window->parts().library.model().rowCount());
     for (const QString& id : ids) QVERIFY2(id.startsWith("library:") && id.contains("paper_"), qPrintable(id));
     delete window;
   }
@@ -174,9 +172,10 @@ class MainWindowTest : public QObject {
   void resetLayoutBringsDocksBack() {
     auto* window = new MainWindow;
     window->show();
-    window->docks().front()->hide();
-    window->resetLayout();
-    QVERIFY(!window->docks().front()->isHidden());
+    QDockWidget* library = window->docks().dock("library");
+    library->hide();
+    window->docks().reset();
+    QVERIFY(!library->isHidden());
     delete window;
   }
 };

@@ -8,6 +8,7 @@
 #include <QTreeView>
 #include <cmath>
 
+#include "app/gonio/study/study_view.h"
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 #include "widgets/study/study_scatter.h"
@@ -42,7 +43,7 @@ struct Editor {
   Editor() {
     study::StudyOptions options;
     options.picture = {.width = 16, .height = 16, .samples = 4};
-    panel.setChoice(fewRepresentations(), options);
+    panel.run().setChoice(fewRepresentations(), options);
   }
   QPushButton* button(const QString& text) const {
     for (QPushButton* one : panel.findChildren<QPushButton*>())
@@ -52,7 +53,8 @@ struct Editor {
   QString text(int row, int column) { return panel.model().index(row, column).data().toString(); }
   bool measure() {
     panel.measure();
-    return QTest::qWaitFor([&] { return !panel.isRunning() && panel.model().missing().empty(); }, patienceMilliseconds);
+    return QTest::qWaitFor([&] { return !panel.run().isRunning() && panel.model().missing().empty(); },
+                           patienceMilliseconds);
   }
 };
 
@@ -69,7 +71,7 @@ class StudyPanelTest : public QObject {
     QVERIFY(!editor.button("Measure")->isEnabled());
     QVERIFY(!editor.button("Copy as CSV")->isEnabled());
     editor.panel.measure();
-    QVERIFY(!editor.panel.isRunning());
+    QVERIFY(!editor.panel.run().isRunning());
   }
 
   /// "-" until measured; then each number is one.
@@ -95,7 +97,7 @@ class StudyPanelTest : public QObject {
     QCOMPARE(editor.text(trilinearTable, StudyModel::EncodingColumn), "none");
     QVERIFY(editor.button("Re-measure"));
     // Lines of what is measured, under five of where.
-    QCOMPARE(editor.panel.csv().count('\n'), 5 + 1 + 4);
+    QCOMPARE(editor.panel.run().csv().count('\n'), 5 + 1 + 4);
     // Anew: all rows are empty again at first.
     editor.panel.measure();
     QCOMPARE(model.missing().size(), std::size_t(4));
@@ -106,14 +108,14 @@ class StudyPanelTest : public QObject {
     Editor editor;
     editor.document.setMaterial(material("grey", 0.3));
     QVERIFY(editor.measure());
-    const QAbstractItemModel& sorted = *editor.panel.view()->model();
+    const QAbstractItemModel& sorted = *editor.panel.view().table().model();
     for (int column = 1; column < StudyModel::ColumnCount; ++column) {
-      editor.panel.view()->sortByColumn(column, Qt::AscendingOrder);
+      editor.panel.view().table().sortByColumn(column, Qt::AscendingOrder);
       for (int row = 1; row < sorted.rowCount(); ++row)
         QVERIFY(sorted.index(row - 1, column).data(Qt::UserRole).toDouble() <=
                 sorted.index(row, column).data(Qt::UserRole).toDouble());
     }
-    editor.panel.view()->sortByColumn(StudyModel::SnrColumn, Qt::AscendingOrder);
+    editor.panel.view().table().sortByColumn(StudyModel::SnrColumn, Qt::AscendingOrder);
     QVERIFY(sorted.index(0, StudyModel::SnrColumn).data().toString() == "∞");
   }
 
@@ -139,10 +141,10 @@ class StudyPanelTest : public QObject {
     QCOMPARE(changed.count(), 2);
 
     QVERIFY(shows(lambertFit));
-    QTest::keyClick(&editor.panel.scatter(), Qt::Key_Escape);
+    QTest::keyClick(&editor.panel.view().scatter(), Qt::Key_Escape);
     QVERIFY(!editor.panel.subject());
     QVERIFY(shows(lambertFit));
-    QTest::keyClick(editor.panel.view(), Qt::Key_Escape);
+    QTest::keyClick(&editor.panel.view().table(), Qt::Key_Escape);
     QVERIFY(!editor.panel.subject());
     QVERIFY(shows(trilinearTable));
     QVERIFY(editor.panel.subject()->table() == editor.document.material()->table);
@@ -155,9 +157,9 @@ class StudyPanelTest : public QObject {
     Editor editor;
     editor.document.setMaterial(material("grey", 0.3));
     QVERIFY(editor.measure());
-    editor.panel.view()->setCurrentIndex(editor.panel.view()->model()->index(0, 0));
-    QVERIFY(editor.panel.scatter().current() >= 0);
-    QTest::keyClick(editor.panel.view(), Qt::Key_Return);
+    editor.panel.view().table().setCurrentIndex(editor.panel.view().table().model()->index(0, 0));
+    QVERIFY(editor.panel.view().scatter().current() >= 0);
+    QTest::keyClick(&editor.panel.view().table(), Qt::Key_Return);
     QVERIFY(QTest::qWaitFor([&] { return editor.panel.subject().has_value(); }, patienceMilliseconds));
   }
 
@@ -184,10 +186,10 @@ class StudyPanelTest : public QObject {
     editor.document.setMaterial(material("grey", 0.3));
     StudyModel& model = editor.panel.model();
     connect(&model, &QAbstractItemModel::dataChanged, &editor.panel, [&] {
-      if (model.missing().size() == 3 && editor.panel.isRunning()) editor.tasks.cancelTopmost();
+      if (model.missing().size() == 3 && editor.panel.run().isRunning()) editor.tasks.cancelTopmost();
     });
     editor.panel.measure();
-    QVERIFY(QTest::qWaitFor([&] { return !editor.panel.isRunning(); }, patienceMilliseconds));
+    QVERIFY(QTest::qWaitFor([&] { return !editor.panel.run().isRunning(); }, patienceMilliseconds));
     QTest::qWait(0);  // rows that were on their way
     const std::size_t left = model.missing().size();
     QVERIFY(left < 4);

@@ -17,7 +17,7 @@ using namespace gonio::fitting;
 namespace {
 
 const QString shared = GONIO_SHARED_DIR;
-const QString materials = QString(GONIO_TEST_OUTPUT_DIR) + "/near-measured";
+const QString folder = QString(GONIO_TEST_OUTPUT_DIR) + "/near-measured";
 constexpr double nganAngle = 80;  ///< deg; Ngan et al. leave out what is more grazing
 
 const QStringList names{"alum-bronze", "red-fabric"};
@@ -31,8 +31,8 @@ class PublishedFitsTest : public QObject {
   void initTestCase() {
     if (!QFileInfo::exists(shared + "/tools/make-merl")) QSKIP("the shared data are not there");
     bool isMade = true;
-    for (const QString& name : names) isMade = isMade && QFileInfo::exists(materials + "/" + name + ".binary");
-    if (!isMade) QCOMPARE(QProcess::execute(shared + "/tools/make-merl", QStringList{materials, "merl"} + names), 0);
+    for (const QString& name : names) isMade = isMade && QFileInfo::exists(folder + "/" + name + ".binary");
+    if (!isMade) QCOMPARE(QProcess::execute(shared + "/tools/make-merl", QStringList{folder, "merl"} + names), 0);
   }
 
   /// Figures of the tables, and what each author's conventions make of them.
@@ -63,7 +63,7 @@ class PublishedFitsTest : public QObject {
   }
   void oursAreNotWorse() {
     QFETCH(QString, material);
-    const auto table = materials::readMaterial((materials + "/" + material + ".binary").toStdString()).tabulated();
+    const auto table = materials::readMaterial((folder + "/" + material + ".binary").toStdString()).tabulated();
     std::map<metrics::BrdfMetric, FitData> data;
     for (const testing::PublishedSet& set : testing::readPublishedSets((shared + "/data/tables").toStdString()))
       for (const testing::PublishedFit& published : set.fits) {

@@ -19,7 +19,8 @@ namespace gonio::widgets {
 namespace {
 
 constexpr int maxSamples = 64;  // of scene.frag
-constexpr double bandMilliseconds = 8;
+constexpr double bandMilliseconds = 12;
+constexpr int mostBands = 16;  // waiting for each has its cost too
 QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d.z)}; }
 
 }  // namespace
@@ -194,11 +195,12 @@ void PreviewRenderer::accumulate(int count) {
   samples_ += count;
 }
 
-/// The first band tells how many rows the next ones have.
+/// The time of a band tells how many rows the next one has.
 void PreviewRenderer::drawInBands() {
   using Clock = std::chrono::steady_clock;
   glEnable(GL_SCISSOR_TEST);
-  int rows = std::max(1, size_.height() / 8);
+  const int fewestRows = (size_.height() + mostBands - 1) / mostBands;
+  int rows = 2 * fewestRows;
   for (int row = 0; row < size_.height();) {
     const Clock::time_point start = Clock::now();
     glScissor(0, row, size_.width(), rows);
@@ -206,7 +208,7 @@ void PreviewRenderer::drawInBands() {
     glFinish();
     row += rows;
     const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    rows = std::max(1, int(rows * std::clamp(bandMilliseconds / std::max(milliseconds, 1e-3), 0.25, 4.0)));
+    rows = std::max(fewestRows, int(rows * std::clamp(bandMilliseconds / std::max(milliseconds, 1e-3), 0.25, 4.0)));
   }
   glDisable(GL_SCISSOR_TEST);
 }

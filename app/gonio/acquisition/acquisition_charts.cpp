@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition/acquisition_charts.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <cmath>
+
+#include "app/gonio/acquisition/acquisition_slice.h"
+#include "widgets/acquisition/hemisphere_chart.h"
+
+namespace gonio::app {
+
+AcquisitionCharts::AcquisitionCharts(const AcquisitionSession& session, const AcquisitionControls& controls)
+    : m_session(session),
+      m_controls(controls),
+      m_hemisphere(new widgets::HemisphereChart),
+      m_chart(new widgets::HalfDifferenceChart),
+      m_slice(new QSlider(Qt::Horizontal)),
+      m_sliceText(new QLabel),
+      m_uncertainty(new QCheckBox(tr("Uncertaint&y"))) {
+  build();
+  connectCharts();
+  connect(&m_session, &AcquisitionSession::directionsChanged, this, &AcquisitionCharts::showDirections);
+  connect(&m_session, &AcquisitionSession::planChanged, this, [this] {
+    showDirections();
+    showSlice();
+  });
+  for (const auto signal : {&AcquisitionSession::referenceChanged, &AcquisitionSession::resultChanged})
+    connect(&m_session, signal, this, &AcquisitionCharts::showSlice);
+  connect(&m_controls, &AcquisitionControls::planSettingsEdited, this, &AcquisitionCharts::showSlice);
+  showSlice();
+}
+
+void AcquisitionCharts::build() {
+  m_slice->setAccessibleName(tr("φd of the slice"));
+  m_slice->setToolTip(tr("Which slice of half-difference space the chart shows; a click on a sample goes to its own"));
+  m_sliceText->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("180°")) + 2);
+  m_sliceText->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  m_uncertainty->setChecked(true);
+  m_uncertainty->setToolTip(
+      tr("How uncertain the reconstruction is at each cell, in false colour: the standard deviation of ln ρ that the "
+         "samples leave (0.1 is about 10 %)."));
+  m_slice->setRange(0, HalfDifferenceGrid().phiDCount - 1);
+  m_slice->setValue(HalfDifferenceGrid().phiDCount / 2);
+  auto* label = new QLabel(tr("Slice φd"));
+  label->setBuddy(m_slice);
+  auto* row = new QHBoxLayout;
+  row->addWidget(label);
+  row->addWidget(m_slice, 1);
+  row->addWidget(m_sliceText);
+  row->addWidget(m_uncertainty);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_hemisphere, 5);
+  auto* right = new QVBoxLayout;
+  right->addWidget(m_chart, 1);
+  right->addLayout(row);
+  layout->addLayout(right, 6);
+}
+
+void AcquisitionCharts::connectCharts() {
+  for (widgets::SampleChart* chart : std::initializer_list<widgets::SampleChart*>{m_hemisphere, m_chart}) {
+    connect(chart, &widgets::SampleChart::currentChanged, this, &AcquisitionCharts::currentChanged);
+    connect(chart, &widgets::SampleChart::chosen, this, &AcquisitionCharts::showSliceOf);
+  }
+  connect(m_slice, &QSlider::valueChanged, this, &AcquisitionCharts::showSlice);
+  connect(m_uncertainty, &QCheckBox::toggled, this, &AcquisitionCharts::showSlice);
+}
+
+void AcquisitionCharts::showSliceOf(int sample) {
+  const DirectionPair& pair = m_hemisphere->samples()[std::size_t(sample)];
+  const double period = pi, phiD = foldPhiD(toHalfDifference(pair.wi, pair.wo).phiD);
+  const int count = m_slice->maximum() + 1;
+  m_slice->setValue(int(std::lround(phiD / period * count)) % count);
+}
+
+void AcquisitionCharts::setCurrent(int sample) {
+  m_hemisphere->setCurrent(sample);
+  m_chart->setCurrent(sample);
+}
+
+void AcquisitionCharts::showDirections() {
+  const std::vector<DirectionPair> directions = m_session.planner().directions();
+  m_hemisphere->setSamples(directions);
+  m_chart->setSamples(directions);
+}
+
+void AcquisitionCharts::showSlice() {
+  const auto& basis = m_session.planner().basis();
+  const HalfDifferenceGrid grid = basis ? basis->mapping.grid : HalfDifferenceGrid();
+  m_slice->setMaximum(grid.phiDCount - 1);
+  const AcquisitionResultPtr& result = m_session.result();
+  const bool known = result && basis && !result->reconstruction->deviation.empty();
+  m_uncertainty->setEnabled(known);
+  std::span<const float> deviations;
+  if (known && m_uncertainty->isChecked()) deviations = result->reconstruction->deviation;
+  const acquisition::MeasurableDirections measurable = m_controls.planSettings().measurable;
+  m_hemisphere->setLargestPolarAngle(measurable.largestPolarAngle);
+  m_chart->setSlice(sliceAt(m_slice->value(), grid, measurable, basis ? &basis->mapping : nullptr, deviations));
+  if (known) m_chart->setRange(result->deviationRange);
+  m_sliceText->setText(tr("%1°").arg(degrees(m_chart->slice().phiD), 0, 'f', 0));
+}
+
+void AcquisitionCharts::refresh() {
+  const QString hint = m_session.isBusy() ? QString() : tr("Start chooses directions here.");
+  m_hemisphere->setHint(hint);
+  m_chart->setHint(hint);
+}
+
+}  // namespace gonio::app
+
+#include "moc_acquisition_charts.cpp"

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+#include "app/gonio/acquisition/acquisition_controls.h"
+
+class QCheckBox;
+class QLabel;
+class QSlider;
+
+namespace gonio::widgets {
+class HalfDifferenceChart;
+class HemisphereChart;
+}  // namespace gonio::widgets
+
+namespace gonio::app {
+
+/// The samples of an acquisition on the hemisphere, and in a slice of half-difference space with what can be measured
+/// there and how uncertain the reconstruction is.
+class AcquisitionCharts : public QWidget {
+  Q_OBJECT
+
+ public:
+  AcquisitionCharts(const AcquisitionSession& session, const AcquisitionControls& controls);
+
+  widgets::HemisphereChart& hemisphere() const { return *m_hemisphere; }
+  widgets::HalfDifferenceChart& chart() const { return *m_chart; }
+  /// The sample that both mark; -1: none.
+  void setCurrent(int sample);
+  void refresh();
+
+ Q_SIGNALS:
+  void currentChanged(int sample);
+
+ private:
+  void build();
+  void connectCharts();
+  void showDirections();
+  void showSlice();
+  /// The slice that a sample lies in.
+  void showSliceOf(int sample);
+
+  const AcquisitionSession& m_session;
+  const AcquisitionControls& m_controls;
+  widgets::HemisphereChart* m_hemisphere;
+  widgets::HalfDifferenceChart* m_chart;
+  QSlider* m_slice;
+  QLabel* m_sliceText;
+  QCheckBox* m_uncertainty;
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition/acquisition_files.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
+
+namespace gonio::app {
+
+AcquisitionFiles::AcquisitionFiles(AcquisitionSession& session, AcquisitionControls& controls,
+                                   AcquisitionSubject& subject, QWidget* panel)
+    : QObject(panel), m_session(session), m_controls(controls), m_subject(subject), m_panel(panel) {}
+
+std::vector<std::string> AcquisitionFiles::planComments() const {
+  const PlanSettings& settings = m_session.planner().settings();
+  return {tr("Plan of %n samples, %1", nullptr, int(m_session.planner().samplingPlan().samples.size()))
+              .arg(m_controls.directions().methodBox().itemText(int(settings.method)))
+              .toStdString(),
+          tr("learned from %n materials (%1)", nullptr, m_session.planner().learnedMaterials())
+              .arg(settings.training.name)
+              .toStdString()};
+}
+
+QString AcquisitionFiles::planText() const {
+  return QString::fromStdString(materials::planCsv(m_session.planner().samplingPlan(), planComments()));
+}
+
+void AcquisitionFiles::savePlan(const QString& path) {
+  try {
+    materials::writePlan(m_session.planner().samplingPlan(), path.toStdString(), planComments());
+    Q_EMIT exported(path);
+  } catch (const Error& error) {
+    Q_EMIT failed(tr("Cannot save the plan"), QString::fromUtf8(error.what()));
+  }
+}
+
+void AcquisitionFiles::readPlan(const QString& path) {
+  try {
+    const acquisition::SamplingPlan plan = materials::readPlan(path.toStdString());
+    m_subject.takeOpenMaterial();
+    m_controls.directions().setSamples(int(plan.samples.size()));
+    m_session.plan(m_controls.planSettings(), plan);
+  } catch (const Error& error) {
+    Q_EMIT failed(tr("Cannot open the plan"), QString::fromUtf8(error.what()));
+  }
+}
+
+void AcquisitionFiles::paste(const QString& text) {
+  try {
+    if (text.trimmed().isEmpty()) throw Error(tr("There is no text on the clipboard.").toStdString());
+    m_session.setValues(materials::parseValues(text.toStdString(), m_session.planner().samplingPlan()), tr("pasted"));
+  } catch (const Error& error) {
+    Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
+  }
+}
+
+void AcquisitionFiles::readValues(const QString& path) {
+  try {
+    m_session.setValues(materials::readValues(path.toStdString(), m_session.planner().samplingPlan()), path.section('/', -1));
+  } catch (const Error& error) {
+    Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
+  }
+}
+
+QFileDialog* AcquisitionFiles::openDialog(const QString& title, const QString& filter) {
+  auto* dialog = new QFileDialog(m_panel, title, {}, filter);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->open();
+  return dialog;
+}
+
+void AcquisitionFiles::askForPlan() {
+  connect(openDialog(tr("Open Plan"), tr("Plans (*.csv);;All files (*)")), &QFileDialog::fileSelected, this,
+          &AcquisitionFiles::readPlan);
+}
+
+void AcquisitionFiles::askForValues() {
+  connect(openDialog(tr("Open Values"), tr("Values (*.csv *.txt);;All files (*)")), &QFileDialog::fileSelected, this,
+          &AcquisitionFiles::readValues);
+}
+
+void AcquisitionFiles::askForPlanFile() {
+  auto* dialog = new QFileDialog(m_panel, tr("Save Plan"), {}, tr("Plan (*.csv)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("csv"));
+  connect(dialog, &QFileDialog::fileSelected, this, &AcquisitionFiles::savePlan);
+  dialog->open();
+}
+
+}  // namespace gonio::app
+
+#include "moc_acquisition_files.cpp"

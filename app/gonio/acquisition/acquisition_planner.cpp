@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition/acquisition_planner.h"
+
+#include <QPointer>
+
+namespace gonio::app {
+
+AcquisitionPlanner::AcquisitionPlanner(BackgroundTasks& tasks, QString taskKey, QObject* parent)
+    : QObject(parent), m_tasks(tasks), m_taskKey(std::move(taskKey)) {}
+
+std::function<void(const QString&)> AcquisitionPlanner::failure(const QString& title) {
+  return [this, title](const QString& error) { Q_EMIT failed(title, error); };
+}
+
+bool AcquisitionPlanner::hasLearned(const QString& id) const {
+  return !id.isEmpty() && without(m_learned, id) != m_learned;
+}
+
+std::vector<DirectionPair> AcquisitionPlanner::directions() const {
+  std::vector<DirectionPair> pairs;
+  for (const std::uint32_t cell : m_chosen) pairs.push_back(m_basis->mapping.grid.directions(cell));
+  return pairs;
+}
+
+void AcquisitionPlanner::forget() {
+  ++m_run;
+  m_chosen.clear();
+  m_selection = {};
+  m_plan = {};
+}
+
+void AcquisitionPlanner::plan(const PlanSettings& settings, const QString& measuredId,
+                              const std::optional<acquisition::SamplingPlan>& given) {
+  forget();
+  m_given = given;
+  m_settings = settings;
+  if (given) m_settings.samples = int(given->samples.size());
+  const QStringList ids =
+      settings.leaveOutReference ? without(settings.training.ids, measuredId) : settings.training.ids;
+  if (m_basis && ids == m_learned)
+    choose();
+  else
+    learn(ids);
+}
+
+void AcquisitionPlanner::learn(const QStringList& ids) {
+  using Basis = std::shared_ptr<const dictionary::PrincipalComponents>;
+  // Gigabytes, of a large set: the old one goes before the new one comes.
+  m_basis.reset();
+  m_learned.clear();
+  m_tasks.run<Basis>(
+      {tr("Learning %n materials", nullptr, int(ids.size())), m_taskKey},
+      [ids](const TaskControl& control) { return learnBasis(ids, control); },
+      [this, ids](const Basis& basis) {
+        m_basis = basis;
+        m_learned = ids;
+        choose();
+      },
+      failure(tr("Cannot learn the training set")), [this] { Q_EMIT stopped(); });
+  Q_EMIT learning();
+}
+
+void AcquisitionPlanner::choose() {
+  if (m_given) return takeGiven();
+  acquisition::SelectionOptions options;
+  options.method = m_settings.method;
+  options.samples = m_settings.samples;
+  options.measurable = m_settings.measurable;
+  options.seed = m_settings.seed;
+  const auto tell = [planner = QPointer(this), tasks = &m_tasks, run = m_run](std::uint32_t cell) {
+    QMetaObject::invokeMethod(
+        tasks,
+        [planner, run, cell] {
+          if (planner) planner->takeChosen(run, cell);
+        },
+        Qt::QueuedConnection);
+  };
+  using Planned = std::pair<acquisition::SampleSelection, acquisition::SamplingPlan>;
+  m_tasks.run<Planned>(
+      {tr("Choosing %n directions", nullptr, options.samples), m_taskKey},
+      [basis = m_basis, options, tell](const TaskControl& control) {
+        auto selection = acquisition::selectSamples(*basis, options, control, tell);
+        auto plan = acquisition::planFor(basis->mapping.grid, selection.cells);
+        return Planned(std::move(selection), std::move(plan));
+      },
+      [this](const Planned& one) { install(one.first, one.second); }, failure(tr("Cannot choose directions")),
+      [this] { Q_EMIT stopped(); });
+  Q_EMIT choosing();
+}
+
+void AcquisitionPlanner::takeGiven() {
+  try {
+    acquisition::SampleSelection selection;
+    for (const acquisition::PlannedSample& sample : m_given->samples)
+      selection.cells.push_back(acquisition::nearestNode(m_basis->mapping.grid, sample.directions));
+    install(selection, *m_given);
+  } catch (const Error& error) {
+    Q_EMIT failed(tr("Cannot take the plan"), QString::fromUtf8(error.what()));
+  }
+}
+
+void AcquisitionPlanner::install(const acquisition::SampleSelection& selection, const acquisition::SamplingPlan& plan) {
+  m_chosen = selection.cells;
+  m_selection = selection;
+  m_plan = plan;
+  Q_EMIT planned();
+}
+
+void AcquisitionPlanner::takeChosen(int run, std::uint32_t cell) {
+  if (run != m_run || hasPlan()) return;
+  m_chosen.push_back(cell);
+  Q_EMIT directionChosen();
+}
+
+}  // namespace gonio::app
+
+#include "moc_acquisition_planner.cpp"

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition/acquisition_subject.h"
+
+namespace gonio::app {
+
+using Subject = SubjectRows::Subject;
+
+AcquisitionSubject::AcquisitionSubject(const Document& document, AcquisitionSession& session,
+                                       AcquisitionControls& controls)
+    : QObject(&controls), m_document(document), m_session(session), m_controls(controls) {
+  connect(&m_document, &Document::materialChanged, this, &AcquisitionSubject::takeOpenMaterial);
+  connect(&m_controls.subject(), &SubjectRows::edited, this, &AcquisitionSubject::edited);
+  connect(&m_session, &AcquisitionSession::referenceChanged, this, &AcquisitionSubject::showReference);
+}
+
+void AcquisitionSubject::takeOpenMaterial() {
+  if (m_controls.subject().subject() != Subject::openMaterial || !m_controls.isVisible()) return;
+  const LoadedMaterialPtr material = m_document.material();
+  const std::vector<editing::Edit> edits = m_document.edits();
+  if (material == m_taken && edits == m_takenEdits && m_session.referenceName() == m_document.name()) return;
+  m_taken = material;
+  m_takenEdits = edits;
+  if (!material) return m_session.clearReference();
+  m_session.setReference(QString::fromStdString(material->material.source.path.string()), m_document.name(),
+                         [table = material->table, edits](const TaskControl& control) {
+                           return editing::bakeEdits(table, edits, control);
+                         });
+}
+
+void AcquisitionSubject::edited() {
+  m_taken.reset();
+  if (m_controls.subject().subject() == Subject::none) m_session.clearReference();
+  if (m_controls.subject().subject() == Subject::openMaterial) takeOpenMaterial();
+  if (m_controls.subject().subject() == Subject::chosen) m_session.setReference(m_controls.subject().chosenId());
+}
+
+void AcquisitionSubject::choose(const QString& id) {
+  m_session.setReference(id);
+  m_controls.subject().choose(id, m_session.referenceName());
+}
+
+void AcquisitionSubject::keepOpenMaterial() {
+  if (m_controls.subject().subject() == Subject::openMaterial && m_session.reference())
+    m_controls.subject().choose(m_session.referenceId(), m_session.referenceName());
+}
+
+void AcquisitionSubject::showReference() {
+  if (m_controls.subject().subject() == Subject::chosen && !m_session.referenceName().isEmpty())
+    m_controls.subject().choose(m_session.referenceId(), m_session.referenceName());
+  m_controls.training().setMeasuredId(m_session.referenceId());
+}
+
+}  // namespace gonio::app
+
+#include "moc_acquisition_subject.cpp"

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition/subject_rows.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+
+#include "app/gonio/acquisition/control_rows.h"
+#include "widgets/inputs/number_field.h"
+
+namespace gonio::app {
+
+SubjectRows::SubjectRows(QFormLayout& form)
+    : QObject(&form),
+      m_box(rowBox(tr("The material that is measured in simulation, and that the reconstruction is compared with. With "
+                      "values of a rig there may be none."))) {
+  build(form);
+  connect(m_box, &QComboBox::activated, this, &SubjectRows::activated);
+  for (widgets::NumberField* number : {m_noise, m_floor, m_misalignment})
+    connect(number, &widgets::NumberField::valueEdited, this, &SubjectRows::noiseEdited);
+  refresh();
+}
+
+void SubjectRows::build(QFormLayout& form) {
+  m_box->addItems({tr("The open material"), QString(), tr("None: values of a rig"), tr("Choose...")});
+  hideItem(*m_box, chosenMaterial, true);
+  form.addRow(tr("Meas&ure"), m_box);
+  m_noise = rowField(tr("Noise"), tr("Standard deviation of a simulated reading, as a share of its value"), 0, 1, 0.01,
+                     tr("%"), 100);
+  m_floor = rowField(tr("Noise floor"), tr("Standard deviation of the sensor in the dark, beside its relative noise"),
+                     0, 10, 1e-3, tr("1/sr"));
+  m_misalignment = rowField(tr("Misalignment"),
+                            tr("Standard deviation of the direction of each arm, along each of two "
+                               "axes"),
+                            0, radians(10), radians(0.1), QStringLiteral("°"), degrees(1));
+  form.addRow(tr("&Noise"), m_noise);
+  form.addRow(tr("Noise floor"), m_floor);
+  form.addRow(tr("Misali&gnment"), m_misalignment);
+}
+
+void SubjectRows::activated(int index) {
+  if (index == chooseMaterial) {
+    m_box->setCurrentIndex(m_last);
+    return Q_EMIT wanted();
+  }
+  m_last = index;
+  refresh();
+  Q_EMIT edited();
+}
+
+void SubjectRows::refresh() {
+  for (widgets::NumberField* number : {m_noise, m_floor, m_misalignment})
+    number->setEnabled(subject() != Subject::none);
+}
+
+SubjectRows::Subject SubjectRows::subject() const { return Subject(m_box->currentIndex()); }
+
+void SubjectRows::choose(const QString& id, const QString& name) {
+  m_box->setItemText(chosenMaterial, name);
+  m_box->setItemData(chosenMaterial, id);
+  hideItem(*m_box, chosenMaterial, false);
+  m_last = chosenMaterial;
+  m_box->setCurrentIndex(m_last);
+  refresh();
+}
+
+QString SubjectRows::chosenId() const { return m_box->itemData(chosenMaterial).toString(); }
+
+acquisition::MeasurementNoise SubjectRows::noise(std::uint64_t seed) const {
+  return {.relative = m_noise->value(),
+          .absolute = m_floor->value(),
+          .misalignment = m_misalignment->value(),
+          .seed = seed};
+}
+
+bool SubjectRows::isNoisy() const {
+  return m_noise->value() > 0 || m_floor->value() > 0 || m_misalignment->value() > 0;
+}
+
+}  // namespace gonio::app
+
+#include "moc_subject_rows.cpp"

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+
+#include "core/acquisition/measured_values.h"
+
+class QComboBox;
+class QFormLayout;
+
+namespace gonio::widgets {
+class NumberField;
+}
+
+namespace gonio::app {
+
+/// Rows of a form: the material that is measured, and the noise of a simulated measurement.
+class SubjectRows : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Subject { openMaterial, chosen, none };
+
+  explicit SubjectRows(QFormLayout& form);
+
+  Subject subject() const;
+  /// The material that is measured is this one, whatever is opened.
+  void choose(const QString& id, const QString& name);
+  QString chosenId() const;
+  acquisition::MeasurementNoise noise(std::uint64_t seed) const;
+  bool isNoisy() const;
+  QComboBox& box() const { return *m_box; }
+
+ Q_SIGNALS:
+  /// Another kind of subject was chosen.
+  void edited();
+  /// Another material shall be chosen to be measured.
+  void wanted();
+  void noiseEdited();
+
+ private:
+  /// Items of the box; the first are those of Subject.
+  enum Item { openMaterial, chosenMaterial, noMaterial, chooseMaterial };
+  void build(QFormLayout& form);
+  void activated(int index);
+  void refresh();
+
+  int m_last = 0;
+  QComboBox* m_box;
+  widgets::NumberField *m_noise, *m_floor, *m_misalignment;
+};
+
+}  // namespace gonio::app

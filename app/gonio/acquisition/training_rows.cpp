@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/acquisition/training_rows.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+
+#include "app/gonio/acquisition/control_rows.h"
+
+namespace gonio::app {
+
+TrainingRows::TrainingRows(QFormLayout& form)
+    : QObject(&form),
+      m_box(rowBox(
+          tr("Training set: the reconstruction uses the principal components of these materials.\n"
+             "The whole library covers more materials than the measured ones alone; it takes about a minute at first.\n"
+             "\"What the library shows\": those that match its search, also of a folder."))),
+      m_leaveOut(new QCheckBox(tr("Leave out the measured material"))),
+      m_facts(new QLabel) {
+  build(form);
+  connect(m_box, &QComboBox::activated, this, &TrainingRows::activated);
+  connect(m_leaveOut, &QCheckBox::toggled, this, &TrainingRows::edited);
+}
+
+void TrainingRows::build(QFormLayout& form) {
+  form.addRow(rowHeading(tr("Training set")));
+  m_box->addItems({tr("Measured, of the library"), tr("Published fits, of the library"), tr("The whole library"),
+                   tr("What the library shows"), QString(), tr("A folder of files...")});
+  hideItem(*m_box, otherSet, true);
+  form.addRow(tr("&Learn from"), m_box);
+  m_leaveOut->setToolTip(
+      tr("Neither the material that is measured nor another file of the same name is learned from: otherwise its "
+         "reconstruction looks better than that of a new material."));
+  m_leaveOut->setChecked(true);
+  form.addRow(m_leaveOut);
+  m_facts->setForegroundRole(QPalette::PlaceholderText);
+  m_facts->setWordWrap(true);
+  form.addRow(m_facts);
+}
+
+void TrainingRows::activated(int index) {
+  if (index == folder) {
+    m_box->setCurrentIndex(m_last);
+    return askForFolder();
+  }
+  m_last = index;
+  Q_EMIT edited();
+}
+
+void TrainingRows::askForFolder() {
+  auto* dialog = new QFileDialog(m_box, tr("Folder of Materials to Learn from"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    setTraining(folderTraining(path));
+    Q_EMIT edited();
+  });
+  dialog->open();
+}
+
+void TrainingRows::setTraining(const TrainingSet& training) {
+  m_otherSet = training;
+  m_box->setItemText(otherSet, training.name);
+  hideItem(*m_box, otherSet, false);
+  m_box->setCurrentIndex(otherSet);
+  m_last = otherSet;
+  refresh();
+}
+
+TrainingSet TrainingRows::training() const {
+  switch (m_box->currentIndex()) {
+    case fits:
+      return fittedTraining();
+    case library:
+      return libraryTraining();
+    case shownInLibrary:
+      return {tr("what the library shows"), m_shownIds ? m_shownIds() : QStringList()};
+    case otherSet:
+      return m_otherSet;
+    default:
+      return measuredTraining();
+  }
+}
+
+bool TrainingRows::leavesMeasuredOut() const { return m_leaveOut->isChecked(); }
+
+void TrainingRows::setMeasuredId(const QString& id) {
+  m_measuredId = id;
+  refresh();
+}
+
+void TrainingRows::setEnabled(bool enabled) {
+  m_box->setEnabled(enabled);
+  m_leaveOut->setEnabled(enabled);
+}
+
+void TrainingRows::refresh() {
+  const QStringList all = training().ids;
+  const int count = int((leavesMeasuredOut() ? without(all, m_measuredId) : all).size());
+  QString facts = count < 2 ? tr("%n materials: too few to learn from", nullptr, count)
+                            : tr("%n materials, three signals each", nullptr, count);
+  if (const int left = int(all.size()) - count; left > 0) facts += tr("; %n left out", nullptr, left);
+  m_facts->setText(facts);
+}
+
+}  // namespace gonio::app
+
+#include "moc_training_rows.cpp"

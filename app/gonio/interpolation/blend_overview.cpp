@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/interpolation/blend_overview.h"
+
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/interpolation/blend_strip.h"
+
+namespace gonio::app {
+
+BlendOverview::BlendOverview(const BlendSpaces& spaces)
+    : m_spaces(spaces), m_strip(new widgets::BlendStrip), m_draw(new QPushButton(tr("&Draw the Spaces"))) {
+  m_draw->setToolTip(tr("Prepares and draws the spaces that were cancelled"));
+  const QStringList steps{"0", "1/6", "1/3", "1/2", "2/3", "5/6", "1"};
+  static_assert(BlendSpaces::pictureCount == 7);
+  m_strip->setSteps(steps);
+  m_strip->setEmptyText(
+      tr("Drop a material of the library on A and one on B: every way of blending them is shown here, "
+         "side by side.\nOr take the open material with Current."));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(m_strip, 1);
+  column->addWidget(m_draw, 0, Qt::AlignLeft);
+  connect(&m_spaces, &BlendSpaces::changed, this, &BlendOverview::showSpace);
+  connect(m_strip, &widgets::BlendStrip::chosen, this, [this](int row, int step) {
+    Q_EMIT chosen(m_spaces.spaces()[std::size_t(row)], step < 0 ? -1 : step / (BlendSpaces::pictureCount - 1.0));
+  });
+  connect(m_draw, &QPushButton::clicked, this, &BlendOverview::drawRequested);
+}
+
+void BlendOverview::showSpaces() {
+  std::vector<widgets::BlendStrip::Row> rows;
+  if (m_spaces.hasEnds()) rows.resize(m_spaces.spaces().size());
+  m_strip->setRows(std::move(rows));
+  for (const auto space : m_spaces.spaces()) showSpace(space);
+}
+
+void BlendOverview::showSpace(BlendSpaces::Space space) {
+  using State = BlendSpaces::State;
+  const auto& spaces = m_spaces.spaces();
+  m_draw->setVisible(std::ranges::any_of(spaces, [this](auto one) { return m_spaces.state(one) == State::cancelled; }));
+  const auto row = std::size_t(std::ranges::find(spaces, space) - spaces.begin());
+  if (row >= m_strip->rows().size()) return;
+  widgets::BlendStrip::Row content{widgets::spaceName(space), widgets::spaceExplanation(space),
+                                   m_spaces.pictures(space)};
+  content.pictures.resize(BlendSpaces::pictureCount);
+  switch (m_spaces.state(space)) {
+    case State::failed:
+      content.note = m_spaces.failure(space);
+      content.failed = true;
+      content.pictures.clear();
+      break;
+    case State::cancelled:
+      content.note = tr("Cancelled");
+      content.pictures.clear();
+      break;
+    case State::running:
+      content.note = m_spaces.prepared(space) ? tr("Drawing...") : tr("Preparing...");
+      break;
+    default:
+      break;
+  }
+  m_strip->setRow(int(row), std::move(content));
+}
+
+}  // namespace gonio::app
+
+#include "moc_blend_overview.cpp"

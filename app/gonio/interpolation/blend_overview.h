@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+#include "app/gonio/interpolation/blend_spaces.h"
+
+class QPushButton;
+
+namespace gonio::widgets {
+class BlendStrip;
+}
+
+namespace gonio::app {
+
+/// All spaces of interpolation side by side, as rows of small spheres.
+class BlendOverview : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit BlendOverview(const BlendSpaces& spaces);
+
+  widgets::BlendStrip& strip() const { return *m_strip; }
+  QPushButton& drawButton() const { return *m_draw; }
+  /// After BlendSpaces::setEnds().
+  void showSpaces();
+
+ Q_SIGNALS:
+  /// A sphere of a space at t; of its name alone t is negative.
+  void chosen(gonio::editing::InterpolationSpace space, double t);
+  /// Spaces that were cancelled are wanted after all.
+  void drawRequested();
+
+ private:
+  void showSpace(BlendSpaces::Space space);
+
+  const BlendSpaces& m_spaces;
+  widgets::BlendStrip* m_strip;
+  QPushButton* m_draw;
+};
+
+}  // namespace gonio::app

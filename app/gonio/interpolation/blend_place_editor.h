@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QStackedWidget>
+
+class QLabel;
+
+namespace gonio::widgets {
+struct BlendCorner;
+class BlendPad;
+class NumberField;
+class ParameterSlider;
+}  // namespace gonio::widgets
+
+namespace gonio::app {
+
+/// The place between the materials: a slider and a number between two, a pad between more.
+class BlendPlaceEditor : public QStackedWidget {
+  Q_OBJECT
+
+ public:
+  explicit BlendPlaceEditor(QWidget* parent = nullptr);
+
+  widgets::ParameterSlider& slider() const { return *m_slider; }
+  widgets::NumberField& number() const { return *m_number; }
+  widgets::BlendPad& pad() const { return *m_pad; }
+  /// One for each material.
+  void setCorners(std::vector<widgets::BlendCorner> corners);
+  void setPlace(const QPointF& place);
+  /// Beside the slider, where there is room.
+  void setExplanation(const QString& text);
+
+ Q_SIGNALS:
+  void placeEdited(const QPointF& place);
+
+ private:
+  QWidget* buildLine();
+
+  widgets::ParameterSlider* m_slider;
+  widgets::NumberField* m_number;
+  QLabel* m_explanation;
+  widgets::BlendPad* m_pad;
+};
+
+}  // namespace gonio::app

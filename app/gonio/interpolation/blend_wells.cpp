@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/interpolation/blend_wells.h"
+
+#include <QFileDialog>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gonio/document/material_files.h"
+#include "widgets/interpolation/material_well.h"
+#include "widgets/interpolation/prepared_blend.h"
+
+namespace gonio::app {
+
+namespace {
+constexpr int wellEms = 17;
+}
+
+BlendWells::BlendWells(const Document& document, BlendEnds& ends)
+    : m_document(document), m_ends(ends), m_swap(new QToolButton), m_add(new QToolButton) {
+  build();
+  for (int i = 0; i < widgets::mostBlended; ++i) connectWell(i);
+  connect(m_swap, &QToolButton::clicked, this, [this] { m_ends.swap(0, 1); });
+  connect(m_add, &QToolButton::clicked, &m_ends, &BlendEnds::addPlace);
+}
+
+void BlendWells::build() {
+  auto* content = new QWidget;
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 4, 0);
+  column->setSpacing(4);
+  for (int i = 0; i < widgets::mostBlended; ++i) {
+    m_wells.push_back(new widgets::MaterialWell(QChar(u'A' + i)));
+    column->addWidget(m_wells.back());
+  }
+  m_swap->setText(tr("S&wap A and B"));
+  m_swap->setToolTip(tr("A takes the place of B, and B that of A"));
+  m_add->setText(tr("Add a ma&terial"));
+  m_add->setToolTip(tr("A third or a fourth material: a triangle or a square in place of the slider"));
+  auto* buttons = new QHBoxLayout;
+  for (QToolButton* button : {m_swap, m_add}) {
+    button->setFocusPolicy(Qt::StrongFocus);
+    buttons->addWidget(button);
+  }
+  buttons->addStretch();
+  column->addLayout(buttons);
+  column->addStretch();
+  setWidget(content);
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFixedWidth(wellEms * fontMetrics().height());
+}
+
+void BlendWells::connectWell(int place) {
+  connect(&well(place), &widgets::MaterialWell::materialDropped, this, [this, place](const QString& id) {
+    Q_EMIT touched();
+    m_ends.read(place, id);
+  });
+  connect(&well(place), &widgets::MaterialWell::currentWanted, this, [this, place] {
+    Q_EMIT touched();
+    m_ends.takeCurrent(place);
+  });
+  connect(&well(place), &widgets::MaterialWell::fileWanted, this, [this, place] { askForFile(place); });
+  connect(&well(place), &widgets::MaterialWell::clearWanted, this, [this, place] {
+    if (m_ends.count() > widgets::fewestBlended)
+      m_ends.removePlace(place);
+    else
+      m_ends.clear(place);
+  });
+}
+
+void BlendWells::askForFile(int place) {
+  auto* dialog = new QFileDialog(this, tr("Material %1").arg(QChar(u'A' + place)), {}, materialFilter());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) {
+    Q_EMIT touched();
+    m_ends.read(place, path);
+  });
+  dialog->open();
+}
+
+void BlendWells::showEnds(const std::vector<double>& weights) {
+  for (int i = 0; i < widgets::mostBlended; ++i) {
+    well(i).setVisible(i < m_ends.count());
+    well(i).setCurrentAvailable(m_document.material() != nullptr);
+    if (i < m_ends.count()) showEnd(i, weights[std::size_t(i)]);
+  }
+  m_add->setEnabled(m_ends.count() < widgets::mostBlended);
+}
+
+void BlendWells::showEnd(int place, double weight) {
+  widgets::WellContent content;
+  if (const BlendEnd* end = m_ends.at(place)) content = {end->name, end->description, end->picture, {}};
+  content.removable = m_ends.count() > widgets::fewestBlended;
+  content.note = m_ends.isReading(place)  ? tr("Opening...")
+                 : content.name.isEmpty() ? QString()
+                                          : widgets::weightText(weight);
+  if (const QString failure = m_ends.failure(place); !failure.isEmpty()) {
+    content.note = tr("Could not be opened");
+    content.toolTip = failure;
+    content.failed = true;
+  }
+  well(place).setContent(content);
+}
+
+void BlendWells::showWeights(const std::vector<double>& weights) {
+  for (int i = 0; i < m_ends.count(); ++i)
+    if (m_ends.at(i) && !m_ends.isReading(i) && m_ends.failure(i).isEmpty())
+      well(i).setNote(widgets::weightText(weights[std::size_t(i)]));
+}
+
+}  // namespace gonio::app
+
+#include "moc_blend_wells.cpp"

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QScrollArea>
+
+#include "app/gonio/interpolation/blend_ends.h"
+
+class QToolButton;
+
+namespace gonio::widgets {
+class MaterialWell;
+}
+
+namespace gonio::app {
+
+/// The places of the materials that are blended, each a well that takes a material.
+class BlendWells : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  BlendWells(const Document& document, BlendEnds& ends);
+
+  widgets::MaterialWell& well(int place) const { return *m_wells[std::size_t(place)]; }
+  void showEnds(const std::vector<double>& weights);
+  void showWeights(const std::vector<double>& weights);
+
+ Q_SIGNALS:
+  /// The user fills a place.
+  void touched();
+
+ private:
+  void build();
+  void connectWell(int place);
+  void showEnd(int place, double weight);
+  void askForFile(int place);
+
+  const Document& m_document;
+  BlendEnds& m_ends;
+  std::vector<widgets::MaterialWell*> m_wells;
+  QToolButton *m_swap, *m_add;
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/window/editor_parts.h"
+
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QListView>
+
+#include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/comparison/comparison_panel.h"
+#include "app/gonio/factors/factor_curves_panel.h"
+#include "app/gonio/inspector/inspector.h"
+#include "app/gonio/inspector/representation_panel.h"
+#include "app/gonio/interpolation/interpolation_panel.h"
+#include "app/gonio/library/thumbnail.h"
+#include "app/gonio/plots/plots_panel.h"
+#include "app/gonio/scene/scene_panel.h"
+#include "app/gonio/study/fit_ranking_panel.h"
+#include "app/gonio/study/study_panel.h"
+#include "app/gonio/window/view_state.h"
+#include "widgets/library/library_view.h"
+#include "widgets/panels/plausibility_badges.h"
+#include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace gonio::app {
+
+namespace {
+
+const QString libraryKey = QStringLiteral("library/folder"), tileKey = QStringLiteral("library/tileSize");
+const QString sortKey = QStringLiteral("library/sort"), overlayKey = QStringLiteral("preview/overlay");
+
+LibraryController::LookMaker lookMaker() {
+  return [folder = thumbnailCacheFolder()](const QString& id, const TaskControl& control) {
+    return materialLook(id, folder, control);
+  };
+}
+
+}  // namespace
+
+EditorParts::EditorParts()
+    : recentFiles(settings),
+      controller(document, tasks),
+      library(tasks, lookMaker()),
+      preview(*new widgets::PreviewWidget),
+      environment(tasks, preview),
+      libraryView(*new widgets::LibraryView(&library.model())),
+      inspector(*new Inspector(document, controller, tasks)),
+      comparisonBar(*new widgets::ComparisonBar),
+      comparison(document, tasks, preview, comparisonBar),
+      comparisonPanel(*new ComparisonPanel(comparison, tasks)),
+      plots(*new PlotsPanel(document, tasks)),
+      factors(*new FactorCurvesPanel(document, tasks)),
+      ranking(*new FitRankingPanel(document, controller, tasks)),
+      interpolation(*new InterpolationPanel(document, tasks)),
+      study(*new StudyPanel(document, tasks)),
+      scene(*new ScenePanel(preview, document, tasks)),
+      acquisition(*new AcquisitionPanel(document, tasks)) {
+  preview.setToneMap(ToneMap::filmic);
+  connectStandIns();
+  connectLibrary();
+  connectPlots();
+  QObject::connect(&controller, &DocumentController::viewRestored, &controller,
+                   [this](const nlohmann::json& view) { restoreSavedView(view); });
+}
+
+EditorParts::~EditorParts() = default;
+
+void EditorParts::connectStandIns() {
+  QObject::connect(&interpolation, &InterpolationPanel::subjectChanged, &comparison, [this] {
+    comparison.setStandIn(StandIn::blend, interpolation.subject(), interpolation.description());
+  });
+  QObject::connect(&study, &StudyPanel::subjectChanged, &comparison,
+                   [this] { comparison.setStandIn(StandIn::representation, study.subject(), study.shownName()); });
+  QObject::connect(&study, &StudyPanel::taken, &controller,
+                   [this](const gonio::study::Representation& representation) { use(representation); });
+  const RepresentationPanel* representation = inspector.representation();
+  QObject::connect(representation, &RepresentationPanel::shownChanged, &comparison,
+                   [this, representation] { comparison.setCode(representation->shown()); });
+}
+
+void EditorParts::use(const gonio::study::Representation& representation) {
+  // What has a place of its own goes there; the rest stays in the preview.
+  if (representation.family == gonio::study::RepresentationFamily::fit) {
+    study.show(-1);
+    controller.chooseModel(models::findModel(representation.id));
+  } else if (representation.family == gonio::study::RepresentationFamily::code) {
+    study.show(-1);
+    inspector.unfoldRepresentation();
+    inspector.representation()->setCoefficients(std::size_t(representation.budget));
+    inspector.representation()->showEncoded().setChecked(true);
+  }
+}
+
+void EditorParts::connectLibrary() {
+  QObject::connect(&library, &LibraryController::titleChanged, &libraryView, &widgets::LibraryView::setTitle);
+  QObject::connect(&libraryView, &widgets::LibraryView::visibleIdsChanged, &library, &LibraryController::setVisible);
+  QObject::connect(&libraryView, &widgets::LibraryView::referenceRequested, &comparison,
+                   &ComparisonController::openReference);
+  QObject::connect(&controller, &DocumentController::opened, &libraryView, [this] {
+    libraryView.selectItem(QString::fromStdString(document.material()->material.source.path.string()));
+  });
+  acquisition.controls().training().setShownIds([this] {
+    const QAbstractItemModel& shown = *libraryView.list()->model();
+    QStringList ids;
+    for (int row = 0; row < shown.rowCount(); ++row)
+      ids << shown.index(row, 0).data(widgets::LibraryModel::IdRole).toString();
+    return ids;
+  });
+}
+
+void EditorParts::connectPlots() {
+  QObject::connect(&plots, &PlotsPanel::pickingToggled, &preview, &widgets::PreviewWidget::setPicking);
+  QObject::connect(&preview, &widgets::PreviewWidget::polarAnglePicked, &plots, &PlotsPanel::setThetaI);
+  QObject::connect(inspector.plausibility(), &widgets::PlausibilityBadges::showRequested, &plots,
+                   [this](const QString& check, double theta) {
+                     plots.showAt(check == "energy" ? PlotKind::albedo : PlotKind::cartesian, theta);
+                   });
+}
+
+void EditorParts::restoreSavedView(const nlohmann::json& view) {
+  scene.open(sceneNameOf(view), [this, view] {
+    restoreView(preview, view);
+    const auto stored = environmentOf(view);
+    if (stored && *stored != environment.name()) environment.open(*stored);
+  });
+}
+
+bool EditorParts::isSettled() const {
+  const auto task = tasks.topmost();
+  return (!task || task->quiet) && inspector.isSettled() && comparisonPanel.isSettled() && plots.isSettled() &&
+         factors.isSettled() && interpolation.isSettled() && acquisition.isSettled() && library.isVisibleComplete() &&
+         (!preview.hasMaterial() || preview.converged());
+}
+
+void EditorParts::restoreSettings() {
+  inspector.restoreState(settings);
+  plots.restoreState(settings);
+  libraryView.setTileSize(settings.value(tileKey, libraryView.tileSize()).toInt());
+  libraryView.setSortMode(settings.value(sortKey, 0).toInt());
+  preview.setOverlayVisible(settings.value(overlayKey, true).toBool());
+  const QString folder = settings.value(libraryKey).toString();
+  if (folder.isEmpty() || !QFileInfo::exists(folder))
+    library.showBundled();
+  else
+    library.showFolder(folder);
+}
+
+void EditorParts::saveSettings() {
+  inspector.saveState(settings);
+  plots.saveState(settings);
+  settings.setValue(tileKey, libraryView.tileSize());
+  settings.setValue(sortKey, libraryView.sortMode());
+  settings.setValue(overlayKey, preview.overlayVisible());
+  settings.setValue(libraryKey, library.folder());
+}
+
+}  // namespace gonio::app

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QSettings>
+
+#include "app/gonio/comparison/comparison_controller.h"
+#include "app/gonio/document/document_controller.h"
+#include "app/gonio/document/recent_files.h"
+#include "app/gonio/library/library_controller.h"
+#include "app/gonio/window/environment_controller.h"
+#include "core/study/representation.h"
+
+namespace gonio::widgets {
+class ComparisonBar;
+class LibraryView;
+class PreviewWidget;
+}  // namespace gonio::widgets
+
+namespace gonio::app {
+
+class AcquisitionPanel;
+class ComparisonPanel;
+class FactorCurvesPanel;
+class FitRankingPanel;
+class Inspector;
+class InterpolationPanel;
+class PlotsPanel;
+class ScenePanel;
+class StudyPanel;
+
+/// The parts of one window: its document, the controllers and the panels, made in this order and connected to each
+/// other. The window that they are put into owns the widgets; it outlives this object.
+struct EditorParts {
+  EditorParts();
+  ~EditorParts();
+
+  /// Whether everything that was asked for is on the screen.
+  bool isSettled() const;
+  void restoreSettings();
+  void saveSettings();
+
+  QSettings settings;
+  RecentFiles recentFiles;
+  BackgroundTasks tasks;
+  Document document;
+  DocumentController controller;
+  LibraryController library;
+  widgets::PreviewWidget& preview;
+  EnvironmentController environment;
+  widgets::LibraryView& libraryView;
+  Inspector& inspector;
+  widgets::ComparisonBar& comparisonBar;
+  ComparisonController comparison;
+  ComparisonPanel& comparisonPanel;
+  PlotsPanel& plots;
+  FactorCurvesPanel& factors;
+  FitRankingPanel& ranking;
+  InterpolationPanel& interpolation;
+  StudyPanel& study;
+  ScenePanel& scene;
+  AcquisitionPanel& acquisition;
+
+ private:
+  void connectStandIns();
+  void connectLibrary();
+  void connectPlots();
+  void restoreSavedView(const nlohmann::json& view);
+  void use(const gonio::study::Representation& representation);
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/window/environment_controller.h"
+
+#include "core/rendering/environment_file.h"
+#include "widgets/preview/gl/textures.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace gonio::app {
+
+EnvironmentController::EnvironmentController(BackgroundTasks& tasks, widgets::PreviewWidget& preview, QObject* parent)
+    : QObject(parent), m_tasks(tasks), m_preview(preview) {}
+
+QString EnvironmentController::name() const {
+  const auto& environment = m_preview.scene().environment;
+  return environment ? QString::fromStdString(environment->name()) : QString();
+}
+
+void EnvironmentController::open(const QString& nameOrPath) {
+  m_tasks.run<std::shared_ptr<const EnvironmentMap>>(
+      {tr("Reading the environment %1").arg(nameOrPath.section('/', -1)), QStringLiteral("environment")},
+      [nameOrPath](const TaskControl&) -> std::shared_ptr<const EnvironmentMap> {
+        if (nameOrPath.isEmpty()) return nullptr;
+        const auto environment = openEnvironment(nameOrPath.toStdString());
+        widgets::environmentTexels(environment);  // so that the preview need not wait for them
+        return environment;
+      },
+      [this](const std::shared_ptr<const EnvironmentMap>& environment) { m_preview.setEnvironment(environment); },
+      [this](const QString& error) { Q_EMIT failed(tr("Cannot read the environment"), error); });
+}
+
+}  // namespace gonio::app
+
+#include "moc_environment_controller.cpp"

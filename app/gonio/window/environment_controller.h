@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+
+#include "app/gonio/document/background_task.h"
+
+namespace gonio::widgets {
+class PreviewWidget;
+}
+
+namespace gonio::app {
+
+/// The environment that lights the preview.
+class EnvironmentController : public QObject {
+  Q_OBJECT
+
+ public:
+  EnvironmentController(BackgroundTasks& tasks, widgets::PreviewWidget& preview, QObject* parent = nullptr);
+
+  /// Reads a picture in the background and lights the preview with it; a bundled name ("studio", "sky") too; empty
+  /// turns the environment off.
+  void open(const QString& nameOrPath);
+  /// What open() takes for the environment in use; empty for the directional light.
+  QString name() const;
+
+ Q_SIGNALS:
+  void failed(const QString& title, const QString& text);
+
+ private:
+  BackgroundTasks& m_tasks;
+  widgets::PreviewWidget& m_preview;
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QMenu>
+
+class QActionGroup;
+
+namespace gonio::widgets {
+class PreviewWidget;
+}
+
+namespace gonio::app {
+
+class EnvironmentController;
+
+/// View > Light: the environment of the preview.
+class LightMenu : public QMenu {
+  Q_OBJECT
+
+ public:
+  LightMenu(EnvironmentController& environment, widgets::PreviewWidget& preview, QWidget* window);
+
+ private:
+  void add(const QString& text, const QString& name, QActionGroup* group, const QKeySequence& key = {});
+  void addBackground();
+  void askForFile();
+
+  EnvironmentController& m_environment;
+  widgets::PreviewWidget& m_preview;
+};
+
+}  // namespace gonio::app

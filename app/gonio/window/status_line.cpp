@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/window/status_line.h"
+
+#include <QLabel>
+#include <QStatusBar>
+
+#include "app/gonio/comparison/comparison_controller.h"
+#include "app/gonio/document/edit_steps.h"
+#include "widgets/panels/progress_strip.h"
+#include "widgets/preview/preview_overlay.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace gonio::app {
+
+StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTasks& tasks,
+                       const ComparisonController& comparison, const widgets::PreviewWidget& preview)
+    : QObject(&bar),
+      m_document(document),
+      m_tasks(tasks),
+      m_comparison(comparison),
+      m_preview(preview),
+      m_progress(new widgets::ProgressStrip) {
+  // The bar of progress comes and goes: a status bar that grows with it would resize the preview, which starts anew.
+  bar.setMinimumHeight(2 * bar.fontMetrics().height());
+  m_progress->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar.addWidget(m_progress, 1);
+  connect(&m_tasks, &BackgroundTasks::changed, this, &StatusLine::showProgress);
+  connect(m_progress, &widgets::ProgressStrip::cancelRequested, &m_tasks, &BackgroundTasks::cancelTopmost);
+  QLabel* representation = addPermanent(bar, tr("What the preview shows"));
+  const auto showRepresentation = [this, representation] { representation->setText(representationText()); };
+  for (const auto signal : {&ComparisonController::subjectsChanged, &ComparisonController::comparisonChanged})
+    connect(&m_comparison, signal, this, showRepresentation);
+  showRepresentation();
+  QLabel* samples = addPermanent(bar, tr("Light samples of each pixel so far"));
+  QLabel* frameTime = addPermanent(bar, tr("Time of the last frame"));
+  connect(&m_preview, &widgets::PreviewWidget::frameRendered, this,
+          [samples, frameTime](double milliseconds, int count) {
+            frameTime->setText(tr("%1 ms").arg(milliseconds, 0, 'f', 1));
+            samples->setText(widgets::samplesText(count));
+          });
+}
+
+QLabel* StatusLine::addPermanent(QStatusBar& bar, const QString& toolTip) {
+  auto* label = new QLabel;
+  label->setToolTip(toolTip);
+  label->setContentsMargins(8, 0, 8, 0);
+  bar.addPermanentWidget(label);
+  return label;
+}
+
+void StatusLine::showProgress() {
+  if (const auto task = m_tasks.topmost())
+    m_progress->showProgress(task->title, task->share, !task->quiet);
+  else
+    m_progress->clear();
+}
+
+QString StatusLine::representationText() const {
+  const LoadedMaterialPtr& material = m_document.material();
+  const auto standIn = m_comparison.standIn();
+  if (!material && !standIn) return tr("Nothing open");
+  if (m_preview.isComparing()) {
+    const auto sides = m_comparison.sides();
+    return tr("%1 | %2").arg(m_comparison.name(sides[0]), m_comparison.name(sides[1]));
+  }
+  if (standIn == StandIn::blend) return tr("Blend: %1").arg(m_comparison.standInName());
+  if (standIn) return tr("Showing %1 instead of the material; edits hidden").arg(m_comparison.standInName());
+  const MaterialCode* code = m_comparison.code();
+  QStringList parts{code ? tr("Code of %1 coefficients").arg(code->encoded.code.coefficients())
+                         : tr("%1 table").arg(QString::fromStdString(material->material.source.format))};
+  const editing::EditList& edits = m_document.edits();
+  for (int i = 0; i < int(edits.size()); ++i)
+    if (!edits[std::size_t(i)].isIdentity()) parts << editName(edits, i);
+  return parts.join(QStringLiteral(" + "));
+}
+
+}  // namespace gonio::app
+
+#include "moc_status_line.cpp"

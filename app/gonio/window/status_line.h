@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+
+class QLabel;
+class QStatusBar;
+
+namespace gonio::widgets {
+class PreviewWidget;
+class ProgressStrip;
+}  // namespace gonio::widgets
+
+namespace gonio::app {
+
+class BackgroundTasks;
+class ComparisonController;
+class Document;
+
+/// What the status bar of a window shows: the work in progress, what the preview shows, its samples and frame time.
+class StatusLine : public QObject {
+  Q_OBJECT
+
+ public:
+  StatusLine(QStatusBar& bar, const Document& document, BackgroundTasks& tasks, const ComparisonController& comparison,
+             const widgets::PreviewWidget& preview);
+
+ private:
+  QLabel* addPermanent(QStatusBar& bar, const QString& toolTip);
+  void showProgress();
+  QString representationText() const;
+
+  const Document& m_document;
+  BackgroundTasks& m_tasks;
+  const ComparisonController& m_comparison;
+  const widgets::PreviewWidget& m_preview;
+  widgets::ProgressStrip* m_progress;
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/window/drop_target.h"
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QTest>
+#include <memory>
+
+#include "tests/support/test_program.h"
+#include "widgets/library/material_drag.h"
+#include "widgets/panels/drop_overlay.h"
+
+using namespace gonio::app;
+
+namespace {
+
+struct Target {
+  QWidget window;
+  QStringList opened;
+  DropTarget target{window,
+                    {[this](const QString& path) { opened << "material " + path; },
+                     [this](const QString& path) { opened << "reference " + path; },
+                     [this](const QString& path) { opened << "environment " + path; },
+                     [this](const QString& path) { opened << "scene " + path; }}};
+
+  Target() { window.show(); }
+  bool overlayIsShown() { return !window.findChild<gonio::widgets::DropOverlay*>()->isHidden(); }
+  void drag(const QString& path) {
+    const std::unique_ptr<QMimeData> data(gonio::widgets::toDrag(path));
+    QDragEnterEvent enter(QPoint(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &enter);
+  }
+  void drop(const QString& path, Qt::KeyboardModifiers modifiers = {}) {
+    const std::unique_ptr<QMimeData> data(gonio::widgets::toDrag(path));
+    QDropEvent event(QPointF(9, 9), Qt::CopyAction, data.get(), Qt::LeftButton, modifiers);
+    QApplication::sendEvent(&window, &event);
+  }
+};
+
+}  // namespace
+
+class DropTargetTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void eachKindOfFileHasItsAction() {
+    Target target;
+    target.drop("/a/chrome.binary");
+    target.drop("/a/chrome.binary", Qt::ControlModifier);
+    target.drop("/a/sky.HDR");
+    target.drop("/a/bunny.obj", Qt::ControlModifier);
+    QCOMPARE(target.opened, (QStringList{"material /a/chrome.binary", "reference /a/chrome.binary",
+                                         "environment /a/sky.HDR", "scene /a/bunny.obj"}));
+  }
+
+  void theOverlayIsShownWhileAFileIsDragged() {
+    Target target;
+    QVERIFY(!target.overlayIsShown());
+    target.drag("/a/chrome.binary");
+    QVERIFY(target.overlayIsShown());
+    QDragLeaveEvent leave;
+    QApplication::sendEvent(&target.window, &leave);
+    QVERIFY(!target.overlayIsShown());
+    target.drag("/a/chrome.binary");
+    target.drop("/a/chrome.binary");
+    QVERIFY(!target.overlayIsShown());
+  }
+};
+
+GONIO_TEST(DropTargetTest)
+#include "drop_target_test.moc"
