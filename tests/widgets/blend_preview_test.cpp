@@ -81,7 +81,7 @@ class BlendPreviewTest : public QObject {
       for (const std::vector<double>& weights : someWeights) {
         const auto blend = widgets::prepareBlend(space, ends(int(weights.size())));
         const auto subject = widgets::blendSubject(*blend, weights);
-        const double snr = agreement(subject, *blend->interpolation->brdf(weights), {});
+        const double snr = agreement(subject, *blend->interpolation->brdf(weights), sphereScene());
         const QString what =
             QString("%1, %2 materials: %3 dB").arg(widgets::spaceName(space)).arg(weights.size()).arg(snr);
         qInfo("%s", qPrintable(what));
@@ -93,7 +93,7 @@ class BlendPreviewTest : public QObject {
     const auto blend = widgets::prepareBlend(InterpolationSpace::linear, ends(2));
     const auto subject = widgets::blendSubject(*blend, someWeights[0]);
     const double snr =
-        agreement(subject, *blend->interpolation->brdf(someWeights[0]), {.environment = studioEnvironment()});
+        agreement(subject, *blend->interpolation->brdf(someWeights[0]), sphereScene(studioEnvironment()));
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 
@@ -107,7 +107,7 @@ class BlendPreviewTest : public QObject {
       blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
       const auto subject = widgets::blendSubject(blend, someWeights[0]);
       QVERIFY(std::holds_alternative<widgets::PreviewBlend>(subject.shown));
-      const double snr = agreement(subject, *widgets::subjectBrdf(subject), {});
+      const double snr = agreement(subject, *widgets::subjectBrdf(subject), sphereScene());
       const QString what = QString("transform %1: %2 dB").arg(int(transform)).arg(snr);
       qInfo("%s", qPrintable(what));
       QVERIFY2(snr > 40, qPrintable(what));
@@ -116,11 +116,11 @@ class BlendPreviewTest : public QObject {
 
   /// All of the weight on one material: the same bits as that material alone, in every space.
   void aCornerIsTheMaterial() {
-    const Image alone = drawn(widgets::tableSubject(ends(1)[0].table), {}, 64);
+    const Image alone = drawn(widgets::tableSubject(ends(1)[0].table), sphereScene(), 64);
     for (const auto space : {InterpolationSpace::linear, InterpolationSpace::factors}) {
       auto subject = widgets::blendSubject(*widgets::prepareBlend(space, ends(2)), {1, 0});
       subject.lobe = {};
-      QVERIFY(drawn(subject, {}, 64).pixels == alone.pixels);
+      QVERIFY(drawn(subject, sphereScene(), 64).pixels == alone.pixels);
     }
   }
 
@@ -128,14 +128,16 @@ class BlendPreviewTest : public QObject {
   void aDragLeavesNothingBehind() {
     const auto blend = widgets::prepareBlend(InterpolationSpace::differential, ends(3));
     const auto last = widgets::blendSubject(*blend, {0.5, 0.25, 0.25});
-    const Image expected = drawn(last, {}, 64);
+    const Image expected = drawn(last, sphereScene(), 64);
     for (const auto& weights : {std::vector{0.1, 0.8, 0.1}, {1.0, 0.0, 0.0}, {0.0, 0.5, 0.5}})
-      drawn(widgets::blendSubject(*blend, weights), {}, 64);
-    QVERIFY(drawn(last, {}, 64).pixels == expected.pixels);
+      drawn(widgets::blendSubject(*blend, weights), sphereScene(), 64);
+    QVERIFY(drawn(last, sphereScene(), 64).pixels == expected.pixels);
     // From two materials to three, and to a model alone.
-    drawn(widgets::blendSubject(*widgets::prepareBlend(InterpolationSpace::linear, ends(2)), {0.5, 0.5}), {}, 64);
-    drawn(widgets::blendSubject(*widgets::prepareBlend(InterpolationSpace::parameters, ends(2)), {0.5, 0.5}), {}, 64);
-    QVERIFY(drawn(last, {}, 64).pixels == expected.pixels);
+    drawn(widgets::blendSubject(*widgets::prepareBlend(InterpolationSpace::linear, ends(2)), {0.5, 0.5}), sphereScene(),
+          64);
+    drawn(widgets::blendSubject(*widgets::prepareBlend(InterpolationSpace::parameters, ends(2)), {0.5, 0.5}),
+          sphereScene(), 64);
+    QVERIFY(drawn(last, sphereScene(), 64).pixels == expected.pixels);
   }
 
   /// Where one material has no data it adds nothing; what the others have stays.
@@ -147,8 +149,8 @@ class BlendPreviewTest : public QObject {
     const auto empty = std::make_shared<const TabulatedBrdf>(grid, values, none);
     const auto blend = widgets::prepareBlend(InterpolationSpace::linear, {{full}, {empty}});
     const auto subject = widgets::blendSubject(*blend, {0.5, 0.5});
-    const Image picture = drawn(subject, {}, 64);
-    const Image expected = drawn(widgets::tableSubject(full), {}, 64);
+    const Image picture = drawn(subject, sphereScene(), 64);
+    const Image expected = drawn(widgets::tableSubject(full), sphereScene(), 64);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
       QVERIFY(glm::length(picture.pixels[i] - 0.5f * expected.pixels[i]) < 1e-6f);
   }

@@ -263,7 +263,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
       widgets::PreviewRenderer renderer(resources);
       renderer.initialize();
       renderer.setSubject({widgets::EditedTable{dictionary::decode(*ensemble, code->code), {}, code}});
-      tests::showSphere(renderer, {});
+      tests::showSphere(renderer, sphereScene());
       renderer.setSize({32, 32});
       renderer.accumulate(4);
       const Image picture = renderer.readPicture();

@@ -108,7 +108,8 @@ class EditStackTest : public QObject {
       const QPointF place(row.center().x(), row.top() + share * row.height());
       const std::unique_ptr<QMimeData> data(list()->model()->mimeData({list()->currentIndex()}));
       QDropEvent event(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
-      QCoreApplication::sendEvent(list()->viewport(), &event);
+      // Without a drag under way QApplication delivers no drop.
+      qApp->QCoreApplication::notify(list()->viewport(), &event);
       QCoreApplication::processEvents();
     };
     drop(0, 2, 0.8);
@@ -126,6 +127,7 @@ class EditStackTest : public QObject {
   /// F2 or a double click: Return takes the name, Escape leaves it; what the user named starts with its own name.
   void anEntryIsRenamed() {
     m_stack->setEntries({{"GGX"}, {"Wetter 2", "", 1, true, "Wetter"}}, 1, "None");
+    QCoreApplication::processEvents();  // the rows appear
     QSignalSpy renamed(m_stack.get(), &EditStack::renamed);
     const auto field = [this] {
       for (QLineEdit* one : m_stack->findChildren<QLineEdit*>())

@@ -53,7 +53,7 @@ class MaterialEstimatorTest : public QObject {
   /// What cannot be estimated is told, and the next request gets its chance.
   void aFailureIsTold() {
     widgets::PreviewSubject wrong = ggx(0.3);
-    wrong.parameters.values.clear();
+    std::get<widgets::ModelAlone>(wrong.shown).parameters.values.clear();
     {
       MaterialEstimator estimator;
       estimator.request(wrong);  // destroyed with the failure

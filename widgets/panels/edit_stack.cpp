@@ -8,12 +8,33 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QPainter>
+#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <algorithm>
 
 #include "widgets/panels/edit_row.h"
 
 namespace gonio::widgets {
+
+namespace {
+
+/// The selected row is tinted, with a bar at its side: text and controls on it stay as legible as on the others.
+class RowDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex&) const override {
+    if (!(option.state & QStyle::State_Selected)) return;
+    constexpr int barWidth = 3;
+    QColor tint = option.palette.color(QPalette::Highlight);
+    painter->fillRect(QRect(option.rect.topLeft(), QSize(barWidth, option.rect.height())), tint);
+    tint.setAlphaF(option.state & QStyle::State_HasFocus ? 0.3f : 0.15f);
+    painter->fillRect(option.rect, tint);
+  }
+};
+
+}  // namespace
 
 /// As high as its rows. A drop asks for a move instead of making it.
 class EditStack::List : public QListWidget {
@@ -22,6 +43,8 @@ class EditStack::List : public QListWidget {
     setDragDropMode(QAbstractItemView::InternalMove);
     setSelectionMode(QAbstractItemView::SingleSelection);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setResizeMode(QListView::Adjust);
+    setItemDelegate(new RowDelegate(this));
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -33,6 +56,7 @@ class EditStack::List : public QListWidget {
     for (int row = 0; row < count(); ++row) height += sizeHintForRow(row);
     return {10 * fontMetrics().height(), height};
   }
+  QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
 
  protected:
   void dropEvent(QDropEvent* event) override {
