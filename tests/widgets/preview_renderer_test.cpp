@@ -182,7 +182,7 @@ class PreviewRendererTest : public QObject {
   /// first of two may take away all that is there. Under one light: 40 dB at least, as for one edit.
   void stacksOfEdits() {
     const auto table = bakedModel("ggx", {{"roughness", 0.2}, {"f0", 0.5}});
-    const editing::Edit ggx = rougherEdit("ggx", "roughness", 0.5), ward = rougherEdit("ward", "roughness-x", 0.4),
+    const editing::Edit ggx = rougherEdit("ggx", "roughness", 0.5), ward = rougherEdit("ward", "roughness", 0.4),
                         factors = widerEdit(*table, 2, 1.8, true), alone = widerEdit(*table, 1, 0.6, false);
     editing::Edit darker = brighterEdit(models::findModel("ggx"));
     auto& values = std::get<editing::DifferentialEdit>(darker.content);
@@ -228,7 +228,7 @@ class PreviewRendererTest : public QObject {
       return definitions.join('\n') + preamble.join('\n');
     };
     const auto table = bakedModel("ggx", {{"roughness", 0.2}});
-    const editing::Edit ggx = rougherEdit("ggx", "roughness", 0.5), ward = rougherEdit("ward", "roughness-x", 0.4),
+    const editing::Edit ggx = rougherEdit("ggx", "roughness", 0.5), ward = rougherEdit("ward", "roughness", 0.4),
                         factors = widerEdit(*table, 2, 1.8, true);
     editing::Edit weak = rougherEdit("ggx", "roughness", 0.1);
     weak.strength = 0.1;
