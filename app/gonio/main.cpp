@@ -163,7 +163,9 @@ void rankFits(const EditorParts& parts) {
   QObject::connect(
       &parts.document, &Document::stateChanged, &parts.ranking,
       [&document = parts.document, &ranking = parts.ranking] {
-        if (document.active<gonio::editing::DifferentialEdit>() && ranking.model().rowCount() == 0 && !ranking.isRunning()) ranking.fitAll();
+        if (document.active<gonio::editing::DifferentialEdit>() && ranking.model().rowCount() == 0 &&
+            !ranking.isRunning())
+          ranking.fitAll();
       },
       Qt::QueuedConnection);
 }

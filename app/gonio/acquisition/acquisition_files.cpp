@@ -59,7 +59,8 @@ void AcquisitionFiles::paste(const QString& text) {
 
 void AcquisitionFiles::readValues(const QString& path) {
   try {
-    m_session.setValues(materials::readValues(path.toStdString(), m_session.planner().samplingPlan()), path.section('/', -1));
+    m_session.setValues(materials::readValues(path.toStdString(), m_session.planner().samplingPlan()),
+                        path.section('/', -1));
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
   }

@@ -63,8 +63,8 @@ void DocumentFiles::open(const QString& path) {
 }
 
 void DocumentFiles::askAndOpen() {
-  const QString path = QFileDialog::getOpenFileName(m_window, tr("Open"), m_settings.value(openFolderKey).toString(),
-                                                    openFilter());
+  const QString path =
+      QFileDialog::getOpenFileName(m_window, tr("Open"), m_settings.value(openFolderKey).toString(), openFilter());
   if (path.isEmpty()) return;
   m_settings.setValue(openFolderKey, QFileInfo(path).absolutePath());
   open(path);
@@ -101,10 +101,9 @@ bool DocumentFiles::saveAs() {
 }
 
 void DocumentFiles::exportBrdf() {
-  const QString path =
-      withSuffix(QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), m_document.name() + tableSuffix(),
-                                              exportFilter()),
-                 tableSuffix());
+  const QString path = withSuffix(
+      QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), m_document.name() + tableSuffix(), exportFilter()),
+      tableSuffix());
   if (!path.isEmpty()) m_controller.exportMerl(path);
 }
 

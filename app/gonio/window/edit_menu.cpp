@@ -11,8 +11,8 @@
 #include <QSettings>
 #include <QSpinBox>
 
-#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/document/document_controller.h"
+#include "app/gonio/document/edit_steps.h"
 #include "app/gonio/document/edit_transfer.h"
 #include "app/gonio/inspector/inspector.h"
 #include "widgets/parameters/parameter_panel.h"

@@ -101,9 +101,9 @@ void MainWindow::addDocks() {
   for (const auto& [title, name, panel] : bottom) m_docks->add(title, name, &panel, Qt::BottomDockWidgetArea);
   const int em = fontMetrics().height();
   resizeDocks({library, inspector}, {em * 27, em * 28}, Qt::Horizontal);
-  m_parts.libraryView.setEmptyText(
-      tr("There are no materials in this folder (%1).\nFile > Bundled Library shows the materials that come with Gonio.")
-          .arg(materialFilePatterns().join(' ')));
+  m_parts.libraryView.setEmptyText(tr("There are no materials in this folder (%1).\nFile > Bundled Library shows the "
+                                      "materials that come with Gonio.")
+                                       .arg(materialFilePatterns().join(' ')));
 }
 
 void MainWindow::addMenus() {

@@ -11,13 +11,13 @@
 #include <QTableWidget>
 #include <QTest>
 
-#include "core/materials/plan_file.h"
-#include "core/materials/values_file.h"
 #include "app/gonio/acquisition/acquisition_charts.h"
 #include "app/gonio/acquisition/acquisition_files.h"
 #include "app/gonio/acquisition/error_curve_page.h"
 #include "app/gonio/acquisition/reconstruction_page.h"
 #include "app/gonio/acquisition/samples_page.h"
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
 #include "tests/app/gonio/acquisition_test_support.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"

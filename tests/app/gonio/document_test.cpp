@@ -155,11 +155,11 @@ class DocumentTest : public QObject {
       m_document->endInteraction();
     }
     QCOMPARE(m_document->history().count(), 2);
-    QVERIFY(std::abs(test::factorEdit(*m_document)->edited->channels[0][0].f1[0] - 2.5) < 1e-9);
+    QVERIFY(std::abs(app::test::factorEdit(*m_document)->edited->channels[0][0].f1[0] - 2.5) < 1e-9);
     m_document->history().undo();
-    QVERIFY(std::abs(test::factorEdit(*m_document)->edited->channels[0][0].f1[0] - 1.5) < 1e-9);
+    QVERIFY(std::abs(app::test::factorEdit(*m_document)->edited->channels[0][0].f1[0] - 1.5) < 1e-9);
     m_document->history().undo();
-    QVERIFY(!test::factorEdit(*m_document));
+    QVERIFY(!app::test::factorEdit(*m_document));
     replaceFactors(*m_document, factorEdit(2), "Stronger");
     replaceFactors(*m_document, factorEdit(3), "Stronger");
     QCOMPARE(m_document->history().count(), 2);  // two presses of a button
@@ -210,15 +210,15 @@ class DocumentTest : public QObject {
     replaceFactors(*m_document, factorEdit(2), "Change F1");
     setParameter(*m_document, index("roughness"), Rgb(0.4));
     m_document->chooseFit(fitOf(models::lambert()));
-    QVERIFY(*test::factorEdit(*m_document) == factorEdit(2));
+    QVERIFY(*app::test::factorEdit(*m_document) == factorEdit(2));
     deleteEdit(*m_document, 0);
-    QVERIFY(!test::factorEdit(*m_document));
+    QVERIFY(!app::test::factorEdit(*m_document));
     m_document->history().setIndex(2);
     const editing::EditDocument stored = m_document->toEditDocument();
     QCOMPARE(stored.edits.size(), std::size_t(2));
     Document other;
     other.setMaterial(smallMaterial(), stored, "/tmp/mine.gonio");
-    QVERIFY(*test::factorEdit(other) == factorEdit(2));
+    QVERIFY(*app::test::factorEdit(other) == factorEdit(2));
     QVERIFY(sameBits(modelEdit(other)->edited, modelEdit(*m_document)->edited));
   }
 
@@ -249,7 +249,7 @@ class DocumentTest : public QObject {
     QVERIFY(!m_document->edits()[1].isIdentity() && m_document->edits()[2].isIdentity());
     m_document->select(0);
     QCOMPARE(modelEdit(*m_document)->model, &models::lambert());
-    QVERIFY(*test::factorEdit(*m_document) == factorEdit(2));
+    QVERIFY(*app::test::factorEdit(*m_document) == factorEdit(2));
     m_document->select(2);
     moveEdit(*m_document, 2, 0);
     QCOMPARE(m_document->state().selected, 0);
@@ -269,9 +269,9 @@ class DocumentTest : public QObject {
     early.adoptFit(fitOf(models::ggx()));
     QCOMPARE(early.history().count(), 2);
     early.history().redo();
-    QVERIFY(*test::factorEdit(early) == factorEdit(3) && modelEdit(early));
+    QVERIFY(*app::test::factorEdit(early) == factorEdit(3) && modelEdit(early));
     early.history().setIndex(0);
-    QVERIFY(!test::factorEdit(early) && modelEdit(early)->isIdentity());
+    QVERIFY(!app::test::factorEdit(early) && modelEdit(early)->isIdentity());
     QVERIFY(!early.isModified());
   }
 
@@ -307,7 +307,7 @@ class DocumentTest : public QObject {
     m_document->history().setByteLimit(6 * editing::bytesOf(factorEdit(1).original));
     for (int i = 2; i < 12; ++i) replaceFactors(*m_document, factorEdit(i), "Change F1");
     while (m_document->history().canUndo()) m_document->history().undo();
-    QVERIFY(test::factorEdit(*m_document));  // the first steps were forgotten
+    QVERIFY(app::test::factorEdit(*m_document));  // the first steps were forgotten
     QVERIFY(m_document->history().text(0).contains("too old"));
   }
 
