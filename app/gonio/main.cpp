@@ -14,7 +14,7 @@
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
-#include "app/gonio/library/thumbnail.h"
+#include "app/gonio/library/shipped_thumbnails.h"
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/study/fit_ranking_panel.h"
@@ -81,7 +81,7 @@ Options readOptions(const QApplication& application) {
   hidden("take-f1", "FILE");          // takes F1 of another material over
   hidden("interpolate", "A,B,...");   // shows the Interpolation dock with these materials
   hidden("encoded", "COUNT");         // shows the code of so many coefficients
-  hidden("thumbnails", "FOLDER");     // draws the pictures of the library, for scripts/thumbnails.sh
+  hidden("thumbnails", "FOLDER");     // renders the pictures of the library, for scripts/thumbnails.sh
   hidden("acquire", "COUNT");         // acquires the material from so many samples
   hidden("acquisition-page", "0-2");  // of the Acquisition dock
   hidden("scene", "NAME");            // shows the Scene dock with this scene
@@ -205,6 +205,17 @@ void prepare(EditorParts& parts, DockLayout& docks, const Options& options) {
   }
 }
 
+/// Renders the pictures of the library into a folder. @return the program's exit code.
+int writeThumbnails(const QString& folder) {
+  try {
+    writeShippedThumbnails(folder);
+    return 0;
+  } catch (const gonio::Error& error) {
+    std::fprintf(stderr, "gonio: %s\n", error.what());
+    return 1;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -218,7 +229,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationVersion(QStringLiteral(GONIO_VERSION));
   QApplication application(argc, argv);
   const Options options = readOptions(application);
-  if (!options.thumbnails.isEmpty()) return drawBundledThumbnails(options.thumbnails) ? 0 : 1;
+  if (!options.thumbnails.isEmpty()) return writeThumbnails(options.thumbnails);
   applyTheme(application, themeByName(options.theme.isEmpty() ? QSettings().value("theme").toString() : options.theme));
 
   auto* window = new MainWindow;

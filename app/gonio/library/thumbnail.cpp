@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 #include <cmath>
 
+#include "app/gonio/library/shipped_thumbnails.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/material.h"
 #include "core/rendering/render_picture.h"
@@ -20,12 +21,6 @@ namespace {
 constexpr int rendererVersion = 1;
 constexpr int side = 192, samplesPerPixel = 16;
 constexpr double exposure = 0;
-/// Those that ship are smaller and smoother, and so half of the bytes.
-constexpr int shippedSide = 128, shippedSamples = 64;
-
-QString fileName(const QString& pattern, const std::string& sha256) {
-  return pattern.arg(QString::fromStdString(sha256));
-}
 
 widgets::LibraryLook fromImage(const QImage& image) {
   return {image, image.text("hue").toDouble(), image.text("roughness").toDouble()};
@@ -72,12 +67,11 @@ QString thumbnailCacheFolder() {
 widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control) {
   // A bundled material is not read for its hash: that would decode it.
   if (const std::string hash = materials::librarySha256(id.toStdString()); !hash.empty())
-    if (const QImage shipped(fileName(QStringLiteral(":/thumbnails/%1.png"), hash)); !shipped.isNull())
-      return fromImage(shipped);
+    if (const auto shipped = shippedLook(hash)) return *shipped;
   // A file has to be read for its hash; its values are parsed beside that.
   const materials::Material material = materials::readMaterial(id.toStdString(), control);
-  const QString cached =
-      cacheFolder + fileName(QStringLiteral("/%1-%2-%3.png"), material.source.sha256).arg(rendererVersion).arg(side);
+  const QString hash = QString::fromStdString(material.source.sha256);
+  const QString cached = cacheFolder + QStringLiteral("/%1-%2-%3.png").arg(hash).arg(rendererVersion).arg(side);
   if (const QImage known(cached); !known.isNull()) return fromImage(known);
   const QImage image = spherePicture(*material.brdf, side, samplesPerPixel, control);
   // A cache that cannot be written costs time and nothing else.
@@ -85,17 +79,6 @@ widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder,
   QSaveFile file(cached);
   if (file.open(QIODevice::WriteOnly) && image.save(&file, "PNG")) file.commit();
   return fromImage(image);
-}
-
-bool drawBundledThumbnails(const QString& folder) {
-  QDir().mkpath(folder);
-  bool written = true;
-  for (const materials::LibraryEntry& entry : materials::bundledLibrary()) {
-    const materials::Material material = materials::readMaterial(std::string(materials::libraryScheme) + entry.id);
-    written &= spherePicture(*material.brdf, shippedSide, shippedSamples)
-                   .save(folder + fileName(QStringLiteral("/%1.png"), material.source.sha256), "PNG");
-  }
-  return written;
 }
 
 }  // namespace gonio::app

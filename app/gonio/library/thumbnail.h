@@ -21,10 +21,6 @@ widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder,
 /// The same of any reflectance, at any size: the studio, a transparent ground. @throws Cancelled.
 QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control = {});
 
-/// Draws the pictures of the bundled materials that ship (resources/thumbnails; scripts/thumbnails.sh). About half a
-/// second each. @return whether all could be written.
-bool drawBundledThumbnails(const QString& folder);
-
 /// A picture that was rendered, as the screen shows it: exposure 0, the film-like tone curve.
 QImage displayedImage(const Image& picture);
 

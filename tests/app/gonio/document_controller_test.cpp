@@ -198,6 +198,30 @@ class DocumentControllerTest : public QObject {
     }
   }
 
+  /// Another edit of the model in use starts from the same fit; with none left, one of the default model is made.
+  void modelEditsAreAdded() {
+    Editor editor;
+    editor.controller.open(material);
+    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
+    const editing::DifferentialEdit first = *modelEdit(editor.document);
+    setParameter(editor.document, 0, Rgb(0.4));
+    editor.controller.addModelEdit();
+    QCOMPARE(editor.document.edits().size(), std::size_t(2));
+    QVERIFY(*modelEdit(editor.document) == first && editor.document.state().selected == 1);
+    QVERIFY(editor.document.fitOf(*modelEdit(editor.document)));
+    // Pasted: edits of the same kind make way for both.
+    const editing::EditList both = editor.document.edits();
+    editor.controller.paste({both[0]});
+    QCOMPARE(editor.document.edits().size(), std::size_t(1));
+    editor.controller.paste(both);
+    QVERIFY(editor.document.edits() == both);
+    deleteEdit(editor.document, 1);
+    deleteEdit(editor.document, 0);
+    editor.controller.addModelEdit();  // the fit is known
+    QVERIFY(*modelEdit(editor.document) == first);
+    QVERIFY(editor.document.history().text(editor.document.history().index() - 1).startsWith("Fit"));
+  }
+
   /// Without a picture there is no view to keep: the document opens all the same.
   void aDocumentWithoutAViewOpens() {
     const QTemporaryDir folder;

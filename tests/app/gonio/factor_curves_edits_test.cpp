@@ -205,6 +205,32 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     QCOMPARE(m_document.history().count(), 0);
   }
 
+  /// A second edit of the curves starts from those of the measurement; the selected one is what the panel changes.
+  void theSelectedEditIsTheOneThatChanges() {
+    press(FactorAxis::deviation, "Wider");
+    const editing::FactorEdit wider = edit();
+    m_panel->addEdit();
+    QCOMPARE(m_document.edits().size(), std::size_t(2));
+    QCOMPARE(m_document.state().selected, 1);
+    QVERIFY(edit().isIdentity() && edit().original == wider.original);
+    press(FactorAxis::theta, "Stronger");
+    QVERIFY(std::get<editing::FactorEdit>(m_document.edits()[0].content) == wider);
+    QVERIFY(editor(FactorAxis::theta).curves()[0] == edit().edited->channels[0][0].f1);
+    m_document.select(0);
+    QVERIFY(edit() == wider);
+    QVERIFY(editor(FactorAxis::deviation).curves()[0] == wider.edited->channels[0][0].f2);
+    // A drag that comes back leaves the edit where it was, though it changes nothing in between.
+    m_document.select(1);
+    const editing::EditList before = m_document.edits();
+    m_document.beginInteraction();
+    press(FactorAxis::theta, "Weaker");
+    press(FactorAxis::theta, "Reset");
+    QCOMPARE(m_document.edits().size(), std::size_t(1));
+    press(FactorAxis::theta, "Stronger");
+    m_document.endInteraction();
+    QVERIFY(m_document.edits() == before);
+  }
+
   void resetAllDropsTheEdit() {
     press(FactorAxis::deviation, "Wider");
     for (QPushButton* button : m_panel->findChildren<QPushButton*>())

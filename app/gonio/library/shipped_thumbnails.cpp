@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/library/shipped_thumbnails.h"
+
+#include <QDir>
+#include <QFile>
+#include <QPainter>
+#include <QSaveFile>
+#include <map>
+
+#include "app/gonio/library/thumbnail.h"
+#include "core/materials/bundled_library.h"
+
+namespace gonio::app {
+
+namespace {
+
+constexpr int columns = 12;
+/// JPEG quality: at 92 the mean error is below one level of 256, in a fifth of the bytes of PNG.
+constexpr int jpegQuality = 92;
+/// Coverage this close to 0 or 255 is JPEG's ringing, not an edge.
+constexpr int coverageNoise = 6;
+
+QRect tile(int index) {
+  return {index % columns * shippedSide, index / columns * shippedSide, shippedSide, shippedSide};
+}
+
+int cleanCoverage(int coverage) {
+  return coverage < coverageNoise ? 0 : coverage > 255 - coverageNoise ? 255 : coverage;
+}
+
+struct Shipped {
+  QImage sheet;
+  struct Tile {
+    int index;
+    double hue, roughness;
+  };
+  std::map<std::string, Tile> tiles;  ///< by SHA-256
+};
+
+Shipped readShipped() {
+  Shipped shipped{QImage(QStringLiteral(":/thumbnails/bundled.jpg")).convertToFormat(QImage::Format_RGB32), {}};
+  QFile index(QStringLiteral(":/thumbnails/bundled.csv"));
+  if (!index.open(QIODevice::ReadOnly)) return shipped;
+  index.readLine();  // the header
+  for (int number = 1; !index.atEnd(); ++number) {
+    const QList<QByteArray> fields = index.readLine().trimmed().split(',');
+    if (fields.size() == 3)
+      shipped.tiles[fields[0].toStdString()] = {number, fields[1].toDouble(), fields[2].toDouble()};
+  }
+  return shipped;
+}
+
+QImage withCoverage(const QImage& colour, const QImage& coverage) {
+  QImage picture = colour.convertToFormat(QImage::Format_ARGB32);
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const QRgb pixel = picture.pixel(x, y);
+      const int alpha = cleanCoverage(qGreen(coverage.pixel(x, y)));
+      picture.setPixel(x, y, alpha == 0 ? 0 : qRgba(qRed(pixel), qGreen(pixel), qBlue(pixel), alpha));
+    }
+  return picture;
+}
+
+/// The ground takes the mean colour of the sphere, so that JPEG has no hard edge to soften.
+QImage onMeanGround(const QImage& picture) {
+  double red = 0, green = 0, blue = 0, weight = 1e-9;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const QRgb pixel = picture.pixel(x, y);
+      const double alpha = qAlpha(pixel);
+      red += alpha * qRed(pixel), green += alpha * qGreen(pixel), blue += alpha * qBlue(pixel), weight += alpha;
+    }
+  const QRgb mean = qRgb(int(red / weight), int(green / weight), int(blue / weight));
+  QImage opaque(picture.size(), QImage::Format_RGB32);
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const QRgb pixel = picture.pixel(x, y);
+      opaque.setPixel(x, y, qAlpha(pixel) == 0 ? mean : qRgb(qRed(pixel), qGreen(pixel), qBlue(pixel)));
+    }
+  return opaque;
+}
+
+QImage coverageOf(const QImage& picture) {
+  QImage coverage(picture.size(), QImage::Format_RGB32);
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const int alpha = qAlpha(picture.pixel(x, y));
+      coverage.setPixel(x, y, qRgb(alpha, alpha, alpha));
+    }
+  return coverage;
+}
+
+void writeFile(const QString& path, const std::function<bool(QIODevice&)>& write) {
+  QSaveFile file(path);
+  if (!file.open(QIODevice::WriteOnly) || !write(file) || !file.commit())
+    throw Error(path.toStdString() + ": cannot be written: " + file.errorString().toStdString());
+}
+
+}  // namespace
+
+std::optional<widgets::LibraryLook> shippedLook(const std::string& sha256) {
+  static const Shipped shipped = readShipped();
+  const auto found = shipped.tiles.find(sha256);
+  if (found == shipped.tiles.end()) return std::nullopt;
+  const auto& [index, hue, roughness] = found->second;
+  return widgets::LibraryLook{withCoverage(shipped.sheet.copy(tile(index)), shipped.sheet.copy(tile(0))), hue,
+                              roughness};
+}
+
+void writeShippedThumbnails(const QString& folder, const TaskControl& control) {
+  const auto entries = materials::bundledLibrary();
+  QImage sheet(columns * shippedSide, (int(entries.size()) / columns + 1) * shippedSide, QImage::Format_RGB32);
+  sheet.fill(Qt::black);
+  QByteArray index = "sha256,hue,roughness\n";
+  QPainter painter(&sheet);
+  int number = 0;
+  for (const materials::LibraryEntry& entry : entries) {
+    control.throwIfStopped();
+    const materials::Material material = materials::readMaterial(std::string(materials::libraryScheme) + entry.id);
+    const QImage picture = spherePicture(*material.brdf, shippedSide, shippedSamples);
+    if (number == 0) painter.drawImage(tile(0), coverageOf(picture));
+    painter.drawImage(tile(++number), onMeanGround(picture));
+    index += QByteArray::fromStdString(material.source.sha256) + ',' + picture.text("hue").toLatin1() + ',' +
+             picture.text("roughness").toLatin1() + '\n';
+  }
+  painter.end();
+  QDir().mkpath(folder);
+  writeFile(folder + QStringLiteral("/bundled.jpg"),
+            [&](QIODevice& file) { return sheet.save(&file, "JPG", jpegQuality); });
+  writeFile(folder + QStringLiteral("/bundled.csv"),
+            [&](QIODevice& file) { return file.write(index) == index.size(); });
+}
+
+}  // namespace gonio::app

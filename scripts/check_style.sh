@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+# scripts/check_style.sh [BASE]: clang-format on every source file; clang-tidy (.clang-tidy) on the source files that differ from
+# the commit BASE. Without BASE: from where the branch left origin/main, or from the commit before this one.
+# Sourced by nothing; ./check calls it.
+set -eu
+# shellcheck source=scripts/setup.sh
+. "$(dirname "$0")/setup.sh"
+cd "$root"
+
+# Another version of clang-format breaks lines elsewhere, so only the one of Debian 12 is asked.
+format_version=14
+if clang-format --version 2>/dev/null | grep -q "version $format_version\."; then
+  git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run --Werror || fail "run clang-format -i on the files above"
+else
+  printf 'gonio: clang-format %s is not installed: the layout of the sources is not checked\n' "$format_version" >&2
+fi
+
+base=${1:-$(git merge-base HEAD origin/main 2>/dev/null || true)}
+if [ -z "$base" ] || [ "$base" = "$(git rev-parse HEAD)" ]; then base=$(git rev-parse --verify -q HEAD~1 || true); fi
+[ -n "$base" ] || exit 0
+# The largest number of files: clang-tidy takes some 10 s for each. A larger change is checked by naming its commits.
+max_files=40
+mapfile -t changed < <(git diff --name-only --diff-filter=d "$base" -- '*.cpp' | grep -E '^(core|widgets|app)/' || true)
+[ ${#changed[@]} -gt 0 ] || exit 0
+if [ ${#changed[@]} -gt "$max_files" ]; then
+  printf 'gonio: clang-tidy checks the first %d of %d changed files\n' "$max_files" ${#changed[@]} >&2
+  changed=("${changed[@]:0:$max_files}")
+fi
+command -v clang-tidy >/dev/null 2>&1 || { printf 'gonio: clang-tidy is not installed: nothing is analysed\n' >&2; exit 0; }
+configure tidy
+# The files that Qt generates are included by the sources.
+cmake --build "$root/build/tidy" --target gonio_widgets_autogen gonio_app_autogen >"$root/build/tidy-generated.log" 2>&1 ||
+  { cat "$root/build/tidy-generated.log" >&2; fail "the files that clang-tidy needs could not be generated"; }
+printf '%s\n' "${changed[@]}" | xargs -P 2 -n 1 clang-tidy -p "$root/build/tidy" --quiet --warnings-as-errors='*' 2>"$root/build/tidy.log" ||
+  fail "clang-tidy has findings (see above; the checks are in .clang-tidy)"
