@@ -72,20 +72,22 @@ class ComparisonTest : public QObject {
     QCOMPARE(editor.comparison.sides()[0], ComparedSubject::fit);
     editor.comparison.setCode(code);  // while it is compared: what the user asked to see
     QVERIFY(editor.comparison.code() == code.get());
-    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table == code->table);
-    QVERIFY(editor.comparison.subject(ComparedSubject::measured).table == editor.document.material()->table);
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table() == code->table);
+    QVERIFY(editor.comparison.subject(ComparedSubject::measured).table() == editor.document.material()->table);
     QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded"));
     QCOMPARE(editor.comparison.sides()[0], ComparedSubject::edited);
     QCOMPARE(editor.comparison.sides()[1], ComparedSubject::measured);
     setParameter(editor.document, 0, Rgb(0.2));
     QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded, edited"));
-    QVERIFY(editor.comparison.subject(ComparedSubject::edited).edit->edited.values[0] == Rgb(0.2));
+    const widgets::PreviewSubject edited = editor.comparison.subject(ComparedSubject::edited);
+    const auto& edits = std::get<widgets::EditedTable>(edited.shown).edits;
+    QVERIFY(std::get<editing::DifferentialEdit>(edits.back().content).edited.values[0] == Rgb(0.2));
     editor.comparison.setCode(nullptr);
-    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table == editor.document.material()->table);
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table() == editor.document.material()->table);
     editor.comparison.setCode(code);
     editor.document.setMaterial(lambertMaterial("other", 0.3));
     QVERIFY(!editor.comparison.code());
-    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table == editor.document.material()->table);
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table() == editor.document.material()->table);
   }
 
   /// Without an edit the fit is judged, with one the edit; C goes back to the mode of the last time.
