@@ -3,7 +3,6 @@
 # SPDX-FileCopyrightText: The Gonio authors
 # scripts/check_style.sh [BASE]: clang-format on every source file; clang-tidy (.clang-tidy) on the source files that differ from
 # the commit BASE. Without BASE: from where the branch left origin/main, or from the commit before this one.
-# Sourced by nothing; ./check calls it.
 set -eu
 # shellcheck source=scripts/setup.sh
 . "$(dirname "$0")/setup.sh"

@@ -303,8 +303,8 @@ class PreviewRendererTest : public QObject {
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
     const models::Model& ggx = models::findModel("ggx");
-    const double snr = agreement(*renderer_, {widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}},
-                                 comparisonScene());
+    const double snr =
+        agreement(*renderer_, {widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}}, comparisonScene());
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 

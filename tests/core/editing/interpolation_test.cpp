@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/edit.h"
 #include "core/editing/interpolation/interpolation.h"
+#include "core/editing/edit.h"
 
 #include <QTest>
 #include <cmath>
