@@ -169,6 +169,20 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
+  void newWindowsAreWindowsOfTheirOwn() {
+    auto* window = new MainWindow;
+    for (const NamedAction& named : allActions(window))
+      if (named.path == "File > New Window") named.action->trigger();
+    MainWindow* second = nullptr;
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (auto* other = qobject_cast<MainWindow*>(widget); other && other != window) second = other;
+    QVERIFY(second && second->isVisible());
+    window->parts().document.setMaterial(greyMaterial());
+    QVERIFY(!second->parts().document.material());
+    delete second;
+    delete window;
+  }
+
   void resetLayoutBringsDocksBack() {
     auto* window = new MainWindow;
     window->show();

@@ -20,12 +20,16 @@ namespace {
 
 constexpr int patienceMilliseconds = 120000;
 
-LoadedMaterialPtr material(const char* name, double value) {
+LoadedMaterialPtr material(const char* name, const Brdf& brdf) {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = name;
-  loaded->table = bakeTable(*models::findModel("lambert").instantiate({{Rgb(value)}}), HalfDifferenceGrid{12, 12, 12});
+  loaded->table = bakeTable(brdf, HalfDifferenceGrid{12, 12, 12});
   loaded->material.brdf = loaded->table;
   return loaded;
+}
+
+LoadedMaterialPtr material(const char* name, double value) {
+  return material(name, *models::findModel("lambert").instantiate({{Rgb(value)}}));
 }
 
 /// Two tables, two fits.
@@ -165,7 +169,8 @@ class StudyPanelTest : public QObject {
 
   void theBudgetChoosesAndIsTaken() {
     Editor editor;
-    editor.document.setMaterial(material("grey", 0.3));
+    const models::Model& phong = models::findModel("phong");  // that no fit of the two matches exactly
+    editor.document.setMaterial(material("glossy", *phong.instantiate(models::defaultParameters(phong.spec()))));
     QVERIFY(editor.measure());
     QSignalSpy taken(&editor.panel, &StudyPanel::taken);
     QPushButton& take = editor.panel.budgetBar().take();
