@@ -23,8 +23,8 @@ editing::Edit roughen(const models::Model& model) {
 
 /// The plain baseline: the two evaluations of the model at all valid cells, on one thread; nothing is added or stored.
 void editPlainBaseline(benchmark::State& state) {
-  const editing::Edit edit = roughen(models::findModel("ggx"));
-  const auto from = edit.model->instantiate(edit.fitted), to = edit.model->instantiate(edit.edited);
+  const auto [model, fitted, edited] = std::get<editing::DifferentialEdit>(roughen(models::findModel("ggx")).content);
+  const auto from = model->instantiate(fitted), to = model->instantiate(edited);
   const std::vector<DirectionPair> pairs = benchmarks::randomPairs(benchmarks::plasticTable()->validCount());
   std::vector<Rgb> values(pairs.size());
   for (auto _ : state) {
