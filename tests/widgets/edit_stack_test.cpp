@@ -109,7 +109,10 @@ class EditStackTest : public QObject {
       const std::unique_ptr<QMimeData> data(list()->model()->mimeData({list()->currentIndex()}));
       QDropEvent event(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
       // Without a drag under way QApplication delivers no drop.
-      qApp->QCoreApplication::notify(list()->viewport(), &event);
+      struct Access : QListWidget {
+        using QListWidget::dropEvent;
+      };
+      (list()->*&Access::dropEvent)(&event);
       QCoreApplication::processEvents();
     };
     drop(0, 2, 0.8);
@@ -149,7 +152,8 @@ class EditStackTest : public QObject {
     QCOMPARE(renamed.count(), 1);
     QCOMPARE(renamed[0], (QVariantList{0, "Base coat"}));
     const QPoint name = list()->visualItemRect(list()->item(1)).center();
-    QTest::mouseDClick(list()->viewport(), Qt::LeftButton, {}, {name.x(), name.y()});
+    QTest::mouseClick(list()->viewport(), Qt::LeftButton, {}, name);
+    QTest::mouseDClick(list()->viewport(), Qt::LeftButton, {}, name);
     QVERIFY(field());
   }
 

@@ -182,26 +182,29 @@ class PreviewRendererTest : public QObject {
   /// first of two may take away all that is there. Under one light: 40 dB at least, as for one edit.
   void stacksOfEdits() {
     const auto table = bakedModel("ggx", {{"roughness", 0.2}, {"f0", 0.5}});
-    const editing::Edit ggx = rougherEdit("ggx", "roughness", 0.5), ward = rougherEdit("ward", "roughness-x", 0.4),
+    const editing::Edit ggx = rougherEdit("ggx", "roughness", 0.5), ward = rougherEdit("ward", "roughness", 0.4),
                         factors = widerEdit(*table, 2, 1.8, true), alone = widerEdit(*table, 1, 0.6, false);
-    editing::Edit darker = brighterEdit(models::findModel("ggx"));
-    auto& values = std::get<editing::DifferentialEdit>(darker.content);
-    for (Rgb& value : values.edited.values) value *= Rgb(0.3);
-    darker.strength = 1;
+    // Takes away more than the diffuse part has, everywhere.
+    const models::Model& lambert = models::findModel("lambert");
+    const editing::Edit darker{editing::DifferentialEdit{&lambert, {{Rgb(1)}}, {{Rgb(0)}}}};
+    const editing::Edit brighter{editing::DifferentialEdit{&lambert, {{Rgb(0)}}, {{Rgb(1)}}}};
     const auto hidden = [](editing::Edit edit) {
       edit.enabled = false;
       return edit;
     };
-    const std::pair<const char*, editing::EditList> stacks[] = {{"ggx, factors", {ggx, factors}},
-                                                                {"factors, ggx", {factors, ggx}},
-                                                                {"factors, ggx, ward", {factors, ggx, ward}},
-                                                                {"ggx, ggx", {ggx, darker}},
-                                                                {"darker, ggx", {darker, ggx}},
-                                                                {"two of factors", {factors, alone}},
-                                                                {"factors, ward, factors", {alone, ward, factors}},
-                                                                {"an eye off in between", {factors, hidden(ggx), ward}},
-                                                                {"the first eye off", {hidden(alone), darker, factors}},
-                                                                {"all eyes off", {hidden(factors), hidden(ggx)}}};
+    const std::pair<const char*, editing::EditList> stacks[] = {
+        {"ggx, factors", {ggx, factors}},
+        {"factors, ggx", {factors, ggx}},
+        {"factors, ggx, ward", {factors, ggx, ward}},
+        {"ggx, ggx", {ggx, brighterEdit(models::findModel("ggx"))}},
+        {"darker, brighter", {darker, brighter}},
+        {"brighter, darker", {brighter, darker}},
+        {"factors, darker, ggx", {factors, darker, ggx}},
+        {"two of factors", {factors, alone}},
+        {"factors, ward, factors", {alone, ward, factors}},
+        {"an eye off in between", {factors, hidden(ggx), ward}},
+        {"the first eye off", {hidden(alone), darker, factors}},
+        {"all eyes off", {hidden(factors), hidden(ggx)}}};
     for (const auto& [name, edits] : stacks) {
       const double snr = agreement(*renderer_, table, edits, sphereScene());
       qInfo("%s: %.1f dB", name, snr);
@@ -228,7 +231,7 @@ class PreviewRendererTest : public QObject {
       return definitions.join('\n') + preamble.join('\n');
     };
     const auto table = bakedModel("ggx", {{"roughness", 0.2}});
-    const editing::Edit ggx = rougherEdit("ggx", "roughness", 0.5), ward = rougherEdit("ward", "roughness-x", 0.4),
+    const editing::Edit ggx = rougherEdit("ggx", "roughness", 0.5), ward = rougherEdit("ward", "roughness", 0.4),
                         factors = widerEdit(*table, 2, 1.8, true);
     editing::Edit weak = rougherEdit("ggx", "roughness", 0.1);
     weak.strength = 0.1;

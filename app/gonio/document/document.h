@@ -80,6 +80,7 @@ class Document : public QObject {
   void replaceEdits(editing::EditList edits, const QString& text, std::optional<int> selected = {});
   void beginInteraction();
   void endInteraction() { m_interacting = false; }
+  bool isInteracting() const { return m_interacting; }
   /// What the present step starts from: the state at beginInteraction() while one is under way, else the present one.
   const EditState& stepBase() const { return m_interacting ? m_atBegin : state(); }
 

@@ -38,7 +38,9 @@ void FactorCurvesPanel::apply(const FactorEdit& content, const QString& text) {
     if (untouched) return m_document.replaceEdits(base.edits, text, base.selected);
     return m_document.replaceEdits(editing::inserted(base.edits, 0, edit), text, 0);
   }
-  if (untouched) return m_document.replaceEdits(editing::removed(base.edits, std::size_t(active)), text);
+  // In the midst of a drag the edit stays, so that the hand goes on with the same one.
+  if (untouched && !m_document.isInteracting())
+    return m_document.replaceEdits(editing::removed(base.edits, std::size_t(active)), text);
   m_document.replaceEdits(editing::withEdit(base.edits, std::size_t(active), [&](editing::Edit& one) { one = edit; }),
                           text);
 }

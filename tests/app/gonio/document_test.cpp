@@ -241,6 +241,7 @@ class DocumentTest : public QObject {
     addEdit(*m_document, {identityEdit(fitOf(models::lambert()))});
     replaceFactors(*m_document, factorEdit(2), "Change F1");
     QCOMPARE(m_document->edits().size(), std::size_t(3));  // factors, ggx, lambert
+    m_document->select(2);
     QSignalSpy selection(m_document, &Document::selectionChanged);
     m_document->select(1);
     QCOMPARE(selection.count(), 1);
