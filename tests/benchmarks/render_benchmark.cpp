@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <benchmark/benchmark.h>
 
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 #include "core/rendering/render_picture.h"
 #include "tests/benchmarks/materials.h"
 
@@ -19,7 +19,7 @@ std::shared_ptr<const Brdf> materialOf(Kind kind) {
   editing::DifferentialEdit edit{
       .model = &models::ggx(), .fitted = models::defaultParameters(spec), .edited = models::defaultParameters(spec)};
   edit.edited.values[*spec.find("diffuse")] = Rgb(0.05, 0.3, 0.4);
-  return editing::applyEdits(benchmarks::plasticTable(), std::span(&edit, 1));
+  return editing::applyEdits(benchmarks::plasticTable(), editing::EditList{{edit}});
 }
 
 /// The lone sphere of previews, thumbnails and rendered SNRs.
