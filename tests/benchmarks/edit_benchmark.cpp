@@ -10,7 +10,7 @@ using namespace gonio;
 namespace {
 
 /// An edit of the roughness of one model.
-editing::Edit roughen(const models::Model& model) {
+editing::DifferentialEdit roughened(const models::Model& model) {
   editing::DifferentialEdit edit{&model, models::defaultParameters(model.spec()), {}};
   edit.edited = edit.fitted;
   for (std::size_t i = 0; i < edit.edited.values.size(); ++i)
@@ -18,13 +18,13 @@ editing::Edit roughen(const models::Model& model) {
       edit.edited.values[i] *= 1.5;
       break;
     }
-  return {edit};
+  return edit;
 }
 
 /// The plain baseline: the two evaluations of the model at all valid cells, on one thread; nothing is added or stored.
 void editPlainBaseline(benchmark::State& state) {
-  const auto [model, fitted, edited] = std::get<editing::DifferentialEdit>(roughen(models::findModel("ggx")).content);
-  const auto from = model->instantiate(fitted), to = model->instantiate(edited);
+  const editing::DifferentialEdit edit = roughened(models::findModel("ggx"));
+  const auto from = edit.model->instantiate(edit.fitted), to = edit.model->instantiate(edit.edited);
   const std::vector<DirectionPair> pairs = benchmarks::randomPairs(benchmarks::plasticTable()->validCount());
   std::vector<Rgb> values(pairs.size());
   for (auto _ : state) {
@@ -38,7 +38,7 @@ BENCHMARK(editPlainBaseline)->Unit(benchmark::kMillisecond)->UseRealTime();
 /// 1.458 million cells in RGB: under 1 s on 2 cores for GGX.
 void editBake(benchmark::State& state, const char* model) {
   const auto base = benchmarks::plasticTable();
-  const editing::Edit edit = roughen(models::findModel(model));
+  const editing::Edit edit{roughened(models::findModel(model))};
   for (auto _ : state) benchmark::DoNotOptimize(editing::bakeEdits(base, std::span(&edit, 1)));
 }
 BENCHMARK_CAPTURE(editBake, ggx, "ggx")->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -46,7 +46,7 @@ BENCHMARK_CAPTURE(editBake, sgd, "sgd")->Unit(benchmark::kMillisecond)->UseRealT
 
 /// Look-ups through the edit, as the renderer makes them.
 void editLookup(benchmark::State& state) {
-  const editing::Edit edit = roughen(models::findModel("ggx"));
+  const editing::Edit edit{roughened(models::findModel("ggx"))};
   const auto edited = editing::applyEdits(benchmarks::plasticTable(), std::span(&edit, 1));
   const std::vector<DirectionPair> pairs = benchmarks::randomPairs(1 << 16);
   std::vector<Rgb> values(pairs.size());

@@ -18,10 +18,11 @@ inline const editing::FactorEdit* factorEdit(const Document& document) {
 inline void replaceFactors(Document& document, const editing::FactorEdit& edit, const QString& text) {
   editing::EditList edits = document.edits();
   const int active = activeIndex<editing::FactorEdit>(document.state());
-  if (active < 0)
+  if (active < 0) {
     edits.insert(edits.begin(), {edit});
-  else
-    edits[std::size_t(active)].content = edit;
+    return document.replaceEdits(std::move(edits), text, 0);
+  }
+  edits[std::size_t(active)].content = edit;
   document.replaceEdits(std::move(edits), text);
 }
 
