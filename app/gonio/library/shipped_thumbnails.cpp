@@ -18,19 +18,13 @@ namespace {
 constexpr int columns = 12;
 /// JPEG quality: at 92 the mean error is below one level of 256, in a fifth of the bytes of PNG.
 constexpr int jpegQuality = 92;
-/// Coverage this close to 0 or 255 is JPEG's ringing, not an edge.
-constexpr int coverageNoise = 6;
 
 QRect tile(int index) {
   return {index % columns * shippedSide, index / columns * shippedSide, shippedSide, shippedSide};
 }
 
-int cleanCoverage(int coverage) {
-  return coverage < coverageNoise ? 0 : coverage > 255 - coverageNoise ? 255 : coverage;
-}
-
 struct Shipped {
-  QImage sheet;
+  QImage sheet, coverage;
   struct Tile {
     int index;
     double hue, roughness;
@@ -39,11 +33,13 @@ struct Shipped {
 };
 
 Shipped readShipped() {
-  Shipped shipped{QImage(QStringLiteral(":/thumbnails/bundled.jpg")).convertToFormat(QImage::Format_RGB32), {}};
+  Shipped shipped{QImage(QStringLiteral(":/thumbnails/bundled.jpg")).convertToFormat(QImage::Format_RGB32),
+                  QImage(QStringLiteral(":/thumbnails/coverage.png")).convertToFormat(QImage::Format_Grayscale8),
+                  {}};
   QFile index(QStringLiteral(":/thumbnails/bundled.csv"));
   if (!index.open(QIODevice::ReadOnly)) return shipped;
   index.readLine();  // the header
-  for (int number = 1; !index.atEnd(); ++number) {
+  for (int number = 0; !index.atEnd(); ++number) {
     const QList<QByteArray> fields = index.readLine().trimmed().split(',');
     if (fields.size() == 3)
       shipped.tiles[fields[0].toStdString()] = {number, fields[1].toDouble(), fields[2].toDouble()};
@@ -56,7 +52,7 @@ QImage withCoverage(const QImage& colour, const QImage& coverage) {
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) {
       const QRgb pixel = picture.pixel(x, y);
-      const int alpha = cleanCoverage(qGreen(coverage.pixel(x, y)));
+      const int alpha = coverage.constScanLine(y)[x];
       picture.setPixel(x, y, alpha == 0 ? 0 : qRgba(qRed(pixel), qGreen(pixel), qBlue(pixel), alpha));
     }
   return picture;
@@ -81,16 +77,6 @@ QImage onMeanGround(const QImage& picture) {
   return opaque;
 }
 
-QImage coverageOf(const QImage& picture) {
-  QImage coverage(picture.size(), QImage::Format_RGB32);
-  for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) {
-      const int alpha = qAlpha(picture.pixel(x, y));
-      coverage.setPixel(x, y, qRgb(alpha, alpha, alpha));
-    }
-  return coverage;
-}
-
 void writeFile(const QString& path, const std::function<bool(QIODevice&)>& write) {
   QSaveFile file(path);
   if (!file.open(QIODevice::WriteOnly) || !write(file) || !file.commit())
@@ -110,8 +96,10 @@ std::optional<widgets::LibraryLook> shippedLook(const std::string& sha256) {
 
 void writeShippedThumbnails(const QString& folder, const TaskControl& control) {
   const auto entries = materials::bundledLibrary();
-  QImage sheet(columns * shippedSide, (int(entries.size()) / columns + 1) * shippedSide, QImage::Format_RGB32);
+  QImage sheet(columns * shippedSide, ((int(entries.size()) + columns - 1) / columns) * shippedSide,
+               QImage::Format_RGB32);
   sheet.fill(Qt::black);
+  QImage coverage;
   QByteArray index = "sha256,hue,roughness\n";
   QPainter painter(&sheet);
   int number = 0;
@@ -119,13 +107,15 @@ void writeShippedThumbnails(const QString& folder, const TaskControl& control) {
     control.throwIfStopped();
     const materials::Material material = materials::readMaterial(std::string(materials::libraryScheme) + entry.id);
     const QImage picture = spherePicture(*material.brdf, shippedSide, shippedSamples);
-    if (number == 0) painter.drawImage(tile(0), coverageOf(picture));
-    painter.drawImage(tile(++number), onMeanGround(picture));
+    if (coverage.isNull()) coverage = picture.convertToFormat(QImage::Format_Alpha8);
+    painter.drawImage(tile(number++), onMeanGround(picture));
     index += QByteArray::fromStdString(material.source.sha256) + ',' + picture.text("hue").toLatin1() + ',' +
              picture.text("roughness").toLatin1() + '\n';
   }
   painter.end();
+  coverage.reinterpretAsFormat(QImage::Format_Grayscale8);
   QDir().mkpath(folder);
+  writeFile(folder + QStringLiteral("/coverage.png"), [&](QIODevice& file) { return coverage.save(&file, "PNG"); });
   writeFile(folder + QStringLiteral("/bundled.jpg"),
             [&](QIODevice& file) { return sheet.save(&file, "JPG", jpegQuality); });
   writeFile(folder + QStringLiteral("/bundled.csv"),
