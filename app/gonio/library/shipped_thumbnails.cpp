@@ -90,12 +90,11 @@ std::optional<widgets::LibraryLook> shippedLook(const std::string& sha256) {
   const auto found = shipped.tiles.find(sha256);
   if (found == shipped.tiles.end()) return std::nullopt;
   const auto& [index, hue, roughness] = found->second;
-  return widgets::LibraryLook{withCoverage(shipped.sheet.copy(tile(index)), shipped.sheet.copy(tile(0))), hue,
-                              roughness};
+  return widgets::LibraryLook{withCoverage(shipped.sheet.copy(tile(index)), shipped.coverage), hue, roughness};
 }
 
 void writeShippedThumbnails(const QString& folder, const TaskControl& control) {
-  const auto entries = materials::bundledLibrary();
+  const auto& entries = materials::bundledLibrary();
   QImage sheet(columns * shippedSide, ((int(entries.size()) + columns - 1) / columns) * shippedSide,
                QImage::Format_RGB32);
   sheet.fill(Qt::black);
