@@ -43,7 +43,8 @@ class EditStack::List : public QListWidget {
     setDragDropMode(QAbstractItemView::InternalMove);
     setSelectionMode(QAbstractItemView::SingleSelection);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
-    setResizeMode(QListView::Adjust);
+    // Rows follow the width of the list: with this mode alone they would follow its height.
+    setWordWrap(true);
     setItemDelegate(new RowDelegate(this));
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
