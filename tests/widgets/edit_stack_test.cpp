@@ -51,6 +51,15 @@ class EditStackTest : public QObject {
     QVERIFY(empty->isVisible() && !list()->isVisible());
   }
 
+  /// A list that becomes narrower, as beside a scroll bar, cuts off no row.
+  void rowsFollowTheWidth() {
+    QToolButton* last = named<QToolButton>("Delete GGX");
+    const auto rightEdge = [&] { return last->mapTo(list()->viewport(), last->rect().topRight()).x(); };
+    QTRY_VERIFY(rightEdge() > 300 && rightEdge() < list()->viewport()->width());
+    m_stack->resize(280, 200);
+    QTRY_VERIFY(list()->viewport()->width() <= 280 && rightEdge() < list()->viewport()->width());
+  }
+
   /// By keyboard: the eye, the strength, the deletion of each entry; nothing is shown before it is told back.
   void tellsWhatIsWanted() {
     QSignalSpy enabled(m_stack.get(), &EditStack::enabledChosen);
