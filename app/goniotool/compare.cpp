@@ -14,7 +14,7 @@ namespace gonio::tool {
 
 namespace {
 
-struct Options {
+struct CompareArguments {
   std::string reference, test, image;
   PictureOptions picture;  ///< size and samples; the scene is that of every comparison
 };
@@ -25,7 +25,7 @@ void writeComparison(const Image& reference, const Image& test, const materials:
   io::writePng(picture.bytes, picture.width, picture.height, out);
 }
 
-int compare(const Options& options, const Tool& tool) {
+int compare(const CompareArguments& options, const Tool& tool) {
   if (!options.image.empty()) checkPicture(options.image, false);
   options.picture.renderOptions();  // tells a wrong size before the work
   const materials::Material a = openMaterial(options.reference, tool.control("reading the first"));
@@ -58,7 +58,7 @@ int compare(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addCompare(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", "Every metric between two materials, rendered SNR and PSNR");
   command->add_option("A", options->reference, "The reference")->required();
   command->add_option("B", options->test, "What is compared with it")->required();

@@ -18,14 +18,14 @@ namespace {
 
 using namespace dictionary;
 
-struct Options {
+struct DictionaryArguments {
   std::vector<std::string> sources, excluded;
   std::string out, checkpoint;
   TrainingOptions training;
 };
 
 /// What makes two trainings the same, for a checkpoint.
-std::string describe(const Options& options, const TrainingMaterials& materials) {
+std::string describe(const DictionaryArguments& options, const TrainingMaterials& materials) {
   const TrainingOptions& t = options.training;
   Json json{{"dictionaries", t.dictionaries},
             {"sparsities", t.sparsities},
@@ -38,7 +38,8 @@ std::string describe(const Options& options, const TrainingMaterials& materials)
   return json.dump();
 }
 
-TrainingResult trainWithCheckpoints(const Options& options, const TrainingMaterials& materials, const Tool& tool) {
+TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const TrainingMaterials& materials,
+                                    const Tool& tool) {
   const std::string training = describe(options, materials);
   std::optional<TrainingState> resumed;
   if (!options.checkpoint.empty() && std::filesystem::exists(options.checkpoint))
@@ -56,7 +57,7 @@ TrainingResult trainWithCheckpoints(const Options& options, const TrainingMateri
   });
 }
 
-int train(const Options& options, const Tool& tool) {
+int train(const DictionaryArguments& options, const Tool& tool) {
   const TrainingMaterials materials = trainingMaterials(trainingFiles(options.sources, options.excluded));
   const TrainingResult result = trainWithCheckpoints(options, materials, tool);
   materials::writeDictionary(result.ensemble, options.out);
@@ -122,7 +123,7 @@ int info(const std::string& path, const Tool& tool) {
 }
 
 void addTrain(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DictionaryArguments>();
   TrainingOptions& training = options->training;
   CLI::App* command = app.add_subcommand("train", "Learns an ensemble of dictionaries from materials");
   command->add_option("SOURCE", options->sources, trainingHelp())->required();

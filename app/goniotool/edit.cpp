@@ -13,13 +13,13 @@ namespace gonio::tool {
 
 namespace {
 
-struct Options {
+struct EditArguments {
   std::string material, model, out;
   std::vector<std::string> set;
   double strength = 1;
 };
 
-bool writesDocument(const Options& options) { return editing::isDocumentName(options.out); }
+bool writesDocument(const EditArguments& options) { return editing::isDocumentName(options.out); }
 
 /// One or three numbers, separated by commas.
 Rgb parseValue(const std::string& text, const std::string& assignment) {
@@ -74,7 +74,7 @@ Json clampedJson(const std::vector<models::ClampedParameter>& clamped) {
 
 /// Writes the edited material, or the description of the edit; returns how many values had to be capped.
 std::size_t write(const materials::Material& material, const std::shared_ptr<const TabulatedBrdf>& base,
-                  const editing::Edit& edit, const Options& options, const Tool& tool) {
+                  const editing::Edit& edit, const EditArguments& options, const Tool& tool) {
   if (writesDocument(options)) {
     editing::EditDocument document;
     document.sourcePath = material.source.path.string();
@@ -98,7 +98,7 @@ std::string averagedText() {
          std::to_string(editing::bakedAzimuths) + " azimuths\n";
 }
 
-int replayDocument(const Options& options, const Tool& tool) {
+int replayDocument(const EditArguments& options, const Tool& tool) {
   if (!options.model.empty() || !options.set.empty())
     throw UsageError("edit: " + options.material + " is a document: it is replayed, without --model and --set");
   materials::writeMaterial(openMaterial(options.material, tool.control("replaying")), options.out);
@@ -112,7 +112,7 @@ int replayDocument(const Options& options, const Tool& tool) {
 }
 
 void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
-               const std::vector<models::ClampedParameter>& clamped, std::size_t capped, const Options& options,
+               const std::vector<models::ClampedParameter>& clamped, std::size_t capped, const EditArguments& options,
                const Tool& tool) {
   const auto& [model, before, after] = std::get<editing::DifferentialEdit>(edit.content);
   const models::ModelSpec& spec = model->spec();
@@ -136,7 +136,7 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
         text);
 }
 
-int edit(const Options& options, const Tool& tool) {
+int edit(const EditArguments& options, const Tool& tool) {
   const bool fromDocument = isDocument(options.material);
   if (!writesDocument(options) || fromDocument) materials::writableFormat(options.out);
   if (fromDocument) return replayDocument(options, tool);
@@ -161,7 +161,7 @@ int edit(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addEdit(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EditArguments>();
   CLI::App* command = app.add_subcommand(
       "edit", "A differential edit: the change of a fitted model is added to the material; or replays a document");
   command->add_option("MATERIAL", options->material, materialHelp)->required();

@@ -16,7 +16,7 @@ namespace {
 
 using namespace dictionary;
 
-struct Options {
+struct EncodeArguments {
   std::string material, dictionary, out, transform;
   EncodeOptions encoding;
   double relativeError = 0, renderedSnr = 0;
@@ -26,7 +26,7 @@ struct Options {
 
 std::string nameOf(DataTransform transform) { return std::string(dataTransformNames[std::size_t(transform)]); }
 
-EncodeOptions encodeOptions(const Options& options) {
+EncodeOptions encodeOptions(const EncodeArguments& options) {
   EncodeOptions encoding = options.encoding;
   if (options.relativeError > 0) encoding.relativeError = options.relativeError;
   if (options.bytes > 0) encoding.bytes = options.bytes - std::min(options.bytes, materials::codeHeaderBytes);
@@ -35,11 +35,11 @@ EncodeOptions encodeOptions(const Options& options) {
   return encoding;
 }
 
-std::shared_ptr<const materials::NamedEnsemble> dictionaryOf(const Options& options) {
+std::shared_ptr<const materials::NamedEnsemble> dictionaryOf(const EncodeArguments& options) {
   return options.dictionary.empty() ? materials::bundledDictionary() : materials::readDictionary(options.dictionary);
 }
 
-int encode(const Options& options, const Tool& tool) {
+int encode(const EncodeArguments& options, const Tool& tool) {
   if (options.bytes > 0 && options.single)
     throw UsageError("encode: --bytes counts values in half precision; leave out --single");
   const auto dictionary = dictionaryOf(options);
@@ -92,7 +92,7 @@ int encode(const Options& options, const Tool& tool) {
   return 0;
 }
 
-int decode(const Options& options, const Tool& tool) {
+int decode(const EncodeArguments& options, const Tool& tool) {
   materials::writableFormat(options.out);
   const auto dictionary = dictionaryOf(options);
   const materials::CodeFile file = materials::readCode(options.material);
@@ -107,7 +107,7 @@ int decode(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addEncode(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EncodeArguments>();
   CLI::App* command = app.add_subcommand("encode", "A material as a sparse code over a dictionary");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--dictionary", options->dictionary, "A .dictionary file (the bundled one)");
@@ -131,7 +131,7 @@ void addEncode(CLI::App& app, Tool& tool) {
 }
 
 void addDecode(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EncodeArguments>();
   CLI::App* command = app.add_subcommand("decode", "The material that a sparse code stands for");
   command->add_option("CODE", options->material, "A " + suffixOf(materials::FormatId::code) + " file")->required();
   command->add_option("--dictionary", options->dictionary, "The dictionary that it was made with (the bundled one)");

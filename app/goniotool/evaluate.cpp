@@ -12,11 +12,11 @@ namespace gonio::tool {
 
 namespace {
 
-struct Options {
+struct EvaluateArguments {
   std::string material, directions, out;
 };
 
-int evaluate(const Options& options, const Tool& tool) {
+int evaluate(const EvaluateArguments& options, const Tool& tool) {
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const DirectionTable directions = readDirections(options.directions);
   const std::vector<DirectionPair> pairs = directions.pairs();
@@ -35,7 +35,7 @@ int evaluate(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addEvaluate(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EvaluateArguments>();
   CLI::App* command = app.add_subcommand("evaluate", "The reflectance at any directions");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--directions", options->directions, "CSV of theta_i, phi_i, theta_o, phi_o in degrees")

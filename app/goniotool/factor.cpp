@@ -19,7 +19,7 @@ using namespace factorization;
 
 constexpr std::array<const char*, 2> formNames{"2d", "3d"};  // in the order of PdvForm
 
-struct Options {
+struct FactorArguments {
   std::string material, form = formNames[1], transform{dataTransformNames[0]}, out, decode, swapF1, swapF2;
   int terms = 10;
   bool keepFurther = false, formGiven = false, transformGiven = false;
@@ -37,8 +37,8 @@ struct Options {
 bool isFactorsFile(const std::string& path) { return materials::hasSuffixOf(materials::FormatId::pdv, path); }
 
 /// The factors of FILE: its own, where it is a file of factors.
-PdvFactorization factorsOf(const Options& options, const materials::Material& material, const TabulatedBrdf& table,
-                           const Tool& tool) {
+PdvFactorization factorsOf(const FactorArguments& options, const materials::Material& material,
+                           const TabulatedBrdf& table, const Tool& tool) {
   if (!materials::isPdv(options.material))
     return factorizePdv(table, options.pdvOptions(), tool.control("factorising " + material.name));
   if (options.formGiven || options.transformGiven)
@@ -60,20 +60,20 @@ PdvFactors otherFactors(const std::string& other, const PdvFactors& target, cons
       .factors;
 }
 
-PdvFactors swapped(const Options& options, PdvFactors factors, const Tool& tool) {
+PdvFactors swapped(const FactorArguments& options, PdvFactors factors, const Tool& tool) {
   const FurtherTerms further = options.keepFurther ? FurtherTerms::keep : FurtherTerms::drop;
   if (!options.swapF1.empty()) factors = takeF1(factors, otherFactors(options.swapF1, factors, tool), further);
   if (!options.swapF2.empty()) factors = takeF2(factors, otherFactors(options.swapF2, factors, tool), further);
   return factors;
 }
 
-void checkOptions(const Options& options) {
+void checkOptions(const FactorArguments& options) {
   if (options.keepFurther && !options.swaps()) throw UsageError("factor: --keep-terms is for --swap-f1 and --swap-f2");
   if (!options.out.empty() && !isFactorsFile(options.out)) materials::writableFormat(options.out);
   if (!options.decode.empty()) materials::writableFormat(options.decode);
 }
 
-int factor(const Options& options, const Tool& tool) {
+int factor(const FactorArguments& options, const Tool& tool) {
   checkOptions(options);
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
@@ -112,7 +112,7 @@ int factor(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addFactor(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FactorArguments>();
   CLI::App* command = app.add_subcommand("factor", "Factorises into curves of projected-deviation coordinates (PDV)");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--terms", options->terms, "Products of curves that are summed (10)")

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* bySnr = "snr";
 constexpr const char* chooseGamma = "auto";
 
-struct Options {
+struct FitArguments {
   std::string material, model, metric = "log", gamma, sort, out;
   double maxAngle = degrees(metrics::defaultMaxPolarAngle);
   bool all = false;
@@ -42,8 +42,8 @@ std::string text(const fitting::FitResult& result) {
 }
 
 /// One fit, or the one of the gamma whose picture is best, with what was tried in `json`.
-fitting::FitResult fitModel(const Options& options, const materials::Material& material, const TabulatedBrdf& table,
-                            const models::Model& model, const Tool& tool, Json& trials) {
+fitting::FitResult fitModel(const FitArguments& options, const materials::Material& material,
+                            const TabulatedBrdf& table, const models::Model& model, const Tool& tool, Json& trials) {
   const TaskControl control = tool.control("fitting " + options.model);
   if (options.gamma != chooseGamma) return fitting::fit(table, model, options.fitOptions(), control);
   const std::vector<study::GammaTrial> tried =
@@ -54,7 +54,7 @@ fitting::FitResult fitModel(const Options& options, const materials::Material& m
   return tried.front().fit;
 }
 
-int fitOne(const Options& options, const materials::Material& material, const Tool& tool) {
+int fitOne(const FitArguments& options, const materials::Material& material, const Tool& tool) {
   const auto table = material.tabulated(tool.control("tabulating"));
   const models::Model& model = models::findModel(options.model);
   Json trials = Json::array();
@@ -91,7 +91,7 @@ std::string rankingText(const std::vector<study::RankedFit>& ranking, metrics::B
   return text + (ranking.empty() ? "" : warningsText(ranking.front().fit));
 }
 
-int fitAll(const Options& options, const materials::Material& material, const Tool& tool) {
+int fitAll(const FitArguments& options, const materials::Material& material, const Tool& tool) {
   const auto table = material.tabulated(tool.control("tabulating"));
   const metrics::BrdfMetric metric = metrics::metricByName(options.metric);
   study::RankingOptions rankingOptions;
@@ -108,7 +108,7 @@ int fitAll(const Options& options, const materials::Material& material, const To
   return 0;
 }
 
-void checkGamma(const Options& options) {
+void checkGamma(const FitArguments& options) {
   if (options.gamma.empty()) return;
   if (options.metric != metricName(metrics::BrdfMetric::gamma)) throw UsageError("fit: --gamma is for --metric gamma");
   if (options.gamma == chooseGamma) {
@@ -121,7 +121,7 @@ void checkGamma(const Options& options) {
     throw UsageError("fit: --gamma is a number from 1 to 3, or auto; got '" + options.gamma + "'");
 }
 
-int fit(const Options& options, const Tool& tool) {
+int fit(const FitArguments& options, const Tool& tool) {
   if (options.model.empty() == !options.all) throw UsageError("fit: give one model by --model, or --all");
   if (options.all && !options.out.empty()) throw UsageError("fit: --out bakes one model; give --model");
   if (!options.all && !options.sort.empty()) throw UsageError("fit: --sort orders the rows of --all");
@@ -134,7 +134,7 @@ int fit(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addFit(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FitArguments>();
   CLI::App* command = app.add_subcommand("fit", "Fits a model: parameters, errors, time; or ranks all models");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--model", options->model, "The model")->check(CLI::IsMember(modelIds()));

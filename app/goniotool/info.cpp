@@ -53,12 +53,12 @@ std::string text(const Json& json) {
   return result;
 }
 
-struct Options {
+struct InfoArguments {
   std::string material;
   bool tableError = false;
 };
 
-int info(const Options& options, const Tool& tool) {
+int info(const InfoArguments& options, const Tool& tool) {
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   Json json = describe(material, tableStatistics(*table));
@@ -77,7 +77,7 @@ int info(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addInfo(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand("info", "Format, grid, ranges, invalid share and albedo of a material");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_flag("--table-error", options->tableError,

@@ -25,7 +25,7 @@ using materials::hasSuffixOf;
 
 constexpr int mostMaterials = 16, mostSteps = 1000;
 
-struct Options {
+struct InterpolateArguments {
   std::vector<std::string> materials;
   std::string space{interpolationSpaceNames[0]}, model = "ggx", dictionary, out;
   std::vector<double> weights;
@@ -41,7 +41,7 @@ struct Options {
 };
 
 /// The weights of every blend that is wanted.
-std::vector<std::vector<double>> weightsOf(const Options& options) {
+std::vector<std::vector<double>> weightsOf(const InterpolateArguments& options) {
   const auto between = [](double t) { return std::vector{1 - t, t}; };
   std::vector<std::vector<double>> all;
   if (!options.weights.empty()) return {options.weights};
@@ -50,7 +50,7 @@ std::vector<std::vector<double>> weightsOf(const Options& options) {
   return all;
 }
 
-void checkOptions(const Options& options) {
+void checkOptions(const InterpolateArguments& options) {
   const bool weighted = !options.weights.empty();
   if (weighted + (options.steps > 0) + options.atGiven > 1)
     throw UsageError("interpolate: --at, --weights and --steps exclude one another");
@@ -93,7 +93,7 @@ InterpolationEnd openEnd(const std::string& material, const materials::NamedEnse
 }
 
 /// OUT of one step of a series: out-00.binary, out-01.binary, ...
-std::string fileOf(const Options& options, std::size_t step) {
+std::string fileOf(const InterpolateArguments& options, std::size_t step) {
   if (options.steps == 0) return options.out;
   const std::filesystem::path out(options.out);
   const std::size_t digits = std::to_string(options.steps - 1).size();
@@ -124,7 +124,7 @@ Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, st
   return json;
 }
 
-int interpolate(const Options& options, const Tool& tool) {
+int interpolate(const InterpolateArguments& options, const Tool& tool) {
   checkOptions(options);
   const bool isGiven = !options.dictionary.empty();
   std::shared_ptr<const materials::NamedEnsemble> dictionary;
@@ -165,7 +165,7 @@ int interpolate(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addInterpolate(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InterpolateArguments>();
   CLI::App* command = app.add_subcommand("interpolate", "A material between two or more materials");
   command->add_option("MATERIALS", options->materials, materialHelp)->required()->expected(2, mostMaterials);
   auto* at = command->add_option("--at,--t", options->at, "Between two materials: 0 is the first, 1 the second (0.5)");

@@ -10,13 +10,13 @@ namespace gonio::tool {
 
 namespace {
 
-struct Options {
+struct MeasureArguments {
   std::string material, plan, out;
   acquisition::MeasurementNoise noise;
   double misalignmentDegrees = 0;
 };
 
-int measure(Options options, const Tool& tool) {
+int measure(MeasureArguments options, const Tool& tool) {
   const acquisition::SamplingPlan plan = materials::readPlan(options.plan);
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   options.noise.misalignment = radians(options.misalignmentDegrees);
@@ -30,7 +30,7 @@ int measure(Options options, const Tool& tool) {
 }  // namespace
 
 void addMeasure(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MeasureArguments>();
   CLI::App* command = app.add_subcommand("measure", "A material at the directions of a plan, as a goniometer reads it");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--plan", options->plan, "CSV that goniotool plan has written")->required();

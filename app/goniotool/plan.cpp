@@ -22,11 +22,12 @@ namespace {
 using namespace acquisition;
 
 /// In the order of SelectionMethod.
-constexpr std::array<const char*, 5> methodNames{"somp", "somp-first-columns", "condition-number", "random", "uniform"};
+constexpr std::array<const char*, 5> selectionMethods{"somp", "somp-first-columns", "condition-number", "random",
+                                                      "uniform"};
 
-struct Options {
+struct PlanArguments {
   std::vector<std::string> train, excluded, forbidden;
-  std::string out, method = methodNames[0];
+  std::string out, method = selectionMethods[0];
   SelectionOptions selection;
   int basisComponents = 0;
   double largestPolarDegrees = 85, separationDegrees = 0;
@@ -58,9 +59,9 @@ ForbiddenRegion forbiddenRegion(const std::string& text) {
   return region;
 }
 
-SelectionOptions selectionOptions(const Options& options) {
+SelectionOptions selectionOptions(const PlanArguments& options) {
   SelectionOptions selection = options.selection;
-  selection.method = SelectionMethod(std::ranges::find(methodNames, options.method) - methodNames.begin());
+  selection.method = SelectionMethod(std::ranges::find(selectionMethods, options.method) - selectionMethods.begin());
   selection.measurable.largestPolarAngle = radians(options.largestPolarDegrees);
   selection.measurable.smallestSeparation = radians(options.separationDegrees);
   for (const std::string& text : options.forbidden) selection.measurable.forbidden.push_back(forbiddenRegion(text));
@@ -78,7 +79,7 @@ double travelDegrees(const SamplingPlan& plan) {
   return degrees(sum);
 }
 
-void report(const Options& options, const SamplingPlan& plan, const SampleSelection& selection,
+void report(const PlanArguments& options, const SamplingPlan& plan, const SampleSelection& selection,
             const materials::BasisFile& basis, int kept, double trainingSeconds, double seconds, const Tool& tool) {
   const std::string basisPath = basisBeside(options.out).string();
   Json json{{"samples", plan.samples.size()},
@@ -102,7 +103,7 @@ void report(const Options& options, const SamplingPlan& plan, const SampleSelect
             (selection.warning.empty() ? "" : selection.warning + "\n"));
 }
 
-int plan(const Options& options, const Tool& tool) {
+int plan(const PlanArguments& options, const Tool& tool) {
   const SelectionOptions chosen = selectionOptions(options);
   const std::filesystem::path basisPath = basisBeside(options.out);
   if (basisPath == std::filesystem::path(options.out))
@@ -135,7 +136,7 @@ int plan(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addPlan(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlanArguments>();
   SelectionOptions& selection = options->selection;
   CLI::App* command = app.add_subcommand("plan", "The directions at which to measure a material");
   command->add_option("--train", options->train, trainingHelp() + " to learn from (the bundled library)");
@@ -146,7 +147,7 @@ void addPlan(CLI::App& app, Tool& tool) {
                    "CSV to write; beside it comes its basis, of the suffix " + std::string(materials::basisSuffix))
       ->required();
   command->add_option("--method", options->method, "somp, somp-first-columns, condition-number, random, uniform (somp)")
-      ->check(CLI::IsMember(std::vector<std::string>(methodNames.begin(), methodNames.end())));
+      ->check(CLI::IsMember(std::vector<std::string>(selectionMethods.begin(), selectionMethods.end())));
   command->add_option("--components", selection.components, "That the choice looks at (as many as samples)")
       ->check(CLI::Range(1, 65535));
   command

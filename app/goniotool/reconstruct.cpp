@@ -17,13 +17,13 @@ namespace {
 
 using namespace acquisition;
 
-struct Options {
+struct ReconstructArguments {
   std::string plan, values, out, basis, ridge = "auto", method{reconstructionMethodNames[0]}, uncertainty, dictionary;
   std::vector<std::string> train, excluded;
   ReconstructionOptions reconstruction;
 };
 
-ReconstructionOptions reconstructionOptions(const Options& options) {
+ReconstructionOptions reconstructionOptions(const ReconstructArguments& options) {
   ReconstructionOptions result = options.reconstruction;
   result.method = ReconstructionMethod(std::ranges::find(reconstructionMethodNames, options.method) -
                                        reconstructionMethodNames.begin());
@@ -51,8 +51,8 @@ void checkBasis(const std::filesystem::path& basis, const SamplingPlan& plan) {
 }
 
 /// Named, else learned, else the one beside the plan.
-std::shared_ptr<const materials::BasisFile> basisOf(const Options& options, const SamplingPlan& plan, const Tool& tool,
-                                                    double& trainingSeconds) {
+std::shared_ptr<const materials::BasisFile> basisOf(const ReconstructArguments& options, const SamplingPlan& plan,
+                                                    const Tool& tool, double& trainingSeconds) {
   if (!options.basis.empty()) return materials::readBasis(options.basis);
   const std::filesystem::path beside = basisBeside(options.plan);
   if (!options.train.empty()) {
@@ -86,7 +86,7 @@ float medianOf(std::vector<float> values) {
   return *middle;
 }
 
-void report(const Options& options, const Reconstruction& found, std::size_t samples, double seconds,
+void report(const ReconstructArguments& options, const Reconstruction& found, std::size_t samples, double seconds,
             double trainingSeconds, const Tool& tool) {
   Json json{{"method", options.method},
             {"samples", samples},
@@ -112,13 +112,13 @@ void report(const Options& options, const Reconstruction& found, std::size_t sam
   print(tool, json, text);
 }
 
-std::vector<std::string> methodNames() {
+std::vector<std::string> reconstructionMethods() {
   std::vector<std::string> names(reconstructionMethodNames.begin(), reconstructionMethodNames.end());
   names.emplace_back(dictionariesMethod);
   return names;
 }
 
-int reconstruct(const Options& options, const Tool& tool) {
+int reconstruct(const ReconstructArguments& options, const Tool& tool) {
   materials::writableFormat(options.out);
   if (options.method == dictionariesMethod)
     return reconstructWithDictionaries(
@@ -144,7 +144,7 @@ int reconstruct(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addReconstruct(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReconstructArguments>();
   ReconstructionOptions& reconstruction = options->reconstruction;
   CLI::App* command = app.add_subcommand("reconstruct", "A whole material from the values measured by a plan");
   command->add_option("--plan", options->plan, "CSV of the directions")->required();
@@ -157,7 +157,7 @@ void addReconstruct(CLI::App& app, Tool& tool) {
       ->delimiter(',')
       ->needs(train);
   command->add_option("--method", options->method, "ridge, sparse or dictionaries (ridge)")
-      ->check(CLI::IsMember(methodNames()));
+      ->check(CLI::IsMember(reconstructionMethods()));
   command->add_option("--dictionary", options->dictionary, "Of dictionaries: a .dictionary file (the bundled one)");
   command->add_option("--ridge", options->ridge,
                       "A number, such as the published 40, or auto: the one by leave-one-out (auto)");

@@ -15,7 +15,7 @@ namespace {
 
 using Materials = std::vector<std::shared_ptr<const RenderMaterial>>;
 
-struct Options {
+struct RenderArguments {
   std::vector<std::string> materials, on, off;
   std::string scene = "sphere", out;
   std::shared_ptr<PictureOptions> picture = std::make_shared<PictureOptions>();
@@ -23,7 +23,7 @@ struct Options {
   double remainder = EffectThresholds().remainder;
 };
 
-EffectOverrides overridesOf(const Options& options) {
+EffectOverrides overridesOf(const RenderArguments& options) {
   EffectOverrides overrides;
   if (options.everything) overrides = everyEffect();
   for (const auto& [ids, value] : {std::pair{&options.on, true}, {&options.off, false}})
@@ -44,7 +44,7 @@ void requirePlaces(const Scene& scene, std::size_t materials) {
                      ", as many as the scene '" + scene.name + "' shows");
 }
 
-Materials openMaterials(const Options& options, const Tool& tool) {
+Materials openMaterials(const RenderArguments& options, const Tool& tool) {
   Materials materials;
   for (const std::string& material : options.materials)
     materials.push_back(
@@ -92,7 +92,7 @@ void measureStrategies(const PathTracer& tracer, const Materials& materials, con
   json["strategies"] = list;
 }
 
-int render(const Options& options, const Tool& tool) {
+int render(const RenderArguments& options, const Tool& tool) {
   if (options.out.empty() && !options.effects && !options.costs && !options.strategies)
     throw UsageError("--out: found nothing, expected a picture to write (or --effects alone)");
   if (!options.out.empty()) checkPicture(options.out);
@@ -142,7 +142,7 @@ int render(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addRender(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderArguments>();
   CLI::App* command = app.add_subcommand("render", "A picture of materials in a scene, with the effects it calls for");
   command->add_option("MATERIAL", options->materials, std::string(materialHelp) + "; several for scenes that take them")
       ->required();

@@ -9,11 +9,11 @@ namespace gonio::tool {
 
 namespace {
 
-struct Options {
+struct ScenesArguments {
   std::vector<std::string> materials, scenes;
 };
 
-int scenes(const Options& options, const Tool& tool) {
+int scenes(const ScenesArguments& options, const Tool& tool) {
   std::vector<std::shared_ptr<const RenderMaterial>> slotMaterials;
   for (const std::string& material : options.materials)
     slotMaterials.push_back(
@@ -38,7 +38,7 @@ int scenes(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addScenes(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ScenesArguments>();
   CLI::App* command = app.add_subcommand("scenes", "The scenes of the project, or others, with their plans of effects");
   command->add_option("SCENE", options->scenes,
                       "Scenes, scene files (.json) or meshes (.obj); none: the project's own");

@@ -23,7 +23,7 @@ using namespace study;
 
 constexpr int mostCoefficients = 65535;
 
-struct Options {
+struct StudyArguments {
   std::vector<std::string> materials, representations, models, componentsFrom;
   std::string out, dictionary;
   RepresentationChoice choice;
@@ -37,7 +37,7 @@ struct Studied {
   std::vector<StudyRecord> records;
 };
 
-RepresentationChoice choiceOf(const Options& options) {
+RepresentationChoice choiceOf(const StudyArguments& options) {
   RepresentationChoice choice = options.choice;
   if (!options.representations.empty()) {
     choice.families.clear();
@@ -49,7 +49,7 @@ RepresentationChoice choiceOf(const Options& options) {
   return choice;
 }
 
-StudyOptions studyOptions(const Options& options, RepresentationChoice& choice, const TaskControl& control) {
+StudyOptions studyOptions(const StudyArguments& options, RepresentationChoice& choice, const TaskControl& control) {
   StudyOptions study;
   study.picture.width = study.picture.height = options.size;
   study.picture.samples = options.samples;
@@ -65,7 +65,7 @@ StudyOptions studyOptions(const Options& options, RepresentationChoice& choice, 
   return study;
 }
 
-void checkOptions(const Options& options) {
+void checkOptions(const StudyArguments& options) {
   for (const std::string& id : options.representations) familyById(id);
   std::set<std::string> names{"summary"};
   for (const std::string& material : options.materials)
@@ -85,7 +85,8 @@ Studied studyOne(const std::string& path, std::span<const Representation> repres
 /// What is told in the end, gathered material by material.
 class StudyOutput {
  public:
-  StudyOutput(const Options& options, std::string pictures) : options_(options), pictures_(std::move(pictures)) {}
+  StudyOutput(const StudyArguments& options, std::string pictures)
+      : options_(options), pictures_(std::move(pictures)) {}
 
   void add(const std::string& path, const Studied& studied) {
     const Json records = recordsJson(studied.records);
@@ -139,7 +140,7 @@ class StudyOutput {
                             : "no representation keeps the limits\n";
   }
 
-  const Options& options_;
+  const StudyArguments& options_;
   std::string pictures_, text_;
   MachineFacts machine_ = machineFacts();
   std::vector<std::vector<StudyRecord>> all_;
@@ -152,7 +153,7 @@ void makeFolder(const std::string& path) {
   if (!fs::is_directory(path)) throw Error(path + ": cannot be made a folder: " + cause.message());
 }
 
-int study(const Options& options, const Tool& tool) {
+int study(const StudyArguments& options, const Tool& tool) {
   using Clock = std::chrono::steady_clock;
   checkOptions(options);
   makeFolder(options.out);
@@ -172,7 +173,7 @@ int study(const Options& options, const Tool& tool) {
 }  // namespace
 
 void addStudy(CLI::App& app, Tool& tool) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StudyArguments>();
   CLI::App* command = app.add_subcommand("study", "Accuracy against time: every representation of materials, measured");
   command->add_option("MATERIAL", options->materials, materialHelp)->required();
   command->add_option("--out", options->out, "The folder for JSON, CSV and SVG files, made if needed")->required();

@@ -38,7 +38,7 @@ class PreviewFixture {
 
  private:
   PreviewFixture() : application_(argumentCount_, arguments_) {
-    context_ = std::make_unique<tests::OffscreenContext>();
+    context_ = std::make_unique<test::OffscreenContext>();
     if (!context_->isValid()) throw std::runtime_error("no OpenGL 4.1 core context");
     renderer.initialize();
     const models::Model& model = models::findModel("ggx");
@@ -54,13 +54,13 @@ class PreviewFixture {
   char name_[8] = "preview";
   char* arguments_[2] = {name_, nullptr};
   QGuiApplication application_;
-  std::unique_ptr<tests::OffscreenContext> context_;
+  std::unique_ptr<test::OffscreenContext> context_;
   SamplingLobe lobe_;
 };
 
 void runFrames(benchmark::State& state, bool environment, bool edited) {
   PreviewFixture& fixture = PreviewFixture::instance();
-  tests::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
+  test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   fixture.show();
   const auto roughness = *fixture.edit.model->spec().find("roughness");
   double value = 0.1;
@@ -87,7 +87,7 @@ void runFactorDrag(benchmark::State& state, bool environment) {
   const auto factors = factorization::factorizePdv(
                            *fixture.table, {.form = factorization::PdvForm::twoFactors, .terms = int(state.range(0))})
                            .factors;
-  tests::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
+  test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   fixture.show();
   editing::FactorEdit edit{.original = std::make_shared<const factorization::PdvFactors>(factors), .edited = {}};
   double factor = 1;
@@ -118,7 +118,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
   }();
   const auto count = std::size_t(state.range(0));
   const auto blend = widgets::prepareBlend(space, {materials.begin(), materials.begin() + std::ptrdiff_t(count)});
-  tests::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
+  test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   const SamplingLobe lobe = fixture.renderer.subject().lobe;
   std::vector<double> weights(count);
   // Textures and shaders are there when the hand begins.

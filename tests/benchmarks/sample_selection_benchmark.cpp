@@ -116,7 +116,7 @@ void select(benchmark::State& state, SelectionMethod method) {
 std::vector<std::uint32_t> plainSelection(const dictionary::PrincipalComponents& basis, Eigen::Index count,
                                           Eigen::Index signals) {
   constexpr Eigen::Index block = 1024;
-  const std::vector<std::uint32_t> cells = test::measurableCells(basis, {});
+  const std::vector<std::uint32_t> cells = acquisition::test_support::measurableCells(basis, {});
   Eigen::MatrixXd atoms(count, Eigen::Index(cells.size()));
   for (Eigen::Index i = 0, row = 0; i < atoms.cols(); ++i, ++row) {
     while (basis.mapping.cells[std::size_t(row)] != cells[std::size_t(i)]) ++row;

@@ -25,10 +25,9 @@ void* operator new(std::size_t bytes) {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
+namespace reader_mutation_test {
 using namespace gonio;
 using namespace gonio::fuzz;
-
-namespace {
 
 using Random = std::mt19937_64;
 using Target = std::function<void(std::span<const std::byte>)>;
@@ -122,8 +121,6 @@ void check(const std::string& name, const Bytes& seed, const Target& target) {
   QVERIFY2(failure.empty(), failure.c_str());
 }
 
-}  // namespace
-
 class ReaderMutationTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -163,4 +160,6 @@ class ReaderMutationTest : public QObject {
 };
 
 GONIO_TEST(ReaderMutationTest)
+}  // namespace reader_mutation_test
+
 #include "reader_mutation_test.moc"

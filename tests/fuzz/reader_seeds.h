@@ -88,8 +88,7 @@ inline Bytes spectraSeed() {
 
 /// Two components over a grid of 3 x 2 x 2.
 inline Bytes basisSeed() {
-  const auto basis =
-      testing::learnFrom(testing::smoothMaterials(2, {.thetaHCount = 3, .thetaDCount = 2, .phiDCount = 2}));
+  const auto basis = test::learnFrom(test::smoothMaterials(2, {.thetaHCount = 3, .thetaDCount = 2, .phiDCount = 2}));
   return materials::encodeBasis(basis, 2, {"one", "two"});
 }
 

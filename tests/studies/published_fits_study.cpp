@@ -59,7 +59,7 @@ void addFactors(const fitting::FitData& data, const models::Model& model, const 
                                                                                    published.values[i][c]);
 }
 
-void compare(const fitting::FitData& data, const testing::PublishedSet& set, const testing::PublishedFit& published,
+void compare(const fitting::FitData& data, const test::PublishedSet& set, const test::PublishedFit& published,
              Summary& summary) {
   const auto error = [&](const models::ParameterValues& parameters) {
     return metrics::brdfError(set.metric, data.table(), *set.model->instantiate(parameters),
@@ -76,7 +76,7 @@ void compare(const fitting::FitData& data, const testing::PublishedSet& set, con
     summary.worse.push_back({published.material, ratio});
 }
 
-void print(const testing::PublishedSet& set, const Summary& summary) {
+void print(const test::PublishedSet& set, const Summary& summary) {
   std::printf("%-28s %3zu pairs, not worse %3zu (%5.1f %%), median ratio of the losses %.3f, %.2f s a fit\n",
               set.name.c_str(), summary.pairs, summary.notWorse,
               100.0 * double(summary.notWorse) / double(std::max<std::size_t>(1, summary.pairs)),
@@ -105,12 +105,12 @@ struct Options {
   }
 };
 
-void addMaterial(const std::filesystem::path& file, const std::vector<testing::PublishedSet>& sets,
-                 const Options& options, std::vector<Summary>& summaries) {
+void addMaterial(const std::filesystem::path& file, const std::vector<test::PublishedSet>& sets, const Options& options,
+                 std::vector<Summary>& summaries) {
   const auto table = materials::readMaterial(file).tabulated();
   std::map<metrics::BrdfMetric, fitting::FitData> data;
   for (std::size_t s = 0; s < sets.size(); ++s)
-    for (const testing::PublishedFit& published : sets[s].fits) {
+    for (const test::PublishedFit& published : sets[s].fits) {
       if (published.material != file.stem()) continue;
       const fitting::FitOptions fitOptions{.metric = sets[s].metric, .maxPolarAngle = radians(options.maxAngle)};
       const fitting::FitData& at = data.try_emplace(sets[s].metric, *table, fitOptions).first->second;
@@ -127,7 +127,7 @@ int run(const Options& options) {
     return 2;
   }
   const std::set<std::string> wanted(options.arguments.begin() + 2, options.arguments.end());
-  std::vector<testing::PublishedSet> sets = testing::readPublishedSets(options.arguments[0]);
+  std::vector<test::PublishedSet> sets = test::readPublishedSets(options.arguments[0]);
   std::erase_if(sets, [&](const auto& set) { return !wanted.empty() && !wanted.contains(set.name); });
   std::vector<Summary> summaries(sets.size());
   std::set<std::filesystem::path> files;

@@ -10,7 +10,7 @@
 #include "core/models/registry.h"
 #include "tests/support/random_directions.h"
 
-namespace gonio::testing {
+namespace gonio::test {
 
 /// A BRDF of any function: oracles with wanted faults (not reciprocal, negative, anisotropic) and closed forms.
 class FunctionBrdf final : public Brdf {
@@ -56,4 +56,4 @@ inline FunctionBrdf lambert(const Rgb& albedo) {
   return FunctionBrdf([albedo](const Direction&, const Direction&) { return albedo / pi; });
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::test

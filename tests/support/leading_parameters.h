@@ -6,7 +6,7 @@
 
 #include "core/models/model.h"
 
-namespace gonio::testing {
+namespace gonio::test {
 
 /// The defaults of a model with its first parameters replaced.
 inline models::ParameterValues leadingParameters(const models::Model& model, const std::vector<Rgb>& first) {
@@ -15,4 +15,4 @@ inline models::ParameterValues leadingParameters(const models::Model& model, con
   return values;
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::test

@@ -11,7 +11,7 @@
 #include "core/io/csv_text.h"
 #include "core/support/naming_file.h"
 
-namespace gonio::testing {
+namespace gonio::test {
 
 namespace {
 
@@ -255,4 +255,4 @@ std::vector<PublishedSet> readPublishedSets(const std::string& folder) {
   return sets;
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::test

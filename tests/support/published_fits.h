@@ -9,7 +9,7 @@
 #include "core/models/model.h"
 
 /// Fits of models to the MERL materials that their authors published, in the conventions of Gonio's models.
-namespace gonio::testing {
+namespace gonio::test {
 
 struct PublishedFit {
   std::string material;  ///< as MERL's files are named
@@ -27,4 +27,4 @@ struct PublishedSet {
 /// @param folder of the tables (../shared/data/tables). @throws Error naming a file that cannot be read.
 std::vector<PublishedSet> readPublishedSets(const std::string& folder);
 
-}  // namespace gonio::testing
+}  // namespace gonio::test

@@ -7,7 +7,7 @@
 
 #include "core/math/types.h"
 
-namespace gonio::testing {
+namespace gonio::test {
 
 /// Even over the solid angle of the upper hemisphere.
 inline Direction randomUpper(std::mt19937_64& random) {
@@ -21,4 +21,4 @@ inline Direction rotateZ(const Direction& w, double phi) {
   return {std::cos(phi) * w.x - std::sin(phi) * w.y, std::sin(phi) * w.x + std::cos(phi) * w.y, w.z};
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::test

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <random>
 
-namespace gonio::testing {
+namespace gonio::test {
 
 /// Entries from the normal distribution; the same for the same seed.
 inline Eigen::MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
@@ -16,4 +16,4 @@ inline Eigen::MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index columns, uns
   return result;
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::test

@@ -9,7 +9,7 @@
 #include "tests/support/simple_meshes.h"
 
 /// Shapes and scenes of shapes drawn by chance, and points on them.
-namespace gonio::testing {
+namespace gonio::test {
 
 /// In [0, 1).
 inline double uniform(std::mt19937_64& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
@@ -50,4 +50,4 @@ inline std::vector<Direction> surfacePoints(const Shape& shape, int count, std::
   return points;
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::test

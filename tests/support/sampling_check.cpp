@@ -9,7 +9,7 @@
 #include "core/math/quadrature.h"
 #include "core/math/special_functions.h"
 
-namespace gonio::tests {
+namespace gonio::test {
 
 namespace {
 
@@ -169,4 +169,4 @@ SamplingCheck checkSampling(const Brdf& brdf, const Direction& wo) {
   return check;
 }
 
-}  // namespace gonio::tests
+}  // namespace gonio::test

@@ -7,7 +7,7 @@
 #include "core/brdf/brdf.h"
 
 /// Whether directions are drawn from the density that a BRDF states.
-namespace gonio::tests {
+namespace gonio::test {
 
 /// The upper hemisphere in polar coordinates about the mirror direction of a viewer, where most lobes have their peak
 /// and densities of half vectors a pole: `distance` is the angle from the mirror direction as a share of the angle at
@@ -50,4 +50,4 @@ struct SamplingCheck {
 };
 SamplingCheck checkSampling(const Brdf& brdf, const Direction& wo);
 
-}  // namespace gonio::tests
+}  // namespace gonio::test

@@ -8,7 +8,7 @@
 
 #include "core/geometry/bundled_meshes.h"
 
-namespace gonio::testing {
+namespace gonio::test {
 
 /// The cube [-1, 1]^3, 8 vertices, wound outward, without normals.
 inline MeshArrays cubeArrays() {
@@ -43,4 +43,4 @@ inline Direction randomDirection(std::mt19937_64& random) {
   return fromSpherical(std::acos(z), 2 * pi * uniform(random));
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::test

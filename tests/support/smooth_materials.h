@@ -10,7 +10,7 @@
 #include "core/dictionary/principal_components.h"
 
 /// Materials over a small grid, for tests of what is learned from many.
-namespace gonio::testing {
+namespace gonio::test {
 
 inline constexpr HalfDifferenceGrid smoothGrid{.thetaHCount = 10, .thetaDCount = 8, .phiDCount = 6};
 
@@ -47,4 +47,4 @@ inline dictionary::PrincipalComponents learnFrom(const std::vector<std::shared_p
       tables.size(), [&](std::size_t i) { return tables[i]; }, options);
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::test

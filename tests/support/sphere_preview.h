@@ -4,11 +4,11 @@
 
 #include "widgets/preview/gl/preview_renderer.h"
 
-namespace gonio::tests {
+namespace gonio::test {
 
 /// Has a renderer draw a scene of one sphere.
 inline void showSphere(widgets::PreviewRenderer& renderer, const Scene& scene) {
   renderer.setScene(scene, widgets::previewPlan(scene, diffuseMaterial(Rgb(0.5))));
 }
 
-}  // namespace gonio::tests
+}  // namespace gonio::test

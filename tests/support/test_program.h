@@ -26,8 +26,8 @@ struct Registration {
 }  // namespace gonio::test
 
 /// In place of QTEST_MAIN(): registers the test class of a file.
-#define GONIO_TEST(TestClass)                                                                                          \
-  static const gonio::test::Registration registrationOf##TestClass(__FILE__, [](int argumentCount, char** arguments) { \
-    TestClass test;                                                                                                    \
-    return QTest::qExec(&test, argumentCount, arguments);                                                              \
+#define GONIO_TEST(TestClass)                                                                            \
+  static const gonio::test::Registration registrationOf##TestClass(__FILE__, [](int argc, char** argv) { \
+    TestClass test;                                                                                      \
+    return QTest::qExec(&test, argc, argv);                                                              \
   });

@@ -10,10 +10,9 @@
 #include "widgets/acquisition/half_difference_chart.h"
 #include "widgets/acquisition/hemisphere_chart.h"
 
+namespace acquisition_charts_test {
 using namespace gonio;
 using namespace gonio::widgets;
-
-namespace {
 
 DirectionPair pair(double thetaI, double phiI, double thetaO, double phiO) {
   return {fromSpherical(radians(thetaI), radians(phiI)), fromSpherical(radians(thetaO), radians(phiO))};
@@ -42,8 +41,6 @@ struct Shown {
 };
 
 double distance(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
-
-}  // namespace
 
 class AcquisitionChartsTest : public QObject {
   Q_OBJECT
@@ -180,9 +177,9 @@ class AcquisitionChartsTest : public QObject {
   void thePointerAndTheKeysGoFromSampleToSample() {
     Shown<HemisphereChart> shown;
     QSignalSpy moved(&shown.chart, &SampleChart::currentChanged), chosen(&shown.chart, &SampleChart::chosen);
-    tests::pointAt(shown.chart, (shown.chart.places(1)[1] + QPointF(2, 1)).toPoint());
+    test::pointAt(shown.chart, (shown.chart.places(1)[1] + QPointF(2, 1)).toPoint());
     QCOMPARE(shown.chart.current(), 1);
-    tests::pointAt(shown.chart, shown.chart.placeOf({0, 0, 1}).toPoint());
+    test::pointAt(shown.chart, shown.chart.placeOf({0, 0, 1}).toPoint());
     QCOMPARE(shown.chart.current(), 1);  // between samples the mark stays
     QCOMPARE(moved.count(), 1);
     QTest::keyClick(&shown.chart, Qt::Key_Right);
@@ -239,4 +236,6 @@ class AcquisitionChartsTest : public QObject {
 };
 
 GONIO_TEST(AcquisitionChartsTest)
+}  // namespace acquisition_charts_test
+
 #include "acquisition_charts_test.moc"

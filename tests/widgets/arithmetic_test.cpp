@@ -6,6 +6,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace arithmetic_test {
 using gonio::widgets::evaluateArithmetic;
 
 class ArithmeticTest : public QObject {
@@ -49,4 +50,6 @@ class ArithmeticTest : public QObject {
 };
 
 GONIO_TEST(ArithmeticTest)
+}  // namespace arithmetic_test
+
 #include "arithmetic_test.moc"

@@ -9,10 +9,9 @@
 
 #include "tests/support/test_program.h"
 
+namespace blend_pad_test {
 using namespace gonio;
 using namespace gonio::widgets;
-
-namespace {
 
 double distance(const QPointF& a, const QPointF& b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
@@ -23,8 +22,6 @@ std::vector<QPointF> places() {
     for (int j = -6; j <= 16; ++j) result.push_back({i / 10.0, j / 10.0});
   return result;
 }
-
-}  // namespace
 
 class BlendPadTest : public QObject {
   Q_OBJECT
@@ -192,4 +189,6 @@ class BlendPadTest : public QObject {
 };
 
 GONIO_TEST(BlendPadTest)
+}  // namespace blend_pad_test
+
 #include "blend_pad_test.moc"

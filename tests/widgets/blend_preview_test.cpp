@@ -13,10 +13,9 @@
 #include "widgets/interpolation/prepared_blend.h"
 #include "widgets/preview/gl/preview_renderer.h"
 
+namespace blend_preview_test {
 using namespace gonio;
 using editing::InterpolationSpace;
-
-namespace {
 
 constexpr int side = 64;
 
@@ -39,18 +38,16 @@ std::vector<editing::InterpolationEnd> ends(int count) {
 
 const std::vector<std::vector<double>> someWeights{{0.3, 0.7}, {0.2, 0.5, 0.3}, {0.1, 0.2, 0.3, 0.4}};
 
-}  // namespace
-
 /// The shader's blends against the core's.
 class BlendPreviewTest : public QObject {
   Q_OBJECT
  private:
-  std::unique_ptr<tests::OffscreenContext> m_context;
+  std::unique_ptr<test::OffscreenContext> m_context;
   std::unique_ptr<widgets::PreviewRenderer> m_renderer;
 
   Image drawn(const widgets::PreviewSubject& subject, const Scene& scene, int samples) {
     m_renderer->setSubject(subject);
-    tests::showSphere(*m_renderer, scene);
+    test::showSphere(*m_renderer, scene);
     m_renderer->setSize({side, side});
     for (int i = 0; i < samples / 64; ++i) m_renderer->accumulate(64);
     return m_renderer->readPicture();
@@ -65,7 +62,7 @@ class BlendPreviewTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    m_context = std::make_unique<tests::OffscreenContext>();
+    m_context = std::make_unique<test::OffscreenContext>();
     if (!m_context->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
     m_renderer = std::make_unique<widgets::PreviewRenderer>();
     m_renderer->initialize();
@@ -102,7 +99,7 @@ class BlendPreviewTest : public QObject {
     for (const DataTransform transform :
          {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root, DataTransform::none}) {
       widgets::PreparedBlend blend{.space = InterpolationSpace::dictionary, .ends = ends(2), .lobes = {{}, {}}};
-      blend.interpolation = std::make_shared<const tests::TransformedSpace>(
+      blend.interpolation = std::make_shared<const test::TransformedSpace>(
           std::vector<editing::Interpolation::Table>{blend.ends[0].table, blend.ends[1].table}, transform);
       blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
       const auto subject = widgets::blendSubject(blend, someWeights[0]);
@@ -167,4 +164,6 @@ class BlendPreviewTest : public QObject {
 };
 
 GONIO_TEST(BlendPreviewTest)
+}  // namespace blend_preview_test
+
 #include "blend_preview_test.moc"

@@ -15,10 +15,9 @@
 #include "widgets/preview/gl/blend_textures.h"
 #include "widgets/preview/gl/shader_library.h"
 
+namespace blend_shader_test {
 using namespace gonio;
 using editing::InterpolationSpace;
-
-namespace {
 
 constexpr int width = 64, height = 64;
 constexpr HalfDifferenceGrid grid{.thetaHCount = 40, .thetaDCount = 36, .phiDCount = 32};
@@ -86,13 +85,11 @@ std::vector<DirectionPair> pairsAmidValidCells() {
   return pairs;
 }
 
-}  // namespace
-
 /// preview/blend.glsl, pair by pair, against the interpolation that it stands for.
 class BlendShaderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
   Q_OBJECT
  private:
-  std::unique_ptr<tests::OffscreenContext> m_context;
+  std::unique_ptr<test::OffscreenContext> m_context;
   widgets::PreviewResources m_resources;
 
   GLuint directions(const std::vector<DirectionPair>& pairs, Direction DirectionPair::*which, int unit) {
@@ -146,7 +143,7 @@ void main() {
 
  private Q_SLOTS:
   void initTestCase() {
-    m_context = std::make_unique<tests::OffscreenContext>();
+    m_context = std::make_unique<test::OffscreenContext>();
     if (!m_context->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
     QVERIFY(initializeOpenGLFunctions());
     m_resources.initialize();
@@ -167,7 +164,7 @@ void main() {
     const auto kind = DataTransform(transform);
     const std::vector<editing::Interpolation::Table> tables{material(0.3, {0.9, 0.5, 0.2}),
                                                             material(0.6, {0.2, 0.6, 0.9})};
-    const auto space = std::make_shared<const tests::TransformedSpace>(tables, kind);
+    const auto space = std::make_shared<const test::TransformedSpace>(tables, kind);
     const std::vector<double> weights{0.3, 0.7};
     const std::vector<std::size_t> nodes = someNodes();
     std::vector<DirectionPair> pairs;
@@ -206,7 +203,8 @@ void main() {
     auto ensemble = std::make_shared<dictionary::Ensemble>();
     ensemble->grid = grid;
     for (int d = 0; d < 3; ++d)
-      ensemble->dictionaries.push_back({dictionary::test::randomDictionary(dictionary::modeSizes(grid), random), 10});
+      ensemble->dictionaries.push_back(
+          {dictionary::test_support::randomDictionary(dictionary::modeSizes(grid), random), 10});
     std::vector<editing::InterpolationEnd> ends{{material(0.3, {0.9, 0.5, 0.2})}, {material(0.6, {0.2, 0.6, 0.9})}};
     for (std::size_t m = 0; m < 2; ++m) {
       dictionary::SparseCode code{.grid = grid, .transform = DataTransform(transform), .channels = {}};
@@ -246,4 +244,6 @@ void main() {
 };
 
 GONIO_TEST(BlendShaderTest)
+}  // namespace blend_shader_test
+
 #include "blend_shader_test.moc"

@@ -11,9 +11,8 @@
 #include "tests/support/test_program.h"
 #include "widgets/interpolation/sphere_picture.h"
 
+namespace blend_strip_test {
 using namespace gonio::widgets;
-
-namespace {
 
 QImage filled(const QColor& colour) {
   QImage image(64, 64, QImage::Format_RGBA8888);
@@ -35,8 +34,6 @@ class WatchedStrip final : public BlendStrip {
  private:
   QRegion m_painted;
 };
-
-}  // namespace
 
 class BlendStripTest : public QObject {
   Q_OBJECT
@@ -157,4 +154,6 @@ class BlendStripTest : public QObject {
 };
 
 GONIO_TEST(BlendStripTest)
+}  // namespace blend_strip_test
+
 #include "blend_strip_test.moc"

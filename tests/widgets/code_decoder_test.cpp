@@ -17,19 +17,20 @@
 #include "widgets/preview/gl/preview_renderer.h"
 #include "widgets/preview/gl/textures.h"
 
+namespace code_decoder_test {
 using namespace gonio;
 using dictionary::Ensemble;
 using dictionary::GridGeometry;
 using dictionary::SparseCode;
-using tests::ensembleOn;
-using tests::oddGrid;
-using tests::randomCode;
+using test::ensembleOn;
+using test::oddGrid;
+using test::randomCode;
 
 /// Codes decoded on the graphics card against those decoded in core.
 class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
   Q_OBJECT
  private:
-  std::unique_ptr<tests::OffscreenContext> m_context;
+  std::unique_ptr<test::OffscreenContext> m_context;
   widgets::PreviewResources m_resources;
   widgets::CodeDecoder m_decoder;
 
@@ -53,7 +54,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     const auto texels = decoded(ensemble, code);
     double worst = 0;
     for (int c = 0; c < 3; ++c) {
-      const std::vector<double> allowed = tests::allowedErrors(ensemble, code, c, *table);
+      const std::vector<double> allowed = test::allowedErrors(ensemble, code, c, *table);
       for (std::size_t cell = 0; cell < code.grid.size(); ++cell) {
         QCOMPARE(texels[cell].a, float(table->valid()[cell]));
         const double expected = table->values()[cell][c], found = texels[cell][c];
@@ -69,7 +70,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
 
  private Q_SLOTS:
   void initTestCase() {
-    m_context = std::make_unique<tests::OffscreenContext>();
+    m_context = std::make_unique<test::OffscreenContext>();
     if (!m_context->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
     QVERIFY(initializeOpenGLFunctions());
     m_resources.initialize();
@@ -263,7 +264,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
       widgets::PreviewRenderer renderer(resources);
       renderer.initialize();
       renderer.setSubject({widgets::EditedTable{dictionary::decode(*ensemble, code->code), {}, code}});
-      tests::showSphere(renderer, sphereScene());
+      test::showSphere(renderer, sphereScene());
       renderer.setSize({32, 32});
       renderer.accumulate(4);
       const Image picture = renderer.readPicture();
@@ -324,4 +325,6 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
 };
 
 GONIO_TEST(CodeDecoderTest)
+}  // namespace code_decoder_test
+
 #include "code_decoder_test.moc"

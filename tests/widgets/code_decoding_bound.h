@@ -14,7 +14,7 @@
 #include "tests/core/dictionary/dictionary_test_support.h"
 
 /// Codes to decode, and how far two ways of decoding one in single precision may lie apart.
-namespace gonio::tests {
+namespace gonio::test {
 
 using dictionary::Ensemble;
 using dictionary::SparseCode;
@@ -26,7 +26,8 @@ inline Ensemble ensembleOn(const HalfDifferenceGrid& grid, int dictionaries) {
   std::mt19937_64 random(3);
   Ensemble ensemble{.grid = grid, .dictionaries = {}, .learnedFrom = {}};
   for (int d = 0; d < dictionaries; ++d)
-    ensemble.dictionaries.push_back({dictionary::test::randomDictionary(dictionary::modeSizes(grid), random), 10});
+    ensemble.dictionaries.push_back(
+        {dictionary::test_support::randomDictionary(dictionary::modeSizes(grid), random), 10});
   return ensemble;
 }
 
@@ -97,4 +98,4 @@ inline std::vector<double> allowedErrors(const Ensemble& ensemble, const SparseC
   return allowed;
 }
 
-}  // namespace gonio::tests
+}  // namespace gonio::test

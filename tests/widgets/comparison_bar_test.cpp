@@ -15,9 +15,8 @@
 #include "tests/support/test_program.h"
 #include "widgets/library/material_drag.h"
 
+namespace comparison_bar_test {
 using namespace gonio::widgets;
-
-namespace {
 
 /// The list whose accessible name is that.
 QComboBox* list(const ComparisonBar& bar, const QString& name) {
@@ -25,8 +24,6 @@ QComboBox* list(const ComparisonBar& bar, const QString& name) {
     if (box->accessibleName() == name) return box;
   return nullptr;
 }
-
-}  // namespace
 
 class ComparisonBarTest : public QObject {
   Q_OBJECT
@@ -125,4 +122,6 @@ class ComparisonBarTest : public QObject {
 };
 
 GONIO_TEST(ComparisonBarTest)
+}  // namespace comparison_bar_test
+
 #include "comparison_bar_test.moc"

@@ -9,11 +9,10 @@
 #include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
 
+namespace curve_editor_test {
 using namespace gonio;
 using widgets::ChannelCurves;
 using widgets::CurveEditor;
-
-namespace {
 
 std::vector<double> nodes() {
   std::vector<double> result;
@@ -28,8 +27,6 @@ ChannelCurves curves() {
     for (const double x : nodes()) result[std::size_t(c)].push_back((3 - c) * std::exp(-4 * x * x));
   return result;
 }
-
-}  // namespace
 
 class CurveEditorTest : public QObject {
   Q_OBJECT
@@ -179,7 +176,7 @@ class CurveEditorTest : public QObject {
   void tellsWhereThePointerIs() {
     QSignalSpy pointed(m_editor.get(), &CurveEditor::pointedAt);
     const QPoint over(at(2).x(), 60);
-    tests::pointAt(*m_editor, over);
+    test::pointAt(*m_editor, over);
     QVERIFY(!pointed.isEmpty());
     QVERIFY(std::abs(pointed.last()[0].toDouble() - m_editor->points()[2]) < 0.02);
     pointed.clear();
@@ -201,4 +198,6 @@ class CurveEditorTest : public QObject {
 };
 
 GONIO_TEST(CurveEditorTest)
+}  // namespace curve_editor_test
+
 #include "curve_editor_test.moc"

@@ -15,6 +15,7 @@
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
 
+namespace edit_stack_test {
 using namespace gonio::widgets;
 
 class EditStackTest : public QObject {
@@ -187,4 +188,6 @@ class EditStackTest : public QObject {
 };
 
 GONIO_TEST(EditStackTest)
+}  // namespace edit_stack_test
+
 #include "edit_stack_test.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/test_program.h"
 #include "widgets/preview/gl/textures.h"
 
+namespace environment_texels_test {
 using namespace gonio;
 using widgets::EnvironmentTexels;
 
@@ -46,4 +47,6 @@ class EnvironmentTexelsTest : public QObject {
 };
 
 GONIO_TEST(EnvironmentTexelsTest)
+}  // namespace environment_texels_test
+
 #include "environment_texels_test.moc"

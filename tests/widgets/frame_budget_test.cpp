@@ -6,6 +6,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace frame_budget_test {
 using gonio::widgets::FrameBudget;
 
 class FrameBudgetTest : public QObject {
@@ -47,4 +48,6 @@ class FrameBudgetTest : public QObject {
 };
 
 GONIO_TEST(FrameBudgetTest)
+}  // namespace frame_budget_test
+
 #include "frame_budget_test.moc"

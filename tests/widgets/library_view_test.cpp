@@ -10,9 +10,9 @@
 #include "tests/support/test_program.h"
 #include "widgets/library/library_model.h"
 
+namespace library_view_test {
 using namespace gonio::widgets;
 
-namespace {
 std::vector<LibraryItem> threeMaterials() {
   return {{"a", "gold", "MERL file"}, {"b", "chrome", "MERL file"}, {"c", "felt", "RGL file"}};
 }
@@ -21,8 +21,6 @@ LibraryLook look(double hue, double roughness) {
   image.fill(Qt::gray);
   return {image, hue, roughness};
 }
-}  // namespace
-
 class LibraryViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -88,4 +86,6 @@ class LibraryViewTest : public QObject {
 };
 
 GONIO_TEST(LibraryViewTest)
+}  // namespace library_view_test
+
 #include "library_view_test.moc"

@@ -7,10 +7,9 @@
 
 #include "tests/support/test_program.h"
 
+namespace material_estimator_test {
 using namespace gonio;
 using widgets::MaterialEstimator;
-
-namespace {
 
 widgets::PreviewSubject ggx(double roughness) {
   const models::Model& model = models::findModel("ggx");
@@ -18,8 +17,6 @@ widgets::PreviewSubject ggx(double roughness) {
   parameters.values[*model.spec().find("roughness")] = Rgb(roughness);
   return {widgets::ModelAlone{&model, parameters}};
 }
-
-}  // namespace
 
 class MaterialEstimatorTest : public QObject {
   Q_OBJECT
@@ -78,4 +75,6 @@ class MaterialEstimatorTest : public QObject {
 };
 
 GONIO_TEST(MaterialEstimatorTest)
+}  // namespace material_estimator_test
+
 #include "material_estimator_test.moc"

@@ -13,6 +13,7 @@
 #include "tests/support/test_program.h"
 #include "widgets/library/material_drag.h"
 
+namespace material_well_test {
 using namespace gonio::widgets;
 
 class MaterialWellTest : public QObject {
@@ -104,4 +105,6 @@ class MaterialWellTest : public QObject {
 };
 
 GONIO_TEST(MaterialWellTest)
+}  // namespace material_well_test
+
 #include "material_well_test.moc"

@@ -10,6 +10,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace model_panel_test {
 using namespace gonio;
 
 class ModelPanelTest : public QObject {
@@ -55,4 +56,6 @@ class ModelPanelTest : public QObject {
 };
 
 GONIO_TEST(ModelPanelTest)
+}  // namespace model_panel_test
+
 #include "model_panel_test.moc"

@@ -16,11 +16,10 @@
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/preview/gl/shader_library.h"
 
+namespace model_shaders_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
-
-namespace {
+using namespace gonio::models::test_support;
 
 constexpr int width = 64, height = 64, pairCount = width * height;
 
@@ -106,13 +105,11 @@ struct Bounds {
   }
 };
 
-}  // namespace
-
 /// The GLSL twins against the C++.
 class ModelShadersTest : public QObject {
   Q_OBJECT
  private:
-  std::unique_ptr<gonio::tests::OffscreenContext> context_;
+  std::unique_ptr<gonio::test::OffscreenContext> context_;
   QOpenGLFunctions_4_1_Core gl_;
   std::unique_ptr<QOpenGLFramebufferObject> target_;
   GLuint vertexArray_ = 0, textures_[2] = {};
@@ -174,7 +171,7 @@ void main() {
 
  private Q_SLOTS:
   void initTestCase() {
-    context_ = std::make_unique<gonio::tests::OffscreenContext>();
+    context_ = std::make_unique<gonio::test::OffscreenContext>();
     if (!context_->isValid()) QSKIP("no OpenGL 4.1 core context here");
     QVERIFY(gl_.initializeOpenGLFunctions());
     target_ = std::make_unique<QOpenGLFramebufferObject>(width, height, QOpenGLFramebufferObject::NoAttachment,
@@ -234,4 +231,6 @@ void main() {
 };
 
 GONIO_TEST(ModelShadersTest)
+}  // namespace model_shaders_test
+
 #include "model_shaders_test.moc"

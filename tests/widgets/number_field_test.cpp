@@ -9,6 +9,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace number_field_test {
 using gonio::widgets::NumberField;
 
 class NumberFieldTest : public QObject {
@@ -114,4 +115,6 @@ class NumberFieldTest : public QObject {
 };
 
 GONIO_TEST(NumberFieldTest)
+}  // namespace number_field_test
+
 #include "number_field_test.moc"

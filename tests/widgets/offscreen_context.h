@@ -5,7 +5,7 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 
-namespace gonio::tests {
+namespace gonio::test {
 
 /// An OpenGL 4.1 core context without a window, current while alive. Tests skip when isValid() is false.
 class OffscreenContext {
@@ -29,4 +29,4 @@ class OffscreenContext {
   bool valid_ = false;
 };
 
-}  // namespace gonio::tests
+}  // namespace gonio::test

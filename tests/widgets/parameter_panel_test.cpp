@@ -16,6 +16,7 @@
 #include "widgets/parameters/parameter_row.h"
 #include "widgets/parameters/parameter_text.h"
 
+namespace parameter_panel_test {
 using namespace gonio;
 using namespace gonio::widgets;
 
@@ -200,4 +201,6 @@ class ParameterPanelTest : public QObject {
 };
 
 GONIO_TEST(ParameterPanelTest)
+}  // namespace parameter_panel_test
+
 #include "parameter_panel_test.moc"

@@ -9,6 +9,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace parameter_slider_test {
 using gonio::models::ParameterScale;
 using gonio::widgets::ParameterSlider;
 
@@ -100,4 +101,6 @@ class ParameterSliderTest : public QObject {
 };
 
 GONIO_TEST(ParameterSliderTest)
+}  // namespace parameter_slider_test
+
 #include "parameter_slider_test.moc"

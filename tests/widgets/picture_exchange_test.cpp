@@ -9,7 +9,8 @@
 #include "offscreen_context.h"
 #include "tests/support/test_program.h"
 
-using gonio::tests::OffscreenContext;
+namespace picture_exchange_test {
+using gonio::test::OffscreenContext;
 using gonio::widgets::PictureExchange;
 
 class PictureExchangeTest : public QObject, protected QOpenGLFunctions_4_1_Core {
@@ -83,4 +84,6 @@ class PictureExchangeTest : public QObject, protected QOpenGLFunctions_4_1_Core 
 };
 
 GONIO_TEST(PictureExchangeTest)
+}  // namespace picture_exchange_test
+
 #include "picture_exchange_test.moc"

@@ -10,11 +10,10 @@
 
 #include "tests/support/test_program.h"
 
+namespace plausibility_badges_test {
 using namespace gonio;
 using namespace gonio::widgets;
 using metrics::PlausibilityCheck;
-
-namespace {
 
 std::vector<PlausibilityCheck> checks() {
   PlausibilityCheck energy{.name = "energy", .passed = false, .worst = 1.4, .limit = 1.01, .share = 0.3};
@@ -23,8 +22,6 @@ std::vector<PlausibilityCheck> checks() {
   negative.at = DirectionPair{fromSpherical(radians(30), 0), fromSpherical(radians(60), pi)};
   return {energy, {.name = "reciprocity"}, negative, {.name = "non-finite"}, {.name = "extrapolated"}};
 }
-
-}  // namespace
 
 class PlausibilityBadgesTest : public QObject {
   Q_OBJECT
@@ -85,4 +82,6 @@ class PlausibilityBadgesTest : public QObject {
 };
 
 GONIO_TEST(PlausibilityBadgesTest)
+}  // namespace plausibility_badges_test
+
 #include "plausibility_badges_test.moc"

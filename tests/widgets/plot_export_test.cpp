@@ -10,11 +10,10 @@
 #include "tests/widgets/plot_test_support.h"
 #include "widgets/plots/plot_export.h"
 
+namespace plot_export_test {
 using namespace gonio;
 using namespace gonio::widgets;
-using namespace gonio::widgets::test;
-
-namespace {
+using namespace gonio::widgets::test_support;
 
 QList<QByteArray> dataLines(const QByteArray& csv) {
   QList<QByteArray> lines;
@@ -22,8 +21,6 @@ QList<QByteArray> dataLines(const QByteArray& csv) {
     if (!line.startsWith('#')) lines << line;
   return lines;
 }
-
-}  // namespace
 
 /// What is written of plots, read back.
 class PlotExportTest : public QObject {
@@ -120,4 +117,6 @@ class PlotExportTest : public QObject {
 };
 
 GONIO_TEST(PlotExportTest)
+}  // namespace plot_export_test
+
 #include "plot_export_test.moc"

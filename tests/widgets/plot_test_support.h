@@ -15,7 +15,7 @@
 #include "widgets/plots/slice_plot.h"
 
 /// Plots of known curves, and the mouse on them.
-namespace gonio::widgets::test {
+namespace gonio::widgets::test_support {
 
 using plots::CosineFactor;
 
@@ -24,9 +24,9 @@ inline const PlotSettings settings{.cosine = CosineFactor::outgoing, .thetaI = r
 /// Lambert of reflectance 1 and 0.5, times cos theta_o.
 template <class Compute>
 inline auto twoSeries(Compute compute) {
-  PlotSeriesList<decltype(compute(testing::lambert(Rgb(1))))> list;
-  list.push_back({SeriesRole::measured, "measured", compute(testing::lambert(Rgb(1)))});
-  list.push_back({SeriesRole::edited, "edited", compute(testing::lambert(Rgb(0.5)))});
+  PlotSeriesList<decltype(compute(test::lambert(Rgb(1))))> list;
+  list.push_back({SeriesRole::measured, "measured", compute(test::lambert(Rgb(1)))});
+  list.push_back({SeriesRole::edited, "edited", compute(test::lambert(Rgb(0.5)))});
   return list;
 }
 inline plots::Curve lobeCurve(const Brdf& brdf) { return plots::polarLobe(brdf, settings.thetaI, settings.cosine); }
@@ -104,4 +104,4 @@ inline QString readout(Plot& plot) {
   return {};
 }
 
-}  // namespace gonio::widgets::test
+}  // namespace gonio::widgets::test_support

@@ -7,11 +7,10 @@
 #include "tests/support/test_program.h"
 #include "tests/widgets/plot_test_support.h"
 
+namespace plots_test {
 using namespace gonio;
 using namespace gonio::widgets;
-using namespace gonio::widgets::test;
-
-namespace {
+using namespace gonio::widgets::test_support;
 
 /// Contrast of WCAG 2.1.
 double contrast(const QColor& a, const QColor& b) {
@@ -21,8 +20,6 @@ double contrast(const QColor& a, const QColor& b) {
   };
   return std::max(light(a), light(b)) / std::min(light(a), light(b));
 }
-
-}  // namespace
 
 class PlotsTest : public QObject {
   Q_OBJECT
@@ -160,4 +157,6 @@ class PlotsTest : public QObject {
 };
 
 GONIO_TEST(PlotsTest)
+}  // namespace plots_test
+
 #include "plots_test.moc"

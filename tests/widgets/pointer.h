@@ -6,7 +6,7 @@
 #include <QMouseEvent>
 #include <QWidget>
 
-namespace gonio::tests {
+namespace gonio::test {
 
 /// Moves the pointer over a widget, no button pressed. QTest::mouseMove() would move the system's cursor, of which a
 /// display tells when it likes, if it has one.
@@ -15,4 +15,4 @@ inline void pointAt(QWidget& widget, const QPoint& at) {
   QCoreApplication::sendEvent(&widget, &event);
 }
 
-}  // namespace gonio::tests
+}  // namespace gonio::test

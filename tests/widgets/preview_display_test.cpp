@@ -10,11 +10,10 @@
 #include "offscreen_context.h"
 #include "tests/support/test_program.h"
 
+namespace preview_display_test {
 using namespace gonio;
 using widgets::CompareMode;
 using widgets::DifferenceKind;
-
-namespace {
 
 constexpr int side = 48;
 
@@ -27,14 +26,12 @@ int distance(const QColor& a, const QColor& b) {
   return std::max({std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
 }
 
-}  // namespace
-
 class PreviewDisplayTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void initTestCase() {
-    context_ = std::make_unique<tests::OffscreenContext>();
+    context_ = std::make_unique<test::OffscreenContext>();
     if (!context_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
     resources_ = std::make_shared<widgets::PreviewResources>();
     display_ = std::make_unique<widgets::PreviewDisplay>(resources_);
@@ -144,11 +141,13 @@ class PreviewDisplayTest : public QObject {
     return target.toImage();
   }
 
-  std::unique_ptr<tests::OffscreenContext> context_;
+  std::unique_ptr<test::OffscreenContext> context_;
   std::shared_ptr<widgets::PreviewResources> resources_;
   std::unique_ptr<widgets::PreviewDisplay> display_;
   std::unique_ptr<widgets::PreviewRenderer> bright_, dark_;
 };
 
 GONIO_TEST(PreviewDisplayTest)
+}  // namespace preview_display_test
+
 #include "preview_display_test.moc"

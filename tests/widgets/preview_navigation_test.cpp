@@ -8,6 +8,7 @@
 #include "core/rendering/shape.h"
 #include "tests/support/test_program.h"
 
+namespace preview_navigation_test {
 using namespace gonio;
 using namespace gonio::widgets;
 
@@ -81,4 +82,6 @@ class PreviewNavigationTest : public QObject {
 };
 
 GONIO_TEST(PreviewNavigationTest)
+}  // namespace preview_navigation_test
+
 #include "preview_navigation_test.moc"

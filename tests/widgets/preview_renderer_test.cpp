@@ -15,9 +15,8 @@
 #include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
 
+namespace preview_renderer_test {
 using namespace gonio;
-
-namespace {
 
 constexpr int side = 64;
 
@@ -35,7 +34,7 @@ double agreement(widgets::PreviewRenderer& renderer, widgets::PreviewSubject sub
   const auto table = subject.table();
   subject.lobe = estimateSamplingLobe(table ? *table : *brdf);
   renderer.setSubject(subject);
-  tests::showSphere(renderer, scene);
+  test::showSphere(renderer, scene);
   renderer.setSize({side, side});
   const int samples = 512;
   for (int i = 0; i < samples / 64; ++i) renderer.accumulate(64);
@@ -77,14 +76,12 @@ editing::Edit widerEdit(const TabulatedBrdf& table, int terms, double factor, bo
           .strength = 0.8};
 }
 
-}  // namespace
-
 class PreviewRendererTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void initTestCase() {
-    context_ = std::make_unique<tests::OffscreenContext>();
+    context_ = std::make_unique<test::OffscreenContext>();
     if (!context_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
     renderer_ = std::make_unique<widgets::PreviewRenderer>();
     renderer_->initialize();
@@ -261,15 +258,15 @@ class PreviewRendererTest : public QObject {
       renderer_->accumulate(4);
       return renderer_->readPicture().pixels;
     };
-    tests::showSphere(*renderer_, sphereScene());
+    test::showSphere(*renderer_, sphereScene());
     renderer_->setSize({side, side});
     const auto expected = shown(0.5);
     QVERIFY(shown(2) != expected);
     QVERIFY(shown(0.5) == expected);
     // Beside another edit of curves, whose texels stay.
-    for (editing::EditList* side : {&before, &behind}) {
+    for (editing::EditList* list : {&before, &behind}) {
       before.clear();
-      *side = {other};
+      *list = {other};
       const auto beside = shown(0.5);
       QVERIFY(beside != expected);
       QVERIFY(shown(2) != beside);
@@ -315,7 +312,7 @@ class PreviewRendererTest : public QObject {
   void modelAloneIgnoresTheTable() {
     const models::Model& ggx = models::findModel("ggx");
     const widgets::PreviewSubject subject{widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}};
-    tests::showSphere(*renderer_, sphereScene());
+    test::showSphere(*renderer_, sphereScene());
     renderer_->setSize({side, side});
     renderer_->setSubject(subject);
     renderer_->accumulate(8);
@@ -339,7 +336,7 @@ class PreviewRendererTest : public QObject {
     QCOMPARE(resources->table(table), texture);
     for (widgets::PreviewRenderer* picture : {&first, &second}) {
       picture->setSubject(widgets::tableSubject(table));
-      tests::showSphere(*picture, sphereScene());
+      test::showSphere(*picture, sphereScene());
       picture->setSize({side, side});
     }
     first.accumulate(4);
@@ -361,7 +358,7 @@ class PreviewRendererTest : public QObject {
     editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
     edit.edited = edit.fitted;
     renderer_->setSubject(widgets::tableSubject(table));
-    tests::showSphere(*renderer_, sphereScene());
+    test::showSphere(*renderer_, sphereScene());
     renderer_->setSize({side, side});
     renderer_->accumulate(8);
     const Image plain = renderer_->readPicture();
@@ -379,7 +376,7 @@ class PreviewRendererTest : public QObject {
     for (std::size_t i = 0; i < holes.size(); ++i) holes[i] = i % 2 == 0;  // every second phi_d
     const auto full = std::make_shared<const TabulatedBrdf>(grid, values, all);
     const auto sparse = std::make_shared<const TabulatedBrdf>(grid, values, holes);
-    tests::showSphere(*renderer_, sphereScene());
+    test::showSphere(*renderer_, sphereScene());
     renderer_->setSize({side, side});
     renderer_->setSubject(widgets::tableSubject(full));
     renderer_->accumulate(4);
@@ -392,9 +389,11 @@ class PreviewRendererTest : public QObject {
   }
 
  private:
-  std::unique_ptr<tests::OffscreenContext> context_;
+  std::unique_ptr<test::OffscreenContext> context_;
   std::unique_ptr<widgets::PreviewRenderer> renderer_;
 };
 
 GONIO_TEST(PreviewRendererTest)
+}  // namespace preview_renderer_test
+
 #include "preview_renderer_test.moc"

@@ -15,16 +15,14 @@
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/split_bar.h"
 
+namespace preview_widget_test {
 using namespace gonio;
 using widgets::PreviewWidget;
 
-namespace {
 std::shared_ptr<const TabulatedBrdf> grey() {
   const models::Model& model = models::findModel("lambert");
   return bakeTable(*model.instantiate(models::defaultParameters(model.spec())));
 }
-}  // namespace
-
 class PreviewWidgetTest : public QObject {
   Q_OBJECT
 
@@ -32,7 +30,7 @@ class PreviewWidgetTest : public QObject {
   void initTestCase() {
     // Qt's offscreen platform offers a context but crashes once a QOpenGLWidget is shown.
     if (QGuiApplication::platformName() == "offscreen") QSKIP("needs a display");
-    const tests::OffscreenContext context;
+    const test::OffscreenContext context;
     if (!context.isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
     table_ = grey();
   }
@@ -302,4 +300,6 @@ class PreviewWidgetTest : public QObject {
 };
 
 GONIO_TEST(PreviewWidgetTest)
+}  // namespace preview_widget_test
+
 #include "preview_widget_test.moc"

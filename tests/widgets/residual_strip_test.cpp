@@ -7,6 +7,7 @@
 #include "tests/support/test_program.h"
 #include "widgets/curves/curve_editor.h"
 
+namespace residual_strip_test {
 using namespace gonio::widgets;
 
 class ResidualStripTest : public QObject {
@@ -52,4 +53,6 @@ class ResidualStripTest : public QObject {
 };
 
 GONIO_TEST(ResidualStripTest)
+}  // namespace residual_strip_test
+
 #include "residual_strip_test.moc"

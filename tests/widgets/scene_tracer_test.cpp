@@ -9,10 +9,9 @@
 #include "core/rendering/scene_file.h"
 #include "tests/support/test_program.h"
 
+namespace scene_tracer_test {
 using namespace gonio;
 using widgets::SceneTracer;
-
-namespace {
 
 /// Lambert, until it is told to fail.
 class FailingBrdf final : public Brdf {
@@ -32,8 +31,6 @@ struct Traced {
 
   void start(SceneTracer& tracer, int samples) const { tracer.trace(scene, materials, plan, {32, 32}, samples); }
 };
-
-}  // namespace
 
 class SceneTracerTest : public QObject {
   Q_OBJECT
@@ -96,4 +93,6 @@ class SceneTracerTest : public QObject {
 };
 
 GONIO_TEST(SceneTracerTest)
+}  // namespace scene_tracer_test
+
 #include "scene_tracer_test.moc"

@@ -11,10 +11,9 @@
 #include "tests/support/test_program.h"
 #include "tests/widgets/pointer.h"
 
+namespace study_scatter_test {
 using namespace gonio;
 using namespace gonio::widgets;
-
-namespace {
 
 study::StudyRecord record(const study::Representation& representation, double nanoseconds, double snr) {
   return {.representation = representation,
@@ -46,8 +45,6 @@ struct Shown {
   QPoint at(int point) const { return scatter.place(point)->toPoint(); }
 };
 
-}  // namespace
-
 class StudyScatterTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -78,8 +75,8 @@ class StudyScatterTest : public QObject {
   void thePointerTellsWhereItIs() {
     Shown shown;
     QSignalSpy hovered(&shown.scatter, &StudyScatter::hovered);
-    tests::pointAt(shown.chart, shown.at(1));
-    tests::pointAt(shown.chart, (shown.at(2) + shown.at(1)) / 2);
+    test::pointAt(shown.chart, shown.at(1));
+    test::pointAt(shown.chart, (shown.at(2) + shown.at(1)) / 2);
     QCOMPARE(hovered.count(), 2);
     QCOMPARE(hovered[0][0].toInt(), 1);
     QCOMPARE(hovered[1][0].toInt(), -1);
@@ -128,4 +125,6 @@ class StudyScatterTest : public QObject {
 };
 
 GONIO_TEST(StudyScatterTest)
+}  // namespace study_scatter_test
+
 #include "study_scatter_test.moc"

@@ -9,7 +9,7 @@
 #include "core/dictionary/signals.h"
 #include "core/editing/interpolation/interpolation.h"
 
-namespace gonio::tests {
+namespace gonio::test {
 
 /// Means of transformed tables, transformed back: what the shader is to show, on the CPU.
 class TransformedMean final : public Brdf {
@@ -63,4 +63,4 @@ class TransformedSpace final : public editing::Interpolation {
   std::vector<std::shared_ptr<const TabulatedBrdf>> transformed_;
 };
 
-}  // namespace gonio::tests
+}  // namespace gonio::test

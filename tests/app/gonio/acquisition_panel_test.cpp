@@ -28,11 +28,10 @@
 #include "widgets/acquisition/reconstruction_view.h"
 #include "widgets/inputs/number_field.h"
 
+namespace acquisition_panel_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
-
-namespace {
+using namespace gonio::app::test_support;
 
 struct Editor {
   SmallLibrary library;
@@ -64,8 +63,6 @@ struct Editor {
   }
   QString failure() { return failed.isEmpty() ? QString() : failed.takeLast()[1].toString(); }
 };
-
-}  // namespace
 
 class AcquisitionPanelTest : public QObject {
   Q_OBJECT
@@ -135,7 +132,7 @@ class AcquisitionPanelTest : public QObject {
     Editor editor;
     AcquisitionPanel& panel = editor.panel;
     QVERIFY(editor.acquire());
-    tests::pointAt(panel.charts().hemisphere(), panel.charts().hemisphere().places(5)[0].toPoint());
+    test::pointAt(panel.charts().hemisphere(), panel.charts().hemisphere().places(5)[0].toPoint());
     const int marked = panel.charts().hemisphere().current();
     QVERIFY(marked >= 0);
     QCOMPARE(panel.charts().chart().current(), marked);
@@ -279,4 +276,6 @@ class AcquisitionPanelTest : public QObject {
 };
 
 GONIO_TEST(AcquisitionPanelTest)
+}  // namespace acquisition_panel_test
+
 #include "acquisition_panel_test.moc"

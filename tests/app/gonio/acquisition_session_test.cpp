@@ -12,11 +12,10 @@
 #include "tests/app/gonio/acquisition_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace acquisition_session_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
-
-namespace {
+using namespace gonio::app::test_support;
 
 struct Acquisition {
   SmallLibrary library;
@@ -49,8 +48,6 @@ struct Acquisition {
 };
 
 TabulatedBrdf::Value cellValue(const TabulatedBrdf& table, std::uint32_t cell) { return table.values()[cell]; }
-
-}  // namespace
 
 class AcquisitionSessionTest : public QObject {
   Q_OBJECT
@@ -302,4 +299,6 @@ class AcquisitionSessionTest : public QObject {
 };
 
 GONIO_TEST(AcquisitionSessionTest)
+}  // namespace acquisition_session_test
+
 #include "acquisition_session_test.moc"

@@ -7,10 +7,9 @@
 #include "app/gonio/acquisition/acquisition_session.h"
 #include "core/materials/material.h"
 #include "core/models/registry.h"
+#include "tests/app/gonio/patience.h"
 
-namespace gonio::app::test {
-
-inline constexpr int patienceMilliseconds = 120000;
+namespace gonio::app::test_support {
 
 inline RenderOptions smallPicture() { return {.width = 24, .height = 24, .samples = 4, .lobe = {}}; }
 
@@ -46,4 +45,4 @@ struct SmallLibrary {
   }
 };
 
-}  // namespace gonio::app::test
+}  // namespace gonio::app::test_support

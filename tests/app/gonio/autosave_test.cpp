@@ -7,6 +7,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace autosave_test {
 using namespace gonio;
 using namespace gonio::app;
 
@@ -64,4 +65,6 @@ class AutosaveTest : public QObject {
 };
 
 GONIO_TEST(AutosaveTest)
+}  // namespace autosave_test
+
 #include "autosave_test.moc"

@@ -8,10 +8,10 @@
 
 #include "tests/support/test_program.h"
 
+namespace background_task_test {
 using namespace gonio;
 using namespace gonio::app;
 
-namespace {
 /// Works until it is stopped.
 int untilStopped(const TaskControl& control) {
   for (;;) {
@@ -19,8 +19,6 @@ int untilStopped(const TaskControl& control) {
     QThread::msleep(1);
   }
 }
-}  // namespace
-
 class BackgroundTaskTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -175,4 +173,6 @@ class BackgroundTaskTest : public QObject {
 };
 
 GONIO_TEST(BackgroundTaskTest)
+}  // namespace background_task_test
+
 #include "background_task_test.moc"

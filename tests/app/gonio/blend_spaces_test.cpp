@@ -9,9 +9,10 @@
 #include "tests/support/test_program.h"
 #include "widgets/interpolation/blend_place.h"
 
+namespace blend_spaces_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
+using namespace gonio::app::test_support;
 using Space = editing::InterpolationSpace;
 
 /// What stays of prepared spaces when the materials change.
@@ -111,4 +112,6 @@ class BlendSpacesTest : public QObject {
 };
 
 GONIO_TEST(BlendSpacesTest)
+}  // namespace blend_spaces_test
+
 #include "blend_spaces_test.moc"

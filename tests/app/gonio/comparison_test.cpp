@@ -10,21 +10,19 @@
 #include "app/gonio/document/edit_steps.h"
 #include "core/metrics/brdf_metrics.h"
 #include "tests/app/gonio/document_edits.h"
+#include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/preview/comparison_bar.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
+namespace comparison_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
+using namespace gonio::app::test_support;
 using widgets::ComparedSubject;
 using widgets::CompareMode;
-
-namespace {
-
-constexpr int patienceMilliseconds = 120000;
 
 LoadedMaterialPtr lambertMaterial(const char* name, double albedo) {
   auto loaded = std::make_shared<LoadedMaterial>();
@@ -50,13 +48,11 @@ struct Editor {
   ComparisonController comparison{document, tasks, preview, bar};
 };
 
-}  // namespace
-
 class ComparisonTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
-    const tests::OffscreenContext context;
+    const test::OffscreenContext context;
     if (!context.isValid()) QSKIP("needs an OpenGL 4.1 context");
   }
 
@@ -225,4 +221,6 @@ class ComparisonTest : public QObject {
 };
 
 GONIO_TEST(ComparisonTest)
+}  // namespace comparison_test
+
 #include "comparison_test.moc"

@@ -10,14 +10,14 @@
 #include "app/gonio/document/edit_steps.h"
 #include "core/factorization/pdv_operations.h"
 #include "tests/app/gonio/document_edits.h"
+#include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
 
+namespace document_controller_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
+using namespace gonio::app::test_support;
 
-namespace {
-constexpr int patienceMilliseconds = 120000;
 const QString material = QStringLiteral("library:sgd/green-plastic");
 
 struct Editor {
@@ -25,8 +25,6 @@ struct Editor {
   BackgroundTasks tasks;
   DocumentController controller{document, tasks};
 };
-}  // namespace
-
 class DocumentControllerTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -301,4 +299,6 @@ class DocumentControllerTest : public QObject {
 };
 
 GONIO_TEST(DocumentControllerTest)
+}  // namespace document_controller_test
+
 #include "document_controller_test.moc"

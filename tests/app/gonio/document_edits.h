@@ -4,7 +4,7 @@
 
 #include "app/gonio/document/document.h"
 
-namespace gonio::app::test {
+namespace gonio::app::test_support {
 
 /// The active edits of a document; null where there is none.
 inline const editing::DifferentialEdit* modelEdit(const Document& document) {
@@ -26,4 +26,4 @@ inline void replaceFactors(Document& document, const editing::FactorEdit& edit, 
   document.replaceEdits(std::move(edits), text);
 }
 
-}  // namespace gonio::app::test
+}  // namespace gonio::app::test_support

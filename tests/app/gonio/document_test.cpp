@@ -11,11 +11,10 @@
 #include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
 
+namespace document_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
-
-namespace {
+using namespace gonio::app::test_support;
 
 LoadedMaterialPtr smallMaterial() {
   auto loaded = std::make_shared<LoadedMaterial>();
@@ -57,8 +56,6 @@ bool sameBits(const models::ParameterValues& a, const models::ParameterValues& b
   return a.values.size() == b.values.size() &&
          std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(Rgb)) == 0;
 }
-
-}  // namespace
 
 class DocumentTest : public QObject {
   Q_OBJECT
@@ -155,11 +152,11 @@ class DocumentTest : public QObject {
       m_document->endInteraction();
     }
     QCOMPARE(m_document->history().count(), 2);
-    QVERIFY(std::abs(app::test::factorEdit(*m_document)->edited->channels[0][0].f1[0] - 2.5) < 1e-9);
+    QVERIFY(std::abs(app::test_support::factorEdit(*m_document)->edited->channels[0][0].f1[0] - 2.5) < 1e-9);
     m_document->history().undo();
-    QVERIFY(std::abs(app::test::factorEdit(*m_document)->edited->channels[0][0].f1[0] - 1.5) < 1e-9);
+    QVERIFY(std::abs(app::test_support::factorEdit(*m_document)->edited->channels[0][0].f1[0] - 1.5) < 1e-9);
     m_document->history().undo();
-    QVERIFY(!app::test::factorEdit(*m_document));
+    QVERIFY(!app::test_support::factorEdit(*m_document));
     replaceFactors(*m_document, factorEdit(2), "Stronger");
     replaceFactors(*m_document, factorEdit(3), "Stronger");
     QCOMPARE(m_document->history().count(), 2);  // two presses of a button
@@ -210,15 +207,15 @@ class DocumentTest : public QObject {
     replaceFactors(*m_document, factorEdit(2), "Change F1");
     setParameter(*m_document, index("roughness"), Rgb(0.4));
     m_document->chooseFit(fitOf(models::lambert()));
-    QVERIFY(*app::test::factorEdit(*m_document) == factorEdit(2));
+    QVERIFY(*app::test_support::factorEdit(*m_document) == factorEdit(2));
     deleteEdit(*m_document, 0);
-    QVERIFY(!app::test::factorEdit(*m_document));
+    QVERIFY(!app::test_support::factorEdit(*m_document));
     m_document->history().setIndex(2);
     const editing::EditDocument stored = m_document->toEditDocument();
     QCOMPARE(stored.edits.size(), std::size_t(2));
     Document other;
     other.setMaterial(smallMaterial(), stored, "/tmp/mine.gonio");
-    QVERIFY(*app::test::factorEdit(other) == factorEdit(2));
+    QVERIFY(*app::test_support::factorEdit(other) == factorEdit(2));
     QVERIFY(sameBits(modelEdit(other)->edited, modelEdit(*m_document)->edited));
   }
 
@@ -250,7 +247,7 @@ class DocumentTest : public QObject {
     QVERIFY(!m_document->edits()[1].isIdentity() && m_document->edits()[2].isIdentity());
     m_document->select(0);
     QCOMPARE(modelEdit(*m_document)->model, &models::lambert());
-    QVERIFY(*app::test::factorEdit(*m_document) == factorEdit(2));
+    QVERIFY(*app::test_support::factorEdit(*m_document) == factorEdit(2));
     m_document->select(2);
     moveEdit(*m_document, 2, 0);
     QCOMPARE(m_document->state().selected, 0);
@@ -270,9 +267,9 @@ class DocumentTest : public QObject {
     early.adoptFit(fitOf(models::ggx()));
     QCOMPARE(early.history().count(), 2);
     early.history().redo();
-    QVERIFY(*app::test::factorEdit(early) == factorEdit(3) && modelEdit(early));
+    QVERIFY(*app::test_support::factorEdit(early) == factorEdit(3) && modelEdit(early));
     early.history().setIndex(0);
-    QVERIFY(!app::test::factorEdit(early) && modelEdit(early)->isIdentity());
+    QVERIFY(!app::test_support::factorEdit(early) && modelEdit(early)->isIdentity());
     QVERIFY(!early.isModified());
   }
 
@@ -308,7 +305,7 @@ class DocumentTest : public QObject {
     m_document->history().setByteLimit(6 * editing::bytesOf(factorEdit(1).original));
     for (int i = 2; i < 12; ++i) replaceFactors(*m_document, factorEdit(i), "Change F1");
     while (m_document->history().canUndo()) m_document->history().undo();
-    QVERIFY(app::test::factorEdit(*m_document));  // the first steps were forgotten
+    QVERIFY(app::test_support::factorEdit(*m_document));  // the first steps were forgotten
     QVERIFY(m_document->history().text(0).contains("too old"));
   }
 
@@ -347,4 +344,6 @@ class DocumentTest : public QObject {
 };
 
 GONIO_TEST(DocumentTest)
+}  // namespace document_test
+
 #include "document_test.moc"

@@ -12,9 +12,8 @@
 #include "widgets/library/material_drag.h"
 #include "widgets/panels/drop_overlay.h"
 
+namespace drop_target_test {
 using namespace gonio::app;
-
-namespace {
 
 struct Target {
   QWidget window;
@@ -39,8 +38,6 @@ struct Target {
     QApplication::sendEvent(&window, &event);
   }
 };
-
-}  // namespace
 
 class DropTargetTest : public QObject {
   Q_OBJECT
@@ -69,4 +66,6 @@ class DropTargetTest : public QObject {
 };
 
 GONIO_TEST(DropTargetTest)
+}  // namespace drop_target_test
+
 #include "drop_target_test.moc"

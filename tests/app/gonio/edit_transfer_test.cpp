@@ -9,6 +9,7 @@
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 
+namespace edit_transfer_test {
 using namespace gonio;
 using namespace gonio::app;
 
@@ -93,4 +94,6 @@ class EditTransferTest : public QObject {
 };
 
 GONIO_TEST(EditTransferTest)
+}  // namespace edit_transfer_test
+
 #include "edit_transfer_test.moc"

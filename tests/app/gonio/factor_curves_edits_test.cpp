@@ -18,12 +18,11 @@
 #include "tests/support/test_program.h"
 #include "widgets/library/material_drag.h"
 
+namespace factor_curves_edits_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
+using namespace gonio::app::test_support;
 using factorization::PdvFactors;
-
-namespace {
 
 /// The largest difference, relative to the largest value of b.
 double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -34,8 +33,6 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
   }
   return difference / std::max(largest, 1e-300);
 }
-
-}  // namespace
 
 /// What the hand does to the curves: every test begins with all steps undone.
 class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
@@ -244,4 +241,6 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
 };
 
 GONIO_TEST(FactorCurvesEditsTest)
+}  // namespace factor_curves_edits_test
+
 #include "factor_curves_edits_test.moc"

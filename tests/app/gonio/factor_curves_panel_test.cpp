@@ -14,9 +14,10 @@
 #include "tests/widgets/pointer.h"
 #include "widgets/curves/residual_strip.h"
 
+namespace factor_curves_panel_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
+using namespace gonio::app::test_support;
 using factorization::PdvFactors;
 
 /// What the panel shows, and what can be chosen: every test begins with all steps undone.
@@ -67,7 +68,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
     for (const double share : {0.2, 0.5, 0.9}) {
       const double left = strength.pointPosition(0).x();
       const double right = strength.pointPosition(strength.points().size() - 1).x();
-      tests::pointAt(strength, QPoint(int(left + share * (right - left)), strength.height() / 2));
+      test::pointAt(strength, QPoint(int(left + share * (right - left)), strength.height() / 2));
       const double theta = strength.limits().at(0).place;
       QVERIFY(std::abs(theta - share * strength.nodes().back()) < 0.01);
       const auto& limits = editor(FactorAxis::deviation).limits();
@@ -153,4 +154,6 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
 };
 
 GONIO_TEST(FactorCurvesPanelTest)
+}  // namespace factor_curves_panel_test
+
 #include "factor_curves_panel_test.moc"

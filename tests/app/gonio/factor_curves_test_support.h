@@ -11,7 +11,7 @@
 #include "tests/app/gonio/glossy_material.h"
 #include "widgets/curves/curve_editor.h"
 
-namespace gonio::app::test {
+namespace gonio::app::test_support {
 
 /// The dock's panel on one material.
 class OpenFactorCurves {
@@ -52,4 +52,4 @@ class OpenFactorCurves {
   }
 };
 
-}  // namespace gonio::app::test
+}  // namespace gonio::app::test_support

@@ -8,15 +8,13 @@
 #include <cmath>
 
 #include "tests/app/gonio/document_edits.h"
+#include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
 
+namespace fit_ranking_panel_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
-
-namespace {
-
-constexpr int patienceMilliseconds = 120000;
+using namespace gonio::app::test_support;
 
 struct Editor {
   Document document;
@@ -48,8 +46,6 @@ QStringList names(const QAbstractItemModel& model) {
   for (int row = 0; row < model.rowCount(); ++row) texts << model.index(row, 0).data().toString();
   return texts;
 }
-
-}  // namespace
 
 class FitRankingPanelTest : public QObject {
   Q_OBJECT
@@ -125,4 +121,6 @@ class FitRankingPanelTest : public QObject {
 };
 
 GONIO_TEST(FitRankingPanelTest)
+}  // namespace fit_ranking_panel_test
+
 #include "fit_ranking_panel_test.moc"

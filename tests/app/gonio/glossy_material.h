@@ -4,11 +4,9 @@
 
 #include "app/gonio/document/loaded_material.h"
 #include "core/models/registry.h"
+#include "tests/app/gonio/patience.h"
 
-namespace gonio::app::test {
-
-/// How long a test waits for background work on a busy machine.
-inline constexpr int patienceMilliseconds = 120000;
+namespace gonio::app::test_support {
 
 /// A GGX material as one that was read, without a file.
 inline LoadedMaterialPtr glossyMaterial(double roughness, const HalfDifferenceGrid& grid = {}) {
@@ -23,4 +21,4 @@ inline LoadedMaterialPtr glossyMaterial(double roughness, const HalfDifferenceGr
   return loaded;
 }
 
-}  // namespace gonio::app::test
+}  // namespace gonio::app::test_support

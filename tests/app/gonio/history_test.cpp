@@ -7,9 +7,9 @@
 
 #include "tests/support/test_program.h"
 
+namespace history_test {
 using namespace gonio::app;
 
-namespace {
 /// Sets a number and keeps a block of memory.
 class SetNumber final : public Command {
  public:
@@ -29,8 +29,6 @@ class SetNumber final : public Command {
   int m_before = 0, m_after;
   std::size_t m_bytes;
 };
-}  // namespace
-
 class HistoryTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -75,4 +73,6 @@ class HistoryTest : public QObject {
 };
 
 GONIO_TEST(HistoryTest)
+}  // namespace history_test
+
 #include "history_test.moc"

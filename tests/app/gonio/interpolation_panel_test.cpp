@@ -20,9 +20,10 @@
 #include "widgets/interpolation/material_well.h"
 #include "widgets/library/material_drag.h"
 
+namespace interpolation_panel_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
+using namespace gonio::app::test_support;
 using editing::InterpolationSpace;
 
 class InterpolationPanelTest : public QObject {
@@ -198,4 +199,6 @@ class InterpolationPanelTest : public QObject {
 };
 
 GONIO_TEST(InterpolationPanelTest)
+}  // namespace interpolation_panel_test
+
 #include "interpolation_panel_test.moc"

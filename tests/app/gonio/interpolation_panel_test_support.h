@@ -12,11 +12,10 @@
 #include "app/gonio/interpolation/blend_wells.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "core/models/registry.h"
+#include "tests/app/gonio/patience.h"
 #include "widgets/interpolation/material_well.h"
 
-namespace gonio::app::test {
-
-inline constexpr int patienceMilliseconds = 240000;
+namespace gonio::app::test_support {
 
 inline LoadedMaterialPtr greyMaterial(const char* name, double albedo) {
   auto loaded = std::make_shared<LoadedMaterial>();
@@ -52,4 +51,4 @@ struct Editor {
   }
 };
 
-}  // namespace gonio::app::test
+}  // namespace gonio::app::test_support

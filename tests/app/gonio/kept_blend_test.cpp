@@ -10,9 +10,10 @@
 #include "tests/app/gonio/interpolation_panel_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace kept_blend_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
+using namespace gonio::app::test_support;
 using editing::InterpolationSpace;
 
 class KeptBlendTest : public QObject {
@@ -107,4 +108,6 @@ class KeptBlendTest : public QObject {
 };
 
 GONIO_TEST(KeptBlendTest)
+}  // namespace kept_blend_test
+
 #include "kept_blend_test.moc"

@@ -9,6 +9,7 @@
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 
+namespace library_controller_test {
 using namespace gonio;
 using namespace gonio::app;
 
@@ -80,4 +81,6 @@ class LibraryControllerTest : public QObject {
 };
 
 GONIO_TEST(LibraryControllerTest)
+}  // namespace library_controller_test
+
 #include "library_controller_test.moc"

@@ -24,11 +24,10 @@
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
+namespace main_window_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
-
-namespace {
+using namespace gonio::app::test_support;
 
 LoadedMaterialPtr greyMaterial() {
   auto loaded = std::make_shared<LoadedMaterial>();
@@ -39,14 +38,12 @@ LoadedMaterialPtr greyMaterial() {
   return loaded;
 }
 
-}  // namespace
-
 class MainWindowTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
     QStandardPaths::setTestModeEnabled(true);
-    const tests::OffscreenContext context;
+    const test::OffscreenContext context;
     if (!context.isValid()) QSKIP("needs an OpenGL 4.1 context");
   }
 
@@ -195,4 +192,6 @@ class MainWindowTest : public QObject {
 };
 
 GONIO_TEST(MainWindowTest)
+}  // namespace main_window_test
+
 #include "main_window_test.moc"

@@ -18,17 +18,16 @@
 #include "widgets/plots/cartesian_plot.h"
 #include "widgets/plots/polar_plot.h"
 
+namespace plots_panel_test {
 using namespace gonio;
 using namespace gonio::app;
 using widgets::SeriesRole;
-
-namespace {
 
 /// A Lambertian table of reflectance 0.5, whose fit is Lambert as well.
 LoadedMaterialPtr chalk() {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = "chalk";
-  loaded->table = bakeTable(testing::lambert(Rgb(0.5)), {30, 30, 30});
+  loaded->table = bakeTable(test::lambert(Rgb(0.5)), {30, 30, 30});
   return loaded;
 }
 fitting::FitResult lambertFit() {
@@ -57,8 +56,6 @@ struct Panel {
     document.adoptFit(lambertFit());
   }
 };
-
-}  // namespace
 
 class PlotsPanelTest : public QObject {
   Q_OBJECT
@@ -191,4 +188,6 @@ class PlotsPanelTest : public QObject {
 };
 
 GONIO_TEST(PlotsPanelTest)
+}  // namespace plots_panel_test
+
 #include "plots_panel_test.moc"

@@ -8,6 +8,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace recent_files_test {
 using gonio::app::RecentFiles;
 
 class RecentFilesTest : public QObject {
@@ -31,4 +32,6 @@ class RecentFilesTest : public QObject {
 };
 
 GONIO_TEST(RecentFilesTest)
+}  // namespace recent_files_test
+
 #include "recent_files_test.moc"

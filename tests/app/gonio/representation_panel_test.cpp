@@ -17,9 +17,10 @@
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/support/test_program.h"
 
+namespace representation_panel_test {
 using namespace gonio;
 using namespace gonio::app;
-using namespace gonio::app::test;
+using namespace gonio::app::test_support;
 
 class RepresentationPanelTest : public QObject {
   Q_OBJECT
@@ -148,4 +149,6 @@ class RepresentationPanelTest : public QObject {
 };
 
 GONIO_TEST(RepresentationPanelTest)
+}  // namespace representation_panel_test
+
 #include "representation_panel_test.moc"

@@ -18,6 +18,7 @@
 #include "widgets/panels/effect_list.h"
 #include "widgets/preview/preview_widget.h"
 
+namespace scene_panel_test {
 using namespace gonio;
 using app::ScenePanel;
 
@@ -66,7 +67,7 @@ class ScenePanelTest : public QObject {
   void costsAreMeasured() {
     QVERIFY(!panel_->measureButton().isEnabled() && !panel_->compareButton().isEnabled());
     preview_->setMaterial(
-        app::test::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->table, {});
+        app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->table, {});
     QTRY_VERIFY(panel_->measureButton().isEnabled());
     panel_->measureButton().click();
     QTRY_VERIFY_WITH_TIMEOUT(panel_->costs(), 60000);
@@ -90,7 +91,8 @@ class ScenePanelTest : public QObject {
     choose("two-spheres");
     QTRY_COMPARE(wellsShown(), 1);
     QVERIFY(!panel_->neighbours().well(0).currentButton()->isEnabled());
-    const auto material = app::test::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36});
+    const auto material =
+        app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36});
     document_->replaceMaterial(material, {});
     preview_->setMaterial(material->table, {});
     QTRY_VERIFY(preview_->material() && !preview_->isTraced());
@@ -145,4 +147,6 @@ class ScenePanelTest : public QObject {
 };
 
 GONIO_TEST(ScenePanelTest)
+}  // namespace scene_panel_test
+
 #include "scene_panel_test.moc"

@@ -10,15 +10,14 @@
 
 #include "app/gonio/study/study_view.h"
 #include "core/models/registry.h"
+#include "tests/app/gonio/patience.h"
 #include "tests/support/test_program.h"
 #include "widgets/study/study_scatter.h"
 
+namespace study_panel_test {
 using namespace gonio;
 using namespace gonio::app;
-
-namespace {
-
-constexpr int patienceMilliseconds = 120000;
+using namespace gonio::app::test_support;
 
 LoadedMaterialPtr material(const char* name, const Brdf& brdf) {
   auto loaded = std::make_shared<LoadedMaterial>();
@@ -63,8 +62,6 @@ struct Editor {
 };
 
 enum Row { nearestTable, trilinearTable, lambertFit, ggxFit };
-
-}  // namespace
 
 class StudyPanelTest : public QObject {
   Q_OBJECT
@@ -208,4 +205,6 @@ class StudyPanelTest : public QObject {
 };
 
 GONIO_TEST(StudyPanelTest)
+}  // namespace study_panel_test
+
 #include "study_panel_test.moc"

@@ -10,10 +10,9 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace table_error_monitor_test {
 using namespace gonio;
 using namespace gonio::app;
-
-namespace {
 
 constexpr int patience = 60000;
 const RenderOptions picture{.width = 32, .height = 32, .samples = 4, .lobe = {}};
@@ -22,7 +21,7 @@ const RenderOptions picture{.width = 32, .height = 32, .samples = 4, .lobe = {}}
 LoadedMaterialPtr glossy(double roughness, bool sampled) {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = "glossy";
-  const std::shared_ptr<const Brdf> form = testing::ggx(Rgb(0.2), Rgb(0.8), roughness, 0.5);
+  const std::shared_ptr<const Brdf> form = test::ggx(Rgb(0.2), Rgb(0.8), roughness, 0.5);
   loaded->table = bakeTable(*form, {12, 12, 12});
   loaded->material.brdf = sampled ? form : loaded->table;
   return loaded;
@@ -33,8 +32,6 @@ QString tableText(const LoadedMaterial& material, const TableErrorMonitor& monit
     if (fact.name == "Table") return fact.value;
   return {};
 }
-
-}  // namespace
 
 class TableErrorMonitorTest : public QObject {
   Q_OBJECT
@@ -83,4 +80,6 @@ class TableErrorMonitorTest : public QObject {
 };
 
 GONIO_TEST(TableErrorMonitorTest)
+}  // namespace table_error_monitor_test
+
 #include "table_error_monitor_test.moc"

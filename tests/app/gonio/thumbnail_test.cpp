@@ -8,6 +8,7 @@
 #include "core/materials/material.h"
 #include "tests/support/test_program.h"
 
+namespace thumbnail_test {
 using namespace gonio;
 using namespace gonio::app;
 
@@ -54,4 +55,6 @@ class ThumbnailTest : public QObject {
 };
 
 GONIO_TEST(ThumbnailTest)
+}  // namespace thumbnail_test
+
 #include "thumbnail_test.moc"

@@ -11,6 +11,7 @@
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
 
+namespace goniotool_acquisition_test {
 using namespace gonio;
 using namespace gonio::test;
 
@@ -211,4 +212,6 @@ class GoniotoolAcquisitionTest : public QObject {
 };
 
 GONIO_TEST(GoniotoolAcquisitionTest)
+}  // namespace goniotool_acquisition_test
+
 #include "goniotool_acquisition_test.moc"

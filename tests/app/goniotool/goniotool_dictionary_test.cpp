@@ -9,6 +9,7 @@
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
 
+namespace goniotool_dictionary_test {
 using namespace gonio;
 using namespace gonio::test;
 
@@ -103,4 +104,6 @@ class GoniotoolDictionaryTest : public QObject {
 };
 
 GONIO_TEST(GoniotoolDictionaryTest)
+}  // namespace goniotool_dictionary_test
+
 #include "goniotool_dictionary_test.moc"

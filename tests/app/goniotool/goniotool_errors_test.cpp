@@ -6,6 +6,7 @@
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
 
+namespace goniotool_errors_test {
 using namespace gonio;
 using namespace gonio::test;
 
@@ -109,4 +110,6 @@ class GoniotoolErrorsTest : public QObject {
 };
 
 GONIO_TEST(GoniotoolErrorsTest)
+}  // namespace goniotool_errors_test
+
 #include "goniotool_errors_test.moc"

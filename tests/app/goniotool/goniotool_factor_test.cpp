@@ -10,6 +10,7 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace goniotool_factor_test {
 using namespace gonio;
 using namespace gonio::test;
 using namespace gonio::factorization;
@@ -46,7 +47,7 @@ class GoniotoolFactorTest : public QObject {
     const double snr = metrics::brdfSignalToNoiseRatio(*readTable(plastic_), *makePdvBrdf(factors));
     QVERIFY2(std::abs(result.json["brdfSnr"].get<double>() - snr) < 0.01, qPrintable(result.out));
     // What was decoded is the model, as a reciprocal table can hold it.
-    QVERIFY(metrics::brdfErrors(*readTable(decoded), testing::meanOfBothOrders(makePdvBrdf(factors)))[0] < 1e-4);
+    QVERIFY(metrics::brdfErrors(*readTable(decoded), test::meanOfBothOrders(makePdvBrdf(factors)))[0] < 1e-4);
   }
 
   void factorFilesAreMaterials() {
@@ -58,7 +59,7 @@ class GoniotoolFactorTest : public QObject {
     QVERIFY(info.json["grid"] == nlohmann::json({90, 90, 1}));
     QVERIFY(info.json["description"].get<std::string>() == "1 term of two factors, transform log-plus");
     VERIFY_SUCCESS(runJson({"convert", out, decoded}));
-    const testing::FunctionBrdf held = testing::meanOfBothOrders(makePdvBrdf(readFactors("material.pdv")));
+    const test::FunctionBrdf held = test::meanOfBothOrders(makePdvBrdf(readFactors("material.pdv")));
     QVERIFY(metrics::brdfErrors(*readTable(decoded), held)[0] < 1e-4);
     const ToolResult compared = runJson({"compare", plastic_, out, "--size", "16", "--samples", "4"});
     VERIFY_SUCCESS(compared);
@@ -150,4 +151,6 @@ class GoniotoolFactorTest : public QObject {
 };
 
 GONIO_TEST(GoniotoolFactorTest)
+}  // namespace goniotool_factor_test
+
 #include "goniotool_factor_test.moc"

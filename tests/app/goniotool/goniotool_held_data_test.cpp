@@ -10,12 +10,11 @@
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
 
+namespace goniotool_held_data_test {
 using namespace gonio;
 using gonio::test::runJson;
 using gonio::test::runTool;
 using gonio::test::ToolResult;
-
-namespace {
 
 const QString shared = GONIO_SHARED_DIR;
 QString folder() { return QString(GONIO_TEST_OUTPUT_DIR) + "/goniotool-held/"; }
@@ -24,8 +23,6 @@ QString folder() { return QString(GONIO_TEST_OUTPUT_DIR) + "/goniotool-held/"; }
 bool makeMerl(const QString& database, const QStringList& materials) {
   return QProcess::execute(shared + "/tools/make-merl", QStringList{folder(), database} + materials) == 0;
 }
-
-}  // namespace
 
 /// The command line on real measurements (RGL) and on near-measured copies of MERL materials.
 class GoniotoolHeldDataTest : public QObject {
@@ -84,4 +81,6 @@ class GoniotoolHeldDataTest : public QObject {
 };
 
 GONIO_TEST(GoniotoolHeldDataTest)
+}  // namespace goniotool_held_data_test
+
 #include "goniotool_held_data_test.moc"

@@ -10,6 +10,7 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace goniotool_interpolate_test {
 using namespace gonio;
 using namespace gonio::test;
 
@@ -83,7 +84,7 @@ class GoniotoolInterpolateTest : public QObject {
     VERIFY_SUCCESS(
         runJson({"interpolate", smooth_, rough_, "--space", "factors", "--terms", "2", "--out", path("half.binary")}));
     const auto curves = factorization::makePdvBrdf(materials::readPdv(path("half.pdv").toStdString()));
-    QVERIFY(metrics::brdfErrors(*readTable(path("half.binary")), testing::meanOfBothOrders(curves))[0] < 1e-3);
+    QVERIFY(metrics::brdfErrors(*readTable(path("half.binary")), test::meanOfBothOrders(curves))[0] < 1e-3);
     // A file of factors is taken as it is, and the table beside it factorised on its nodes.
     const ToolResult again = runJson({"interpolate", path("half.pdv"), rough_, "--space", "factors", "--terms", "7",
                                       "--at", "0.25", "--out", path("quarter.pdv")});
@@ -190,4 +191,6 @@ class GoniotoolInterpolateTest : public QObject {
 };
 
 GONIO_TEST(GoniotoolInterpolateTest)
+}  // namespace goniotool_interpolate_test
+
 #include "goniotool_interpolate_test.moc"

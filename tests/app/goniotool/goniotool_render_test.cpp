@@ -9,10 +9,9 @@
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
 
+namespace goniotool_render_test {
 using namespace gonio;
 using namespace gonio::test;
-
-namespace {
 
 /// The text attribute of an OpenEXR file: its name, the type "string", the length in four bytes, the text.
 std::string exrAttribute(const QString& path, const QByteArray& name) {
@@ -37,8 +36,6 @@ double mean(const Image& image) {
   for (const glm::vec3& pixel : image.pixels) sum += double(pixel.y);
   return sum / double(image.pixels.size());
 }
-
-}  // namespace
 
 class GoniotoolRenderTest : public QObject {
   Q_OBJECT
@@ -233,4 +230,6 @@ class GoniotoolRenderTest : public QObject {
 };
 
 GONIO_TEST(GoniotoolRenderTest)
+}  // namespace goniotool_render_test
+
 #include "goniotool_render_test.moc"

@@ -82,7 +82,7 @@ class TestFolder {
   QString writeTable(const QString& name, const char* model, const models::ParameterValues& parameters,
                      const HalfDifferenceGrid& grid = smallGrid) const {
     const models::Model& source = models::findModel(model);
-    const auto brdf = source.instantiate(testing::leadingParameters(source, parameters.values));
+    const auto brdf = source.instantiate(test::leadingParameters(source, parameters.values));
     materials::writeMaterial(*bakeTable(*brdf, grid), path(name).toStdString());
     return path(name);
   }

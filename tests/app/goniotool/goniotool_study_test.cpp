@@ -7,13 +7,12 @@
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
 
+namespace goniotool_study_test {
 using namespace gonio;
 using namespace gonio::test;
 
-namespace {
 const QStringList tiny{"--size",   "16",          "--samples", "4",  "--representations", "table,fits,factors",
                        "--models", "lambert,ggx", "--terms",   "1,3"};
-}
 
 /// goniotool study.
 class GoniotoolStudyTest : public QObject {
@@ -110,4 +109,6 @@ class GoniotoolStudyTest : public QObject {
 };
 
 GONIO_TEST(GoniotoolStudyTest)
+}  // namespace goniotool_study_test
+
 #include "goniotool_study_test.moc"

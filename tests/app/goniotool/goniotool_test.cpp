@@ -11,6 +11,7 @@
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/test_program.h"
 
+namespace goniotool_test {
 using namespace gonio;
 using namespace gonio::test;
 
@@ -276,4 +277,6 @@ class GoniotoolTest : public QObject {
 };
 
 GONIO_TEST(GoniotoolTest)
+}  // namespace goniotool_test
+
 #include "goniotool_test.moc"

@@ -13,11 +13,10 @@
 #include "tests/core/acquisition/selection_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace condition_search_test {
 using namespace gonio;
 using namespace gonio::acquisition;
-using namespace gonio::acquisition::test;
-
-namespace {
+using namespace gonio::acquisition::test_support;
 
 using Rows = std::vector<std::size_t>;
 
@@ -101,8 +100,6 @@ std::vector<Rows> startsOf(const dictionary::PrincipalComponents& basis, int sam
     starts.push_back(randomIndices(basis.mapping.cells.size(), std::size_t(samples), random()));
   return starts;
 }
-
-}  // namespace
 
 class ConditionSearchTest : public QObject {
   Q_OBJECT
@@ -203,4 +200,6 @@ class ConditionSearchTest : public QObject {
 };
 
 GONIO_TEST(ConditionSearchTest)
+}  // namespace condition_search_test
+
 #include "condition_search_test.moc"

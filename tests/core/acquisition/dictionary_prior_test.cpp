@@ -12,12 +12,11 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace dictionary_prior_test {
 using namespace gonio;
 using namespace gonio::acquisition;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
-
-namespace {
+using namespace gonio::dictionary::test_support;
 
 /// All signals of the materials, one a column.
 Eigen::MatrixXd signalsOf(const TrainingMaterials& materials, DataTransform transform) {
@@ -86,8 +85,6 @@ bool sameBits(const DictionaryPrior& a, const DictionaryPrior& b) {
   });
 }
 
-}  // namespace
-
 class DictionaryPriorTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -144,4 +141,6 @@ class DictionaryPriorTest : public QObject {
 };
 
 GONIO_TEST(DictionaryPriorTest)
+}  // namespace dictionary_prior_test
+
 #include "dictionary_prior_test.moc"

@@ -14,14 +14,13 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace dictionary_reconstruction_test {
 using namespace gonio;
 using namespace gonio::acquisition;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
+using namespace gonio::dictionary::test_support;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-namespace {
 
 constexpr double restVariance = 1e-3;
 
@@ -105,8 +104,6 @@ template <typename Work>
 QString messageOf(Work work) {
   return QString::fromStdString(gonio::test::errorOf(work));
 }
-
-}  // namespace
 
 class DictionaryReconstructionTest : public QObject {
   Q_OBJECT
@@ -255,4 +252,6 @@ class DictionaryReconstructionTest : public QObject {
 };
 
 GONIO_TEST(DictionaryReconstructionTest)
+}  // namespace dictionary_reconstruction_test
+
 #include "dictionary_reconstruction_test.moc"

@@ -9,10 +9,9 @@
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 
+namespace measurable_directions_test {
 using namespace gonio;
 using namespace gonio::acquisition;
-
-namespace {
 
 DirectionPair pairAt(double thetaI, double thetaO, double azimuthDifference) {
   return {fromSpherical(radians(thetaI), radians(30 + azimuthDifference)), fromSpherical(radians(thetaO), radians(30))};
@@ -26,8 +25,6 @@ QString errorOf(const MeasurableDirections& limits) {
   }
   return {};
 }
-
-}  // namespace
 
 class MeasurableDirectionsTest : public QObject {
   Q_OBJECT
@@ -124,4 +121,6 @@ class MeasurableDirectionsTest : public QObject {
 };
 
 GONIO_TEST(MeasurableDirectionsTest)
+}  // namespace measurable_directions_test
+
 #include "measurable_directions_test.moc"

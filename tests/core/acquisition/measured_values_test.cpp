@@ -10,10 +10,9 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace measured_values_test {
 using namespace gonio;
 using namespace gonio::acquisition;
-
-namespace {
 
 /// The same pair many times: statistics over its samples.
 SamplingPlan repeated(const DirectionPair& pair, int count) {
@@ -37,20 +36,18 @@ Statistics of(const std::vector<Rgb>& values, int channel) {
 constexpr int many = 20000;
 const DirectionPair pair{fromSpherical(0.4, 0.3), fromSpherical(0.9, 2.5)};
 
-}  // namespace
-
 class MeasuredValuesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void withoutErrors() {
-    const testing::FunctionBrdf brdf([](const Direction& wi, const Direction& wo) { return Rgb(wi.x, wo.z, 2); });
+    const test::FunctionBrdf brdf([](const Direction& wi, const Direction& wo) { return Rgb(wi.x, wo.z, 2); });
     const MeasuredValues measured = measure(brdf, repeated(pair, 3));
     QVERIFY(measured.noise.empty());
     QVERIFY(measured.rgb == std::vector<Rgb>(3, Rgb(pair.wi.x, pair.wo.z, 2)));
   }
 
   void noiseHasTheDeviationItTells() {
-    const auto brdf = testing::lambert(Rgb(0.1, 1, 10));
+    const auto brdf = test::lambert(Rgb(0.1, 1, 10));
     const MeasuredValues measured =
         measure(brdf, repeated(pair, many), {.relative = 0.1, .absolute = 0.01, .misalignment = 0, .seed = 3});
     QCOMPARE(measured.noise.size(), measured.rgb.size());
@@ -67,7 +64,7 @@ class MeasuredValuesTest : public QObject {
   /// Arms point by Gaussian angles beside where they should, of both axes alike.
   void misalignment() {
     const double sigma = 0.02;
-    const testing::FunctionBrdf brdf([](const Direction& wi, const Direction& wo) {
+    const test::FunctionBrdf brdf([](const Direction& wi, const Direction& wo) {
       const auto aside = [](const Direction& w, const Direction& from) {
         return std::asin(std::min(1.0, glm::length(glm::cross(w, from))));
       };
@@ -85,7 +82,7 @@ class MeasuredValuesTest : public QObject {
 
   /// Twice the errors are the same draws twice as large; another seed draws others; no reading is below 0.
   void seeds() {
-    const auto brdf = testing::lambert(Rgb(1));
+    const auto brdf = test::lambert(Rgb(1));
     const SamplingPlan plan = repeated(pair, 50);
     const auto once = measure(brdf, plan, {.relative = 0.01}), twice = measure(brdf, plan, {.relative = 0.02});
     for (std::size_t i = 0; i < 50; ++i)
@@ -102,7 +99,7 @@ class MeasuredValuesTest : public QObject {
 
   /// An arm that would go below the horizon stands on it.
   void horizon() {
-    const testing::FunctionBrdf brdf(
+    const test::FunctionBrdf brdf(
         [](const Direction& wi, const Direction& wo) { return Rgb(wi.z < 0, wo.z < 0, glm::length(wi)); });
     const DirectionPair grazing{fromSpherical(halfPi, 1), fromSpherical(halfPi, 3)};
     for (const Rgb& value : measure(brdf, repeated(grazing, 100), {.misalignment = 0.1}).rgb)
@@ -110,7 +107,7 @@ class MeasuredValuesTest : public QObject {
   }
 
   void refusals() {
-    const auto brdf = testing::lambert(Rgb(1));
+    const auto brdf = test::lambert(Rgb(1));
     const double nan = std::numeric_limits<double>::quiet_NaN();
     QVERIFY_EXCEPTION_THROWN(measure(brdf, repeated(pair, 1), {.relative = -1}), Error);
     QVERIFY_EXCEPTION_THROWN(measure(brdf, repeated(pair, 1), {.absolute = nan}), Error);
@@ -119,4 +116,6 @@ class MeasuredValuesTest : public QObject {
 };
 
 GONIO_TEST(MeasuredValuesTest)
+}  // namespace measured_values_test
+
 #include "measured_values_test.moc"

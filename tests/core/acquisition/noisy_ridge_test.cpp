@@ -12,13 +12,12 @@
 #include "tests/support/random_matrix.h"
 #include "tests/support/test_program.h"
 
+namespace noisy_ridge_test {
 using namespace gonio;
 using namespace gonio::acquisition;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using gonio::testing::randomMatrix;
-
-namespace {
+using gonio::test::randomMatrix;
 
 SampleRows randomSamples(Eigen::Index rows, Eigen::Index columns) {
   return {.positions = {}, .rows = randomMatrix(rows, columns, 1), .values = randomMatrix(rows, 3, 2), .variances = {}};
@@ -41,8 +40,6 @@ MatrixXd byDefinition(const SampleRows& samples, const VectorXd& variances) {
   const MatrixXd covariance = samples.rows * samples.rows.transpose() + MatrixXd(variances.asDiagonal());
   return samples.rows.transpose() * covariance.inverse() * samples.values;
 }
-
-}  // namespace
 
 class NoisyRidgeTest : public QObject {
   Q_OBJECT
@@ -112,4 +109,6 @@ class NoisyRidgeTest : public QObject {
 };
 
 GONIO_TEST(NoisyRidgeTest)
+}  // namespace noisy_ridge_test
+
 #include "noisy_ridge_test.moc"

@@ -9,6 +9,7 @@
 #include "tests/support/smooth_materials.h"
 #include "tests/support/test_program.h"
 
+namespace reconstruction_deviation_test {
 using namespace gonio;
 using namespace gonio::acquisition;
 using namespace gonio::dictionary;
@@ -18,9 +19,9 @@ class ReconstructionDeviationTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
-    basis_ = testing::learnFrom(testing::smoothMaterials(6));
+    basis_ = test::learnFrom(test::smoothMaterials(6));
     plan_ = everyCell(basis_, 9);
-    values_ = measure(*testing::smoothMaterial(77), plan_);
+    values_ = measure(*test::smoothMaterial(77), plan_);
   }
 
   /// The posterior of the cells by brute force: v (d (I - Q^T (Q Q^T + N)^-1 Q) d^T + t l), N = diag(eta + t l), l the
@@ -28,7 +29,7 @@ class ReconstructionDeviationTest : public QObject {
   void byBruteForce() {
     for (const auto& [plan, components] :
          {std::pair(everyCell(basis_, 97), basis_.count()), std::pair(plan_, basis_.count()), std::pair(plan_, 5)}) {
-      const MeasuredValues values = measure(*testing::smoothMaterial(77), plan);
+      const MeasuredValues values = measure(*test::smoothMaterial(77), plan);
       const MatrixXd q = rowsAt(basis_, plan, components), y = mappedAt(basis_, plan, values);
       for (const double ridge : {1e-3, 1.0, 40.0}) {
         const MatrixXd k = covarianceAt(basis_, plan, components, ridge).inverse();
@@ -60,10 +61,10 @@ class ReconstructionDeviationTest : public QObject {
 
   /// Where the samples tell nothing the deviation is that of the training signals, whatever is used or was kept.
   void untoldIsTheTrainingSet() {
-    const auto tables = testing::smoothMaterials(6);
+    const auto tables = test::smoothMaterials(6);
     const ReconstructionOptions untold{.ridge = std::numeric_limits<double>::infinity()};
     for (const int kept : {0, 1, 5, basis_.count()}) {
-      const PrincipalComponents truncated = testing::learnFrom(tables, {.mostComponents = kept});
+      const PrincipalComponents truncated = test::learnFrom(tables, {.mostComponents = kept});
       for (const int components : {1, 4, 0}) {
         ReconstructionOptions options = untold;
         options.components = components;
@@ -98,7 +99,7 @@ class ReconstructionDeviationTest : public QObject {
 
   /// A basis that kept five components and five of all: the same.
   void keptOrUsed() {
-    const PrincipalComponents truncated = testing::learnFrom(testing::smoothMaterials(6), {.mostComponents = 5});
+    const PrincipalComponents truncated = test::learnFrom(test::smoothMaterials(6), {.mostComponents = 5});
     for (const std::optional<double> ridge : {std::optional<double>(), std::optional<double>(40)}) {
       const Reconstruction used = reconstruct(basis_, plan_, values_, {.ridge = ridge, .components = 5});
       const Reconstruction kept = reconstruct(truncated, plan_, values_, {.ridge = ridge});
@@ -132,4 +133,6 @@ class ReconstructionDeviationTest : public QObject {
 };
 
 GONIO_TEST(ReconstructionDeviationTest)
+}  // namespace reconstruction_deviation_test
+
 #include "reconstruction_deviation_test.moc"

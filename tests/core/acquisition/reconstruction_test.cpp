@@ -14,12 +14,11 @@
 #include "tests/support/smooth_materials.h"
 #include "tests/support/test_program.h"
 
+namespace reconstruction_test {
 using namespace gonio;
 using namespace gonio::acquisition;
 using namespace gonio::dictionary;
 using Eigen::VectorXd;
-
-namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -27,22 +26,20 @@ ReconstructionOptions ridgeOf(std::optional<double> ridge, int components = 0) {
   return {.ridge = ridge, .components = components};
 }
 
-}  // namespace
-
 class ReconstructionTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
-    basis_ = testing::learnFrom(testing::smoothMaterials(6));
+    basis_ = test::learnFrom(test::smoothMaterials(6));
     plan_ = everyCell(basis_, 9);
     QVERIFY(plan_.samples.size() > 30);
-    values_ = measure(*testing::smoothMaterial(77), plan_);
+    values_ = measure(*test::smoothMaterial(77), plan_);
   }
 
   /// A material of the training set lies in the span of all components: without a ridge it comes back whole.
   void exactInTheSpan() {
     for (const unsigned seed : {1u, 4u}) {
-      const auto table = testing::smoothMaterial(seed);
+      const auto table = test::smoothMaterial(seed);
       const MeasuredValues values = measure(*table, plan_);
       const Reconstruction found = reconstruct(basis_, plan_, values, ridgeOf(1e-9, basis_.count()));
       QCOMPARE(found.components, basis_.count());
@@ -75,7 +72,7 @@ class ReconstructionTest : public QObject {
   void limitsOfTheRidge() {
     const SamplingPlan few = everyCell(basis_, 97);
     QVERIFY(few.samples.size() < 6);
-    const MeasuredValues values = measure(*testing::smoothMaterial(77), few);
+    const MeasuredValues values = measure(*test::smoothMaterial(77), few);
     const int components = basis_.count();
     const Reconstruction found = reconstruct(basis_, few, values, ridgeOf(0, components));
     const MatrixXd q = rowsAt(basis_, few, components), y = mappedAt(basis_, few, values);
@@ -95,18 +92,18 @@ class ReconstructionTest : public QObject {
   /// All components where none are asked for, never more than there are.
   void components() {
     const SamplingPlan few = everyCell(basis_, 97);
-    QCOMPARE(reconstruct(basis_, few, measure(*testing::smoothMaterial(7), few)).components, basis_.count());
+    QCOMPARE(reconstruct(basis_, few, measure(*test::smoothMaterial(7), few)).components, basis_.count());
     QCOMPARE(reconstruct(basis_, plan_, values_).components, basis_.count());
     QCOMPARE(reconstruct(basis_, plan_, values_, ridgeOf(1, 1000)).components, basis_.count());
   }
 
   /// The ridge by cross-validation predicts the cells that were not measured better than ridges far from it.
   void chosenRidge() {
-    const MeasuredValues noisy = measure(*testing::smoothMaterial(77), plan_, {.relative = 0.2});
+    const MeasuredValues noisy = measure(*test::smoothMaterial(77), plan_, {.relative = 0.2});
     const MeasuredValues unknown{noisy.rgb, {}};
     const Reconstruction found = reconstruct(basis_, plan_, unknown, ridgeOf(std::nullopt, basis_.count()));
     QVERIFY(found.ridge > 0 && std::isfinite(found.ridge));
-    const auto truth = testing::smoothMaterial(77);
+    const auto truth = test::smoothMaterial(77);
     const double error = rootMeanSquareDifference(basis_, *found.table, *truth);
     for (const double other : {1e-4, 1e4}) {
       const Reconstruction far = reconstruct(basis_, plan_, unknown, ridgeOf(other * found.ridge, basis_.count()));
@@ -193,7 +190,7 @@ class ReconstructionTest : public QObject {
       for (const float deviation : reconstruct(basis_, twice, values, ridgeOf(ridge)).deviation)
         QVERIFY(std::isfinite(deviation) && deviation >= 0);
 
-    const PrincipalComponents still = testing::learnFrom({greyTable()});
+    const PrincipalComponents still = test::learnFrom({greyTable()});
     QCOMPARE(still.count(), 0);
     const Reconstruction mean = reconstruct(still, one, {{Rgb(9)}, {}});
     QVERIFY(difference(still, *mean.table, *greyTable()) < 1e-5);
@@ -259,7 +256,7 @@ class ReconstructionTest : public QObject {
 
  private:
   static std::shared_ptr<const TabulatedBrdf> greyTable() {
-    const HalfDifferenceGrid grid = testing::smoothGrid;
+    const HalfDifferenceGrid grid = test::smoothGrid;
     std::vector<std::uint8_t> valid(grid.size());
     for (std::size_t cell = 0; cell < grid.size(); ++cell) valid[cell] = grid.nodeAboveHorizon(cell);
     return std::make_shared<const TabulatedBrdf>(
@@ -272,4 +269,6 @@ class ReconstructionTest : public QObject {
 };
 
 GONIO_TEST(ReconstructionTest)
+}  // namespace reconstruction_test
+
 #include "reconstruction_test.moc"

@@ -9,11 +9,10 @@
 #include "tests/core/acquisition/selection_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace sample_selection_test {
 using namespace gonio;
 using namespace gonio::acquisition;
-using namespace gonio::acquisition::test;
-
-namespace {
+using namespace gonio::acquisition::test_support;
 
 constexpr SelectionMethod pursuits[] = {SelectionMethod::simultaneousPursuit,
                                         SelectionMethod::simultaneousPursuitFirstColumns};
@@ -38,8 +37,6 @@ void compareWithPlain(const dictionary::PrincipalComponents& basis, const Select
   QVERIFY(isDistinctAmong(fast.cells, measurableCells(basis, options.measurable)));
   QVERIFY(std::isfinite(fast.conditionNumber) && fast.conditionNumber >= 1);
 }
-
-}  // namespace
 
 class SampleSelectionTest : public QObject {
   Q_OBJECT
@@ -190,4 +187,6 @@ class SampleSelectionTest : public QObject {
 };
 
 GONIO_TEST(SampleSelectionTest)
+}  // namespace sample_selection_test
+
 #include "sample_selection_test.moc"

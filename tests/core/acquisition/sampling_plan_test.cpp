@@ -15,10 +15,9 @@
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
+namespace sampling_plan_test {
 using namespace gonio;
 using namespace gonio::acquisition;
-
-namespace {
 
 std::vector<std::uint32_t> someCells(const HalfDifferenceGrid& grid, std::size_t count, unsigned seed) {
   std::mt19937 random(seed);
@@ -39,8 +38,6 @@ double lengthOf(std::span<const DirectionPair> pairs, const std::vector<std::siz
   }
   return length;
 }
-
-}  // namespace
 
 class SamplingPlanTest : public QObject {
   Q_OBJECT
@@ -71,7 +68,7 @@ class SamplingPlanTest : public QObject {
       const double step = halfPi / 90 * 0.3;
       const DirectionPair pair = fromHalfDifference(at.thetaH, at.thetaD + step, at.phiD - step);
       QCOMPARE(std::size_t(nearestNode(grid, pair)), cell);
-      QCOMPARE(std::size_t(nearestNode(grid, {testing::rotateZ(pair.wi, 2), testing::rotateZ(pair.wo, 2)})), cell);
+      QCOMPARE(std::size_t(nearestNode(grid, {test::rotateZ(pair.wi, 2), test::rotateZ(pair.wo, 2)})), cell);
       QCOMPARE(std::size_t(nearestNode(grid, {pair.wo, pair.wi})), cell);
     }
   }
@@ -123,7 +120,7 @@ class SamplingPlanTest : public QObject {
     for (unsigned seed = 1; seed <= 20; ++seed) {
       std::mt19937_64 random(seed);
       std::vector<DirectionPair> pairs;
-      for (int i = 0; i < 7; ++i) pairs.push_back({testing::randomUpper(random), testing::randomUpper(random)});
+      for (int i = 0; i < 7; ++i) pairs.push_back({test::randomUpper(random), test::randomUpper(random)});
       const double found = lengthOf(pairs, shortTravel(pairs));
       std::vector<std::size_t> way(pairs.size());
       std::iota(way.begin(), way.end(), std::size_t(0));
@@ -170,4 +167,6 @@ class SamplingPlanTest : public QObject {
 };
 
 GONIO_TEST(SamplingPlanTest)
+}  // namespace sampling_plan_test
+
 #include "sampling_plan_test.moc"

@@ -9,11 +9,10 @@
 #include "tests/core/acquisition/selection_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace selection_hard_cases_test {
 using namespace gonio;
 using namespace gonio::acquisition;
-using namespace gonio::acquisition::test;
-
-namespace {
+using namespace gonio::acquisition::test_support;
 
 constexpr SelectionMethod allMethods[] = {
     SelectionMethod::simultaneousPursuit, SelectionMethod::simultaneousPursuitFirstColumns,
@@ -35,8 +34,6 @@ std::vector<std::uint32_t> sorted(std::vector<std::uint32_t> cells) {
   std::sort(cells.begin(), cells.end());
   return cells;
 }
-
-}  // namespace
 
 class SelectionHardCasesTest : public QObject {
   Q_OBJECT
@@ -210,4 +207,6 @@ class SelectionHardCasesTest : public QObject {
 };
 
 GONIO_TEST(SelectionHardCasesTest)
+}  // namespace selection_hard_cases_test
+
 #include "selection_hard_cases_test.moc"

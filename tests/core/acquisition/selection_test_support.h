@@ -14,9 +14,9 @@
 
 /// Bases of random numbers, and Algorithm 4 of the dissertation in the plainest way: what the selection is checked
 /// with.
-namespace gonio::acquisition::test {
+namespace gonio::acquisition::test_support {
 
-using testing::randomMatrix;
+using test::randomMatrix;
 
 inline constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 12, .thetaDCount = 9, .phiDCount = 8};
 
@@ -134,4 +134,4 @@ inline bool isDistinctAmong(const std::vector<std::uint32_t>& cells, const std::
          std::includes(allowed.begin(), allowed.end(), distinct.begin(), distinct.end());
 }
 
-}  // namespace gonio::acquisition::test
+}  // namespace gonio::acquisition::test_support

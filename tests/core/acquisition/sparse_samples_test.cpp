@@ -9,11 +9,10 @@
 #include "core/math/matching_pursuit.h"
 #include "tests/support/test_program.h"
 
+namespace sparse_samples_test {
 using namespace gonio;
 using namespace gonio::acquisition;
 using Eigen::MatrixXd;
-
-namespace {
 
 /// Rows of falling size and values of three components with some noise.
 SampleRows randomSamples(Eigen::Index count, Eigen::Index components, unsigned seed) {
@@ -59,8 +58,6 @@ Eigen::VectorXd byBruteForce(const SampleRows& samples, Eigen::Index channel) {
   return pursue(samples.rows, samples.values.col(channel), best);
 }
 
-}  // namespace
-
 class SparseSamplesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -99,4 +96,6 @@ class SparseSamplesTest : public QObject {
 };
 
 GONIO_TEST(SparseSamplesTest)
+}  // namespace sparse_samples_test
+
 #include "sparse_samples_test.moc"

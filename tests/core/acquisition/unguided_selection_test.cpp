@@ -10,10 +10,9 @@
 
 #include "tests/support/test_program.h"
 
+namespace unguided_selection_test {
 using namespace gonio;
 using namespace gonio::acquisition;
-
-namespace {
 
 using Indices = std::vector<std::size_t>;
 
@@ -25,8 +24,6 @@ std::vector<std::uint32_t> cellsAboveHorizon(const HalfDifferenceGrid& grid) {
 }
 
 bool distinct(const Indices& indices) { return std::set(indices.begin(), indices.end()).size() == indices.size(); }
-
-}  // namespace
 
 class UnguidedSelectionTest : public QObject {
   Q_OBJECT
@@ -93,4 +90,6 @@ class UnguidedSelectionTest : public QObject {
 };
 
 GONIO_TEST(UnguidedSelectionTest)
+}  // namespace unguided_selection_test
+
 #include "unguided_selection_test.moc"

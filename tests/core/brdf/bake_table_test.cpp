@@ -11,13 +11,14 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace bake_table_test {
 using namespace gonio;
 
 class BakeTableTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void nodesHoldTheModelsValues() {
-    const auto brdf = testing::ggx(Rgb(0.2, 0.3, 0.4), Rgb(1, 0.9, 0.8), 0.2, 0.1);
+    const auto brdf = test::ggx(Rgb(0.2, 0.3, 0.4), Rgb(1, 0.9, 0.8), 0.2, 0.1);
     const auto table = bakeTable(*brdf);
     QCOMPARE(table->validCount(), std::size_t(1111432));
     const HalfDifferenceGrid& grid = table->grid();
@@ -31,7 +32,7 @@ class BakeTableTest : public QObject {
   }
 
   void sameBitsForAnyThreadCount() {
-    const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), 0.05, 0.9);
+    const auto brdf = test::ggx(Rgb(0.2), Rgb(1), 0.05, 0.9);
     const auto bake = [&](int threads) {
       const ThreadLimit limit(threads);
       return bakeTable(*brdf);
@@ -43,7 +44,7 @@ class BakeTableTest : public QObject {
 
   /// 1 + cos of twice the azimuth of wi averages to 1 over four or more rotations; over one it does not.
   void anisotropicIsAveragedOverAzimuths() {
-    const testing::FunctionBrdf brdf(
+    const test::FunctionBrdf brdf(
         [](const Direction& wi, const Direction&) {
           return Rgb(wi.x * wi.x + wi.y * wi.y > 0 ? 2 * wi.x * wi.x / (wi.x * wi.x + wi.y * wi.y) : 1.0);
         },
@@ -62,8 +63,7 @@ class BakeTableTest : public QObject {
   /// A grid that folds phi_d cannot tell wi from wo: of f = cos^2 theta_i its nodes hold the mean of both orders. One
   /// that does not fold it tells them apart.
   void bothOrdersAreAveragedWhereTheGridFolds() {
-    const testing::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(wi.z * wi.z); }, true,
-                                     false);
+    const test::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(wi.z * wi.z); }, true, false);
     const auto folded = bakeTable(brdf, {10, 10, 20, true}), whole = bakeTable(brdf, {10, 10, 40, false});
     const auto check = [](const TabulatedBrdf& table, double (*expected)(const DirectionPair&)) {
       for (std::size_t i = 0; i < table.grid().size(); ++i)
@@ -74,22 +74,22 @@ class BakeTableTest : public QObject {
   }
 
   void mirrorImagesOfAPairAgree() {
-    const auto table = bakeTable(*testing::ggx(Rgb(0.1), Rgb(1), 0.3, 0.2));
+    const auto table = bakeTable(*test::ggx(Rgb(0.1), Rgb(1), 0.3, 0.2));
     std::mt19937_64 random(1);
     for (int n = 0; n < 10000; ++n) {
-      const Direction wi = testing::randomUpper(random), wo = testing::randomUpper(random);
+      const Direction wi = test::randomUpper(random), wo = test::randomUpper(random);
       const Rgb a = table->evaluate(wi, wo), b = table->evaluate({wi.x, -wi.y, wi.z}, {wo.x, -wo.y, wo.z});
       QVERIFY(maxChannel(glm::abs(a - b)) <= 1e-6 * std::max(1.0, maxChannel(a)));
     }
   }
 
   void aBrdfThatIsNotFiniteIsRefused() {
-    const testing::FunctionBrdf bad([](const Direction& wi, const Direction&) { return Rgb(wi.z > 0.5 ? NAN : 0.0); });
+    const test::FunctionBrdf bad([](const Direction& wi, const Direction&) { return Rgb(wi.z > 0.5 ? NAN : 0.0); });
     QVERIFY_THROWS_EXCEPTION(Error, bakeTable(bad, {10, 10, 10, true}));
   }
 
   void hardCase39OverflowOfFloatIsCapped() {
-    const testing::FunctionBrdf huge([](const Direction&, const Direction&) { return Rgb(1e300, 2, 0); });
+    const test::FunctionBrdf huge([](const Direction&, const Direction&) { return Rgb(1e300, 2, 0); });
     const auto table = bakeTable(huge, {10, 10, 10, true});
     for (std::size_t i = 0; i < table->grid().size(); ++i)
       if (table->valid()[i])
@@ -102,9 +102,11 @@ class BakeTableTest : public QObject {
     source.request_stop();
     TaskControl control;
     control.stop = source.get_token();
-    QVERIFY_THROWS_EXCEPTION(Cancelled, bakeTable(testing::lambert(Rgb(1)), {}, control));
+    QVERIFY_THROWS_EXCEPTION(Cancelled, bakeTable(test::lambert(Rgb(1)), {}, control));
   }
 };
 
 GONIO_TEST(BakeTableTest)
+}  // namespace bake_table_test
+
 #include "bake_table_test.moc"

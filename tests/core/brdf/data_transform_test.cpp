@@ -7,6 +7,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace data_transform_test {
 using namespace gonio;
 
 class DataTransformTest : public QObject {
@@ -91,4 +92,6 @@ class DataTransformTest : public QObject {
 };
 
 GONIO_TEST(DataTransformTest)
+}  // namespace data_transform_test
+
 #include "data_transform_test.moc"

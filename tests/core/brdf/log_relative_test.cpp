@@ -9,6 +9,7 @@
 #include "core/math/parallel.h"
 #include "tests/support/test_program.h"
 
+namespace log_relative_test {
 using namespace gonio;
 
 class LogRelativeTest : public QObject {
@@ -109,4 +110,6 @@ class LogRelativeTest : public QObject {
 };
 
 GONIO_TEST(LogRelativeTest)
+}  // namespace log_relative_test
+
 #include "log_relative_test.moc"

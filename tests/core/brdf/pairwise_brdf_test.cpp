@@ -7,6 +7,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace pairwise_brdf_test {
 using namespace gonio;
 
 class PairwiseBrdfTest : public QObject {
@@ -35,4 +36,6 @@ class PairwiseBrdfTest : public QObject {
 };
 
 GONIO_TEST(PairwiseBrdfTest)
+}  // namespace pairwise_brdf_test
+
 #include "pairwise_brdf_test.moc"

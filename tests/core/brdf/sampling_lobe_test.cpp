@@ -11,9 +11,8 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace sampling_lobe_test {
 using namespace gonio;
-
-namespace {
 
 const SamplingLobe lobes[] = {{0.1, 0.5}, {0.3, 0.95}, {0.6, 0.3}, {1, 0.8}, {0.5, 0}};
 
@@ -61,8 +60,6 @@ glm::dvec2 albedoEstimate(const Brdf& brdf, const SamplingLobe& lobe, const Dire
   }
   return {sum, std::sqrt(std::max(0.0, squares - sum * sum))};
 }
-
-}  // namespace
 
 class SamplingLobeTest : public QObject {
   Q_OBJECT
@@ -141,11 +138,11 @@ class SamplingLobeTest : public QObject {
     QCOMPARE((SamplingLobe{0.3, 0.5}.pdf({0, 0.6, -0.8}, {0, 0, 1})), 0.0);
   }
 
-  void lambertNeedsNoLobe() { QCOMPARE(estimateSamplingLobe(testing::lambert(Rgb(0.5))).specularShare, 0.0); }
+  void lambertNeedsNoLobe() { QCOMPARE(estimateSamplingLobe(test::lambert(Rgb(0.5))).specularShare, 0.0); }
 
   void metalsFindTheirRoughness() {
     for (const double roughness : {0.003, 0.01, 0.05, 0.2}) {
-      const SamplingLobe lobe = estimateSamplingLobe(*testing::ggx(Rgb(0), Rgb(1), roughness, 0.9));
+      const SamplingLobe lobe = estimateSamplingLobe(*test::ggx(Rgb(0), Rgb(1), roughness, 0.9));
       QVERIFY2(lobe.roughness > roughness / 1.5 && lobe.roughness < roughness * 1.5,
                qPrintable(QString("%1 of %2").arg(lobe.roughness).arg(roughness)));
       QVERIFY(lobe.specularShare >= 0.9);
@@ -153,7 +150,7 @@ class SamplingLobeTest : public QObject {
   }
 
   void aMirrorIsSampledWithoutNoise() {
-    const auto mirror = testing::ggx(Rgb(0), Rgb(1), 1e-3, 0.95);
+    const auto mirror = test::ggx(Rgb(0), Rgb(1), 1e-3, 0.95);
     const SamplingLobe lobe = estimateSamplingLobe(*mirror);
     QVERIFY(lobe.roughness <= 2e-3);
     const glm::dvec2 estimate = albedoEstimate(*mirror, lobe, fromSpherical(0.5, 0));
@@ -162,7 +159,7 @@ class SamplingLobeTest : public QObject {
   }
 
   void plasticIsSampledBetterThanByItsCosine() {
-    const auto plastic = testing::ggx(Rgb(0.3), Rgb(1), 0.03, 0.04);
+    const auto plastic = test::ggx(Rgb(0.3), Rgb(1), 0.03, 0.04);
     const SamplingLobe lobe = estimateSamplingLobe(*plastic);
     for (const double theta : {0.2, 0.7, 1.2}) {
       const Direction wo = fromSpherical(theta, 0);
@@ -172,7 +169,7 @@ class SamplingLobeTest : public QObject {
 
   /// A fifth of the cells missing, the sharpest ones among them: still a usable lobe.
   void tablesWithHoles() {
-    const auto whole = bakeTable(*testing::ggx(Rgb(0.1), Rgb(1), 0.1, 0.5));
+    const auto whole = bakeTable(*test::ggx(Rgb(0.1), Rgb(1), 0.1, 0.5));
     std::vector<TabulatedBrdf::Value> values(whole->values().begin(), whole->values().end());
     std::vector<std::uint8_t> valid(whole->valid().begin(), whole->valid().end());
     std::mt19937_64 random(2);
@@ -185,11 +182,13 @@ class SamplingLobeTest : public QObject {
   void blackAndBrokenBrdfsGetADefault() {
     for (const double value : {0.0, -1.0, double(NAN)}) {
       const SamplingLobe lobe =
-          estimateSamplingLobe(testing::FunctionBrdf([&](const Direction&, const Direction&) { return Rgb(value); }));
+          estimateSamplingLobe(test::FunctionBrdf([&](const Direction&, const Direction&) { return Rgb(value); }));
       QVERIFY(lobe.roughness >= 1e-3 && lobe.roughness <= 1 && lobe.specularShare >= 0 && lobe.specularShare <= 0.95);
     }
   }
 };
 
 GONIO_TEST(SamplingLobeTest)
+}  // namespace sampling_lobe_test
+
 #include "sampling_lobe_test.moc"

@@ -8,6 +8,7 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace statistics_test {
 using namespace gonio;
 
 class StatisticsTest : public QObject {
@@ -45,7 +46,7 @@ class StatisticsTest : public QObject {
   void lambertReflectsItsAlbedo() {
     const Rgb albedo(0.2, 0.5, 0.9);
     for (const double angle : {0.0, 30.0, 60.0, 80.0, 89.0}) {
-      const Rgb value = directionalAlbedo(testing::lambert(albedo), radians(angle));
+      const Rgb value = directionalAlbedo(test::lambert(albedo), radians(angle));
       QVERIFY(maxChannel(glm::abs(value - albedo)) < 1e-12);
     }
   }
@@ -53,7 +54,7 @@ class StatisticsTest : public QObject {
   /// f = (n + 1) / (2 pi) cos^(n - 1) theta_i reflects exactly 1.
   void powersOfTheCosineReflectOne() {
     for (const double n : {2.0, 5.0, 20.0}) {
-      const testing::FunctionBrdf brdf(
+      const test::FunctionBrdf brdf(
           [n](const Direction& wi, const Direction&) { return Rgb((n + 1) / (2 * pi) * std::pow(wi.z, n - 1)); });
       for (const double angle : {0.0, 0.8})
         QVERIFY2(std::abs(directionalAlbedo(brdf, angle).x - 1) < 1e-3,
@@ -63,7 +64,7 @@ class StatisticsTest : public QObject {
 
   /// Published figures (rounded to three digits) of a lossless GGX with separable masking, roughness 0.2.
   void whiteFurnaceOfGgx() {
-    const auto brdf = testing::ggx(Rgb(0), Rgb(1), 0.2, 1);
+    const auto brdf = test::ggx(Rgb(0), Rgb(1), 0.2, 1);
     const std::pair<double, double> figures[] = {{0, 0.948}, {45, 0.924}, {75, 0.851}, {89, 0.901}};
     for (const auto& [angle, expected] : figures) {
       const double albedo = directionalAlbedo(*brdf, radians(angle)).x;
@@ -73,7 +74,7 @@ class StatisticsTest : public QObject {
 
   /// Of a table of a mirror: as the model, up to what the grid resolves.
   void albedoOfASharpTable() {
-    const auto brdf = testing::ggx(Rgb(0), Rgb(1), 0.02, 0.9);
+    const auto brdf = test::ggx(Rgb(0), Rgb(1), 0.02, 0.9);
     const auto table = bakeTable(*brdf);
     for (const double angle : {10.0, 45.0, 70.0})
       QVERIFY(std::abs(directionalAlbedo(*table, radians(angle)).x / directionalAlbedo(*brdf, radians(angle)).x - 1) <
@@ -82,4 +83,6 @@ class StatisticsTest : public QObject {
 };
 
 GONIO_TEST(StatisticsTest)
+}  // namespace statistics_test
+
 #include "statistics_test.moc"

@@ -11,9 +11,8 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace tabulated_brdf_test {
 using namespace gonio;
-
-namespace {
 
 constexpr HalfDifferenceGrid smallGrid{7, 6, 10, true};
 
@@ -58,8 +57,6 @@ Rgb bruteForce(const TabulatedBrdf& table, const HalfDifference& at, bool& valid
 }
 
 bool near(const Rgb& a, const Rgb& b, double tolerance) { return maxChannel(glm::abs(a - b)) <= tolerance; }
-
-}  // namespace
 
 class TabulatedBrdfTest : public QObject {
   Q_OBJECT
@@ -146,7 +143,7 @@ class TabulatedBrdfTest : public QObject {
     QVERIFY(full->hasData({up, up}) && !full->hasData({below, up}) && !full->hasData({up, below}));
     QVERIFY(!none->hasData({up, up}));
     QCOMPARE(full->asTable(), full.get());
-    const testing::FunctionBrdf model = testing::lambert(Rgb(0));
+    const test::FunctionBrdf model = test::lambert(Rgb(0));
     QVERIFY(model.hasData({up, up}) && !model.hasData({up, below}) && !model.asTable());
   }
 
@@ -155,7 +152,7 @@ class TabulatedBrdfTest : public QObject {
     const auto table = randomTable({}, 0.05, 8);
     std::mt19937_64 random(9);
     std::vector<DirectionPair> pairs;
-    for (int n = 0; n < 1001; ++n) pairs.push_back({testing::randomUpper(random), testing::randomUpper(random)});
+    for (int n = 0; n < 1001; ++n) pairs.push_back({test::randomUpper(random), test::randomUpper(random)});
     pairs[3].wi.z = -0.5;
     std::vector<Rgb> values(pairs.size());
     for (const TableLookup mode : {TableLookup::nearest, TableLookup::trilinear}) {
@@ -174,13 +171,13 @@ class TabulatedBrdfTest : public QObject {
     const auto table = randomTable({}, 0.05, 10);
     std::mt19937_64 random(11);
     for (int n = 0; n < 10000; ++n) {
-      const Direction wi = testing::randomUpper(random), wo = testing::randomUpper(random);
+      const Direction wi = test::randomUpper(random), wo = test::randomUpper(random);
       QVERIFY(near(table->evaluate(wi, wo), table->evaluate(wo, wi), 1e-9));
     }
   }
 
   void hardCase1GrazingDirections() {
-    const auto table = bakeTable(*testing::ggx(Rgb(0.3), Rgb(1), 0.1, 0.04));
+    const auto table = bakeTable(*test::ggx(Rgb(0.3), Rgb(1), 0.1, 0.04));
     for (const double z : {0.0, -1e-17, 1e-17, 1e-8})
       for (const double phi : {0.0, 1.0, 2.0, 3.1, pi}) {
         const Direction grazing{std::cos(phi), std::sin(phi), z};
@@ -203,10 +200,10 @@ class TabulatedBrdfTest : public QObject {
   }
 
   void hardCase3RetroReflectionIsContinuous() {
-    const auto table = bakeTable(*testing::ggx(Rgb(0.3), Rgb(1), 0.3, 0.5));
+    const auto table = bakeTable(*test::ggx(Rgb(0.3), Rgb(1), 0.3, 0.5));
     std::mt19937_64 random(13);
     for (int n = 0; n < 1000; ++n) {
-      const Direction wi = testing::randomUpper(random);
+      const Direction wi = test::randomUpper(random);
       if (wi.z < 0.1) continue;
       const Direction beside = glm::normalize(wi + Direction(1e-9, 5e-10, 0));
       QVERIFY(near(table->evaluate(wi, wi), table->evaluate(wi, beside), 1e-6));
@@ -219,7 +216,7 @@ class TabulatedBrdfTest : public QObject {
   }
 
   void hardCase5MirrorPairs() {
-    const auto table = bakeTable(*testing::ggx(Rgb(0), Rgb(1), 0.1, 0.5));
+    const auto table = bakeTable(*test::ggx(Rgb(0), Rgb(1), 0.1, 0.5));
     for (double theta = 0; theta < 1.4; theta += 0.1)
       for (const double phi : {0.0, 0.5, 1.5707963, 3.0, -2.0}) {
         const Direction wi = fromSpherical(theta, phi), wo{-wi.x, -wi.y, wi.z};
@@ -271,4 +268,6 @@ class TabulatedBrdfTest : public QObject {
 };
 
 GONIO_TEST(TabulatedBrdfTest)
+}  // namespace tabulated_brdf_test
+
 #include "tabulated_brdf_test.moc"

@@ -10,10 +10,9 @@
 #include "tests/support/sampling_check.h"
 #include "tests/support/test_program.h"
 
+namespace weighted_sum_test {
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 constexpr HalfDifferenceGrid grid{.thetaHCount = 12, .thetaDCount = 10, .phiDCount = 18};
 
@@ -24,8 +23,6 @@ const std::shared_ptr<const Brdf> shiny = shared(ggx(Rgb(0.05), Rgb(0.9), 0.2, 0
 std::shared_ptr<const Brdf> sumOf(std::vector<std::shared_ptr<const Brdf>> terms, std::vector<double> weights) {
   return weightedSum(std::move(terms), std::move(weights));
 }
-
-}  // namespace
 
 class WeightedSumTest : public QObject {
   Q_OBJECT
@@ -55,7 +52,7 @@ class WeightedSumTest : public QObject {
   void drawsFromAllTerms() {
     const auto sum = sumOf({matte, shiny}, {0.3, 1.2});
     for (const double theta : {0.0, 0.7, 1.4}) {
-      const tests::SamplingCheck check = tests::checkSampling(*sum, fromSpherical(theta, 0.3));
+      const test::SamplingCheck check = test::checkSampling(*sum, fromSpherical(theta, 0.3));
       QVERIFY(check.valid);
       QVERIFY(std::abs(check.integral - 1) < 1e-4);
       QVERIFY(check.pValue > 1e-5);
@@ -97,4 +94,6 @@ class WeightedSumTest : public QObject {
 };
 
 GONIO_TEST(WeightedSumTest)
+}  // namespace weighted_sum_test
+
 #include "weighted_sum_test.moc"

@@ -7,6 +7,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace grid_directions_test {
 using namespace gonio;
 
 class GridDirectionsTest : public QObject {
@@ -30,4 +31,6 @@ class GridDirectionsTest : public QObject {
 };
 
 GONIO_TEST(GridDirectionsTest)
+}  // namespace grid_directions_test
+
 #include "grid_directions_test.moc"

@@ -9,9 +9,9 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace half_difference_block_test {
 using namespace gonio;
 
-namespace {
 /// The definition in its plain form (algorithms of Rusinkiewicz's paper with the library's functions), as the oracle.
 HalfDifference plain(const Direction& wi, const Direction& wo) {
   const Direction sum = wi + wo, difference = wi - wo, h = glm::normalize(sum);
@@ -21,15 +21,13 @@ HalfDifference plain(const Direction& wi, const Direction& wo) {
   return {std::atan2(r, h.z), std::atan2(glm::length(difference), glm::length(sum)),
           std::atan2(glm::dot(wi, bitangent), glm::dot(wi, tangent)), true};
 }
-}  // namespace
-
 class HalfDifferenceBlockTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void agreesWithThePlainForm() {
     std::mt19937_64 random(1);
     for (int n = 0; n < 200000; ++n) {
-      const Direction wi = testing::randomUpper(random), wo = testing::randomUpper(random);
+      const Direction wi = test::randomUpper(random), wo = test::randomUpper(random);
       const HalfDifference a = toHalfDifference(wi, wo), b = plain(wi, wo);
       QVERIFY(std::abs(a.thetaH - b.thetaH) < 1e-14);
       QVERIFY(std::abs(a.thetaD - b.thetaD) < 1e-14);
@@ -41,7 +39,7 @@ class HalfDifferenceBlockTest : public QObject {
   void blocksAndSinglePairsHaveTheSameBits() {
     std::mt19937_64 random(2);
     std::vector<DirectionPair> pairs;
-    for (int n = 0; n < 61; ++n) pairs.push_back({testing::randomUpper(random), testing::randomUpper(random)});
+    for (int n = 0; n < 61; ++n) pairs.push_back({test::randomUpper(random), test::randomUpper(random)});
     pairs[7] = {{1, 0, 0}, {-1, 0, 0}};
     pairs[8].wo = pairs[8].wi;
     pairs[9] = {{0.6, 0, 0.8}, {-0.6, 0, 0.8}};
@@ -64,4 +62,6 @@ class HalfDifferenceBlockTest : public QObject {
 };
 
 GONIO_TEST(HalfDifferenceBlockTest)
+}  // namespace half_difference_block_test
+
 #include "half_difference_block_test.moc"

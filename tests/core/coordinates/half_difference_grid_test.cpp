@@ -6,6 +6,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace half_difference_grid_test {
 using namespace gonio;
 
 class HalfDifferenceGridTest : public QObject {
@@ -54,4 +55,6 @@ class HalfDifferenceGridTest : public QObject {
 };
 
 GONIO_TEST(HalfDifferenceGridTest)
+}  // namespace half_difference_grid_test
+
 #include "half_difference_grid_test.moc"

@@ -9,16 +9,14 @@
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
+namespace half_difference_test {
 using namespace gonio;
-using testing::randomUpper;
-using testing::rotateZ;
+using test::randomUpper;
+using test::rotateZ;
 
-namespace {
 double angleBetween(const Direction& a, const Direction& b) {
   return 2 * std::atan2(glm::length(a - b), glm::length(a + b));
 }
-}  // namespace
-
 class HalfDifferenceTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -88,4 +86,6 @@ class HalfDifferenceTest : public QObject {
 };
 
 GONIO_TEST(HalfDifferenceTest)
+}  // namespace half_difference_test
+
 #include "half_difference_test.moc"

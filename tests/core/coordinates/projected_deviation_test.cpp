@@ -10,11 +10,10 @@
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
+namespace projected_deviation_test {
 using namespace gonio;
-using testing::randomUpper;
-using testing::rotateZ;
-
-namespace {
+using test::randomUpper;
+using test::rotateZ;
 
 /// Coordinates and back, turned to the viewer's azimuth. Near the horizon z loses half of the digits of the disk.
 bool roundTrips(const Direction& wi, const Direction& wo) {
@@ -25,8 +24,6 @@ bool roundTrips(const Direction& wi, const Direction& wo) {
   return back.valid && glm::length(light) < 1e-12 && glm::length(viewer) < 1e-12 &&
          std::abs(z) * std::max(std::abs(wi.z), std::abs(z)) < 1e-12 && std::abs(back.pair.wo.z - wo.z) < 1e-12;
 }
-
-}  // namespace
 
 class ProjectedDeviationTest : public QObject {
   Q_OBJECT
@@ -152,4 +149,6 @@ class ProjectedDeviationTest : public QObject {
 };
 
 GONIO_TEST(ProjectedDeviationTest)
+}  // namespace projected_deviation_test
+
 #include "projected_deviation_test.moc"

@@ -11,11 +11,10 @@
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
+namespace code_brdf_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
-
-namespace {
+using namespace gonio::dictionary::test_support;
 
 constexpr float unbounded = ChannelCode{}.highest;
 
@@ -33,8 +32,6 @@ double trilinear(const Eigen::ArrayXf& signal, const HalfDifferenceGrid::Positio
   }
   return sum;
 }
-
-}  // namespace
 
 class CodeBrdfTest : public QObject {
   Q_OBJECT
@@ -126,7 +123,7 @@ class CodeBrdfTest : public QObject {
     std::mt19937_64 random(7);
     double largest = 0;
     for (int i = 0; i < 2000; ++i)
-      largest = std::max(largest, brdf->evaluate(testing::randomUpper(random), testing::randomUpper(random)).y);
+      largest = std::max(largest, brdf->evaluate(test::randomUpper(random), test::randomUpper(random)).y);
     QVERIFY(std::abs(largest / std::expm1(double(bound)) - 1) < 1e-6);
   }
 
@@ -199,4 +196,6 @@ class CodeBrdfTest : public QObject {
 };
 
 GONIO_TEST(CodeBrdfTest)
+}  // namespace code_brdf_test
+
 #include "code_brdf_test.moc"

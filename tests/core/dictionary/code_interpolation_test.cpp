@@ -12,19 +12,16 @@
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace code_interpolation_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
-
-namespace {
+using namespace gonio::dictionary::test_support;
 
 SparseCode encoded(const Ensemble& ensemble, std::size_t material, DataTransform transform) {
   return Encoder(ensemble)
       .encode(*ggxMaterials(3).load(material), {.coefficients = 120, .transforms = {transform}})
       .code;
 }
-
-}  // namespace
 
 class CodeInterpolationTest : public QObject {
   Q_OBJECT
@@ -175,4 +172,6 @@ class CodeInterpolationTest : public QObject {
 };
 
 GONIO_TEST(CodeInterpolationTest)
+}  // namespace code_interpolation_test
+
 #include "code_interpolation_test.moc"

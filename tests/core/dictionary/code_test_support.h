@@ -7,7 +7,7 @@
 #include "core/dictionary/sparse_code.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 
-namespace gonio::dictionary::test {
+namespace gonio::dictionary::test_support {
 
 /// Root mean square of the differences of valid cells over that of the values.
 inline double relativeDifference(const TabulatedBrdf& a, const TabulatedBrdf& b) {
@@ -32,4 +32,4 @@ inline bool sameBits(const SparseCode& a, const SparseCode& b) {
   return a.transform == b.transform;
 }
 
-}  // namespace gonio::dictionary::test
+}  // namespace gonio::dictionary::test_support

@@ -14,7 +14,7 @@
 #include "tests/studies/research/factorization/tensor.h"
 #include "tests/support/function_brdf.h"
 
-namespace gonio::dictionary::test {
+namespace gonio::dictionary::test_support {
 
 inline Eigen::MatrixXd randomOrthonormal(int size, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
@@ -79,10 +79,10 @@ inline TrainingMaterials ggxMaterials(int materials) {
     const double x = double(m + 1) / (materials + 1);
     result.names.push_back("material " + std::to_string(m));
     tables.push_back(
-        bakeTable(*testing::ggx(Rgb(0.4 * x, 0.2, 0.5 - 0.3 * x), Rgb(x), 0.08 + 0.5 * x, 0.05 + 0.4 * x), smallGrid));
+        bakeTable(*test::ggx(Rgb(0.4 * x, 0.2, 0.5 - 0.3 * x), Rgb(x), 0.08 + 0.5 * x, 0.05 + 0.4 * x), smallGrid));
   }
   result.load = [tables](std::size_t m) { return tables[m]; };
   return result;
 }
 
-}  // namespace gonio::dictionary::test
+}  // namespace gonio::dictionary::test_support

@@ -8,9 +8,10 @@
 #include "tests/core/dictionary/code_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace encode_hard_cases_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
+using namespace gonio::dictionary::test_support;
 
 class EncodeHardCasesTest : public QObject {
   Q_OBJECT
@@ -18,7 +19,7 @@ class EncodeHardCasesTest : public QObject {
   /// Black materials and black channels give zeros back, exactly.
   void hardCase12BlackChannels() {
     const Ensemble ensemble = randomEnsemble(2);
-    const auto table = bakeTable(testing::lambert(Rgb(0, 0.5, 0)), smallGrid);
+    const auto table = bakeTable(test::lambert(Rgb(0, 0.5, 0)), smallGrid);
     const Encoded encoded = Encoder(ensemble).encode(*table, {.coefficients = 40});
     const auto decoded = decode(ensemble, encoded.code);
     for (const TabulatedBrdf::Value& value : decoded->values()) QVERIFY(value.x == 0 && value.z == 0);
@@ -27,7 +28,7 @@ class EncodeHardCasesTest : public QObject {
 
   /// One coefficient where each mode has a constant atom, in log-plus; elsewhere more lower the error.
   void hardCase14Constant() {
-    const auto table = bakeTable(testing::lambert(Rgb(0.5)), smallGrid);
+    const auto table = bakeTable(test::lambert(Rgb(0.5)), smallGrid);
     const Ensemble ensemble = randomEnsemble(2);
     double last = 1e300;
     for (const std::size_t coefficients : {1, 10, 100, 1000, int(smallGrid.size())}) {
@@ -110,4 +111,6 @@ class EncodeHardCasesTest : public QObject {
 };
 
 GONIO_TEST(EncodeHardCasesTest)
+}  // namespace encode_hard_cases_test
+
 #include "encode_hard_cases_test.moc"

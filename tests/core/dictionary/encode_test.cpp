@@ -9,11 +9,10 @@
 #include "tests/core/dictionary/code_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace encode_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
-
-namespace {
+using namespace gonio::dictionary::test_support;
 
 /// Of the scaled signals over the valid cells, all channels: what encoding lowers.
 double squaredError(const Ensemble& ensemble, const SparseCode& code, const TabulatedBrdf& table) {
@@ -29,8 +28,6 @@ double squaredError(const Ensemble& ensemble, const SparseCode& code, const Tabu
   }
   return error;
 }
-
-}  // namespace
 
 class EncodeTest : public QObject {
   Q_OBJECT
@@ -149,7 +146,7 @@ class EncodeTest : public QObject {
     // Sharp highlights, by which the squared error goes alone, over bodies.
     for (const double alpha : {0.02, 0.04, 0.08})
       for (const std::size_t coefficients : {10, 40, 160, 640, 1200}) {
-        const auto table = bakeTable(*testing::ggx(Rgb(0.3), Rgb(1), alpha, 0.5), smallGrid);
+        const auto table = bakeTable(*test::ggx(Rgb(0.3), Rgb(1), alpha, 0.5), smallGrid);
         const Encoded encoded = encoder.encode(*table, {.coefficients = coefficients, .gamma = 3});
         const auto &first = encoded.candidates[0], &second = encoded.candidates[1];
         const bool chooseFirst = first.gammaError <= second.gammaError;
@@ -215,9 +212,11 @@ class EncodeTest : public QObject {
     code.channels[1].dictionary = 1;
     code.channels[1].coefficients.push_back({std::uint32_t(smallGrid.size()), 1.0f});
     QVERIFY_EXCEPTION_THROWN(decode(ensemble, code), Error);
-    QVERIFY_EXCEPTION_THROWN(Encoder(ensemble).encode(*bakeTable(testing::lambert(Rgb(0.5)), {8, 8, 8, true})), Error);
+    QVERIFY_EXCEPTION_THROWN(Encoder(ensemble).encode(*bakeTable(test::lambert(Rgb(0.5)), {8, 8, 8, true})), Error);
   }
 };
 
 GONIO_TEST(EncodeTest)
+}  // namespace encode_test
+
 #include "encode_test.moc"

@@ -9,11 +9,10 @@
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace ensemble_learner_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
-
-namespace {
+using namespace gonio::dictionary::test_support;
 
 constexpr Sizes sizes{8, 6, 7};
 
@@ -21,8 +20,6 @@ void verifyOrthonormal(const std::vector<ModeMatrices<double>>& dictionaries) {
   for (const auto& dictionary : dictionaries)
     for (const Eigen::MatrixXd& mode : dictionary) QVERIFY(orthonormalityError(mode) < 1e-10);
 }
-
-}  // namespace
 
 class EnsembleLearnerTest : public QObject {
   Q_OBJECT
@@ -147,4 +144,6 @@ class EnsembleLearnerTest : public QObject {
 };
 
 GONIO_TEST(EnsembleLearnerTest)
+}  // namespace ensemble_learner_test
+
 #include "ensemble_learner_test.moc"

@@ -11,19 +11,18 @@
 #include "tests/support/smooth_materials.h"
 #include "tests/support/test_program.h"
 
+namespace principal_components_test {
 using namespace gonio;
 using namespace gonio::dictionary;
 
-namespace {
-
 using Table = std::shared_ptr<const TabulatedBrdf>;
 
-constexpr HalfDifferenceGrid grid = testing::smoothGrid;
+constexpr HalfDifferenceGrid grid = test::smoothGrid;
 
-Table material(unsigned seed) { return testing::smoothMaterial(seed); }
-std::vector<Table> materials(unsigned count) { return testing::smoothMaterials(count); }
+Table material(unsigned seed) { return test::smoothMaterial(seed); }
+std::vector<Table> materials(unsigned count) { return test::smoothMaterials(count); }
 PrincipalComponents learn(const std::vector<Table>& tables, const PcaOptions& options = {}) {
-  return testing::learnFrom(tables, options);
+  return test::learnFrom(tables, options);
 }
 
 /// The table with one value changed.
@@ -49,8 +48,6 @@ double difference(const TabulatedBrdf& a, const TabulatedBrdf& b) {
   }
   return largest;
 }
-
-}  // namespace
 
 class PrincipalComponentsTest : public QObject {
   Q_OBJECT
@@ -252,4 +249,6 @@ class PrincipalComponentsTest : public QObject {
 };
 
 GONIO_TEST(PrincipalComponentsTest)
+}  // namespace principal_components_test
+
 #include "principal_components_test.moc"

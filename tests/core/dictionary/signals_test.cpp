@@ -9,11 +9,10 @@
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace signals_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
-
-namespace {
+using namespace gonio::dictionary::test_support;
 
 constexpr DataTransform transforms[] = {DataTransform::logPlus, DataTransform::cosineLog, DataTransform::root,
                                         DataTransform::none};
@@ -34,8 +33,6 @@ TabulatedBrdf tableOf(const std::function<float(std::size_t cell)>& value,
 Eigen::ArrayXf signalOf(const TabulatedBrdf& table, DataTransform transform) {
   return signalsOf(table, transform, *GridGeometry::of(smallGrid))[1];
 }
-
-}  // namespace
 
 class SignalsTest : public QObject {
   Q_OBJECT
@@ -117,4 +114,6 @@ class SignalsTest : public QObject {
 };
 
 GONIO_TEST(SignalsTest)
+}  // namespace signals_test
+
 #include "signals_test.moc"

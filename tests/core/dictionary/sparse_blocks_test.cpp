@@ -9,11 +9,10 @@
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace sparse_blocks_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
-
-namespace {
+using namespace gonio::dictionary::test_support;
 
 std::vector<Coefficient<double>> sortedByIndex(std::vector<Coefficient<double>> coefficients) {
   std::sort(coefficients.begin(), coefficients.end(), [](auto& a, auto& b) { return a.index < b.index; });
@@ -28,8 +27,6 @@ std::vector<Coefficient<double>> keptByFullSort(const std::vector<double>& value
   all.resize(std::min(all.size(), count));
   return sortedByIndex(all);
 }
-
-}  // namespace
 
 class SparseBlocksTest : public QObject {
   Q_OBJECT
@@ -148,4 +145,6 @@ class SparseBlocksTest : public QObject {
 };
 
 GONIO_TEST(SparseBlocksTest)
+}  // namespace sparse_blocks_test
+
 #include "sparse_blocks_test.moc"

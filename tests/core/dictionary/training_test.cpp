@@ -8,11 +8,10 @@
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace training_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
-
-namespace {
+using namespace gonio::dictionary::test_support;
 
 const TrainingOptions options{.dictionaries = 3, .sparsities = {8, 20}, .iterations = 6, .tolerance = 0};
 
@@ -22,8 +21,6 @@ void verifySameBits(const Ensemble& a, const Ensemble& b) {
     for (std::size_t mode = 0; mode < 3; ++mode)
       QVERIFY(a.dictionaries[d].modes[mode] == b.dictionaries[d].modes[mode]);
 }
-
-}  // namespace
 
 class TrainingTest : public QObject {
   Q_OBJECT
@@ -130,4 +127,6 @@ class TrainingTest : public QObject {
 };
 
 GONIO_TEST(TrainingTest)
+}  // namespace training_test
+
 #include "training_test.moc"

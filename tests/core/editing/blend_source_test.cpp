@@ -9,10 +9,9 @@
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 
+namespace blend_source_test {
 using namespace gonio;
 using namespace gonio::editing;
-
-namespace {
 
 std::shared_ptr<const TabulatedBrdf> lambert(double albedo) {
   static const HalfDifferenceGrid grid;
@@ -22,8 +21,6 @@ std::shared_ptr<const TabulatedBrdf> lambert(double albedo) {
 }
 
 std::string textOf(const std::exception& error) { return error.what(); }
-
-}  // namespace
 
 /// Documents about blends: two grey MERL files in a folder.
 class BlendSourceTest : public QObject {
@@ -207,4 +204,6 @@ class BlendSourceTest : public QObject {
 };
 
 GONIO_TEST(BlendSourceTest)
+}  // namespace blend_source_test
+
 #include "blend_source_test.moc"

@@ -9,10 +9,9 @@
 #include "core/math/monotone_cubic.h"
 #include "tests/support/test_program.h"
 
+namespace curve_drag_test {
 using namespace gonio;
 using namespace gonio::editing;
-
-namespace {
 
 std::vector<double> nodes() {
   std::vector<double> result;
@@ -24,8 +23,6 @@ std::vector<double> curveOf(double (*f)(double)) {
   for (const double x : nodes()) result.push_back(f(x));
   return result;
 }
-
-}  // namespace
 
 class CurveDragTest : public QObject {
   Q_OBJECT
@@ -82,4 +79,6 @@ class CurveDragTest : public QObject {
 };
 
 GONIO_TEST(CurveDragTest)
+}  // namespace curve_drag_test
+
 #include "curve_drag_test.moc"

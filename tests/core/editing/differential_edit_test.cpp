@@ -10,10 +10,9 @@
 #include "core/math/parallel.h"
 #include "tests/support/test_program.h"
 
+namespace differential_edit_test {
 using namespace gonio;
 using namespace gonio::editing;
-
-namespace {
 
 constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 20, .thetaDCount = 18, .phiDCount = 36};
 
@@ -83,8 +82,6 @@ Edit levelEdit(double fitted, double edited) {
   static const models::Model model(levelSpec, {.create = createLevel});
   return {DifferentialEdit{.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}}};
 }
-
-}  // namespace
 
 class DifferentialEditTest : public QObject {
   Q_OBJECT
@@ -263,4 +260,6 @@ class DifferentialEditTest : public QObject {
 };
 
 GONIO_TEST(DifferentialEditTest)
+}  // namespace differential_edit_test
+
 #include "differential_edit_test.moc"

@@ -10,12 +10,11 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace edit_document_test {
 using namespace gonio;
 using namespace gonio::editing;
 using namespace gonio::test;
 namespace fs = std::filesystem;
-
-namespace {
 
 const std::string someHash(64, 'a');
 
@@ -54,8 +53,6 @@ std::string errorWithout(const std::string& parent, const std::string& key) {
   json[nlohmann::json::json_pointer(parent)].erase(key);
   return errorOf([&] { documentFromJson(json); });
 }
-
-}  // namespace
 
 class EditDocumentTest : public QObject {
   Q_OBJECT
@@ -202,4 +199,6 @@ class EditDocumentTest : public QObject {
 };
 
 GONIO_TEST(EditDocumentTest)
+}  // namespace edit_document_test
+
 #include "edit_document_test.moc"

@@ -7,10 +7,9 @@
 #include "core/models/model.h"
 #include "tests/support/test_program.h"
 
+namespace edit_list_test {
 using namespace gonio;
 using namespace gonio::editing;
-
-namespace {
 
 Edit lambertEdit(double edited, const char* name) {
   return {DifferentialEdit{&models::findModel("lambert"), {{Rgb(0.5)}}, {{Rgb(edited)}}}, name};
@@ -30,8 +29,6 @@ QString names(const EditList& edits) {
   for (const Edit& edit : edits) text += QString::fromStdString(edit.name);
   return text;
 }
-
-}  // namespace
 
 class EditListTest : public QObject {
   Q_OBJECT
@@ -73,4 +70,6 @@ class EditListTest : public QObject {
 };
 
 GONIO_TEST(EditListTest)
+}  // namespace edit_list_test
+
 #include "edit_list_test.moc"

@@ -8,10 +8,9 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace edit_plausibility_test {
 using namespace gonio;
 using namespace gonio::editing;
-
-namespace {
 
 using Checks = std::vector<metrics::PlausibilityCheck>;
 
@@ -25,9 +24,7 @@ Edit lambertEdit(double fitted, double edited) {
   return {DifferentialEdit{.model = &model, .fitted = {{Rgb(fitted)}}, .edited = {{Rgb(edited)}}}};
 }
 
-std::shared_ptr<const TabulatedBrdf> constantTable(double albedo) { return bakeTable(testing::lambert(Rgb(albedo))); }
-
-}  // namespace
+std::shared_ptr<const TabulatedBrdf> constantTable(double albedo) { return bakeTable(test::lambert(Rgb(albedo))); }
 
 class EditPlausibilityTest : public QObject {
   Q_OBJECT
@@ -100,4 +97,6 @@ class EditPlausibilityTest : public QObject {
 };
 
 GONIO_TEST(EditPlausibilityTest)
+}  // namespace edit_plausibility_test
+
 #include "edit_plausibility_test.moc"

@@ -11,13 +11,12 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace factor_edit_test {
 using namespace gonio;
 using namespace gonio::editing;
 using namespace gonio::test;
 using factorization::PdvFactors;
 using factorization::PdvForm;
-
-namespace {
 
 /// Curves with closed forms at every node and between: constant F1 and F3, F2 falling along a line to 0 at |Dp| = 1.
 PdvFactors straight(double strength, PdvForm form = PdvForm::twoFactors) {
@@ -57,8 +56,6 @@ std::string errorWith(const std::string& pointer, const nlohmann::json& value) {
   json["edits"][0][nlohmann::json::json_pointer(pointer)] = value;
   return errorOf([&] { documentFromJson(json); });
 }
-
-}  // namespace
 
 class FactorEditTest : public QObject {
   Q_OBJECT
@@ -178,4 +175,6 @@ class FactorEditTest : public QObject {
 };
 
 GONIO_TEST(FactorEditTest)
+}  // namespace factor_edit_test
+
 #include "factor_edit_test.moc"

@@ -9,13 +9,12 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace factor_transfer_test {
 using namespace gonio;
 using namespace gonio::editing;
 using namespace gonio::test;
 using factorization::PdvFactors;
 using factorization::PdvForm;
-
-namespace {
 
 /// Two terms: Gaussians of a width over |Dp| and F1 = strength (1 + theta), on nodes of its own.
 PdvFactors gaussian(double strength, double width, int deviations = 90) {
@@ -43,8 +42,6 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
 }
 
 const PdvFactors source = gaussian(1, 0.2), target = gaussian(3, 0.5, 70);
-
-}  // namespace
 
 class FactorTransferTest : public QObject {
   Q_OBJECT
@@ -140,4 +137,6 @@ class FactorTransferTest : public QObject {
 };
 
 GONIO_TEST(FactorTransferTest)
+}  // namespace factor_transfer_test
+
 #include "factor_transfer_test.moc"

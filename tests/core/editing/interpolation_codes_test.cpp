@@ -8,9 +8,10 @@
 #include "tests/core/editing/interpolation_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace interpolation_codes_test {
 using namespace gonio;
 using namespace gonio::editing;
-using namespace gonio::editing::test;
+using namespace gonio::editing::test_support;
 
 class InterpolationCodesTest : public QObject, private ThreeMaterials {
   Q_OBJECT
@@ -80,7 +81,7 @@ class InterpolationCodesTest : public QObject, private ThreeMaterials {
     plain.ensemble = std::make_shared<const dictionary::Ensemble>(
         dictionary::Ensemble{.grid = smallGrid, .dictionaries = {standard}, .learnedFrom = {}});
     plain.encode.transforms = {DataTransform::logPlus};
-    const Table black = bakeTable(testing::lambert(Rgb(0)), smallGrid);
+    const Table black = bakeTable(test::lambert(Rgb(0)), smallGrid);
     std::vector<TabulatedBrdf::Value> values(smallGrid.size(), TabulatedBrdf::Value(0));
     const std::size_t spike = smallGrid.index(0, 3, 5);
     values[spike] = TabulatedBrdf::Value(1e6f);
@@ -135,4 +136,6 @@ class InterpolationCodesTest : public QObject, private ThreeMaterials {
 };
 
 GONIO_TEST(InterpolationCodesTest)
+}  // namespace interpolation_codes_test
+
 #include "interpolation_codes_test.moc"

@@ -8,9 +8,10 @@
 #include "tests/core/editing/interpolation_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace interpolation_factors_test {
 using namespace gonio;
 using namespace gonio::editing;
-using namespace gonio::editing::test;
+using namespace gonio::editing::test_support;
 
 class InterpolationFactorsTest : public QObject, private ThreeMaterials {
   Q_OBJECT
@@ -62,4 +63,6 @@ class InterpolationFactorsTest : public QObject, private ThreeMaterials {
 };
 
 GONIO_TEST(InterpolationFactorsTest)
+}  // namespace interpolation_factors_test
+
 #include "interpolation_factors_test.moc"

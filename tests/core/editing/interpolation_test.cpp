@@ -14,11 +14,10 @@
 #include "tests/core/editing/interpolation_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace interpolation_test {
 using namespace gonio;
 using namespace gonio::editing;
-using namespace gonio::editing::test;
-
-namespace {
+using namespace gonio::editing::test_support;
 
 /// A BRDF at the nodes, valid where a table is.
 Table onNodesOf(const Brdf& brdf, const TabulatedBrdf& nodes) {
@@ -27,8 +26,6 @@ Table onNodesOf(const Brdf& brdf, const TabulatedBrdf& nodes) {
       nodes.grid(), std::vector<TabulatedBrdf::Value>(baked->values().begin(), baked->values().end()),
       std::vector<std::uint8_t>(nodes.valid().begin(), nodes.valid().end()));
 }
-
-}  // namespace
 
 class InterpolationTest : public QObject, private ThreeMaterials {
   Q_OBJECT
@@ -109,9 +106,9 @@ class InterpolationTest : public QObject, private ThreeMaterials {
 
   /// Clean tables of a model: the truth in between is the model at the parameters in between.
   void parametersMeetTheModelInBetween() {
-    const std::vector<Table> clean{bakeTable(*testing::ggx(Rgb(0.3), Rgb(0.8), 0.15, 0.3), smallGrid),
-                                   bakeTable(*testing::ggx(Rgb(0.1), Rgb(0.8), 0.6, 0.3), smallGrid)};
-    const auto truth = bakeTable(*testing::ggx(Rgb(0.2), Rgb(0.8), 0.3, 0.3), smallGrid);
+    const std::vector<Table> clean{bakeTable(*test::ggx(Rgb(0.3), Rgb(0.8), 0.15, 0.3), smallGrid),
+                                   bakeTable(*test::ggx(Rgb(0.1), Rgb(0.8), 0.6, 0.3), smallGrid)};
+    const auto truth = bakeTable(*test::ggx(Rgb(0.2), Rgb(0.8), 0.3, 0.3), smallGrid);
     const std::vector<double> half{0.5, 0.5};
     for (const auto space : {InterpolationSpace::parameters, InterpolationSpace::differential}) {
       const auto between = prepareInterpolation(space, endsOf(clean));
@@ -193,7 +190,7 @@ class InterpolationTest : public QObject, private ThreeMaterials {
 
   /// Between black and black lies black; beside another material black is as good as any.
   void hardCase12BlackMaterials() {
-    const Table black = bakeTable(testing::lambert(Rgb(0)), smallGrid);
+    const Table black = bakeTable(test::lambert(Rgb(0)), smallGrid);
     const std::vector<double> half{0.5, 0.5};
     for (const InterpolationSpace space : allSpaces) {
       const Table table = prepareInterpolation(space, endsOf({black, black}), options())->table(half);
@@ -210,7 +207,7 @@ class InterpolationTest : public QObject, private ThreeMaterials {
 
   /// Tables of the largest floats; weights whose sum is 1 only up to rounding.
   void hardCase39OverflowOfFloat() {
-    const Table largest = bakeTable(testing::lambert(Rgb(1e300)), smallGrid);
+    const Table largest = bakeTable(test::lambert(Rgb(1e300)), smallGrid);
     const std::vector<double> weights{0.3, 0.7 + 5e-10};
     for (const InterpolationSpace space :
          {InterpolationSpace::linear, InterpolationSpace::factors, InterpolationSpace::dictionary}) {
@@ -261,4 +258,6 @@ class InterpolationTest : public QObject, private ThreeMaterials {
 };
 
 GONIO_TEST(InterpolationTest)
+}  // namespace interpolation_test
+
 #include "interpolation_test.moc"

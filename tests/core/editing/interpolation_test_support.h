@@ -9,9 +9,9 @@
 #include "core/models/registry.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 
-namespace gonio::editing::test {
+namespace gonio::editing::test_support {
 
-using dictionary::test::smallGrid;
+using dictionary::test_support::smallGrid;
 using Table = Interpolation::Table;
 inline constexpr std::array allSpaces{InterpolationSpace::linear, InterpolationSpace::parameters,
                                       InterpolationSpace::differential, InterpolationSpace::factors,
@@ -19,7 +19,7 @@ inline constexpr std::array allSpaces{InterpolationSpace::linear, InterpolationS
 
 /// GGX with noise that no model explains, and a few cells without data.
 inline Table measured(double diffuse, double roughness, unsigned seed, const HalfDifferenceGrid& grid = smallGrid) {
-  const auto clean = bakeTable(*testing::ggx(Rgb(diffuse, 0.1, 0.2), Rgb(0.8), roughness, 0.3), grid);
+  const auto clean = bakeTable(*test::ggx(Rgb(diffuse, 0.1, 0.2), Rgb(0.8), roughness, 0.3), grid);
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> factor(0.8f, 1.2f);
   std::vector<TabulatedBrdf::Value> values(clean->values().begin(), clean->values().end());
@@ -33,7 +33,7 @@ inline Table measured(double diffuse, double roughness, unsigned seed, const Hal
 
 inline InterpolationOptions options() {
   InterpolationOptions result;
-  result.ensemble = std::make_shared<const dictionary::Ensemble>(dictionary::test::randomEnsemble(3));
+  result.ensemble = std::make_shared<const dictionary::Ensemble>(dictionary::test_support::randomEnsemble(3));
   result.pdv.terms = 2;
   result.pdv.deviationNodes = {0, 0.05, 0.2, 0.6, 1.2, 2};
   result.model = &models::findModel("lambert");  // fits at once; what is told of fits is tested with others
@@ -87,4 +87,4 @@ inline Table mixed(const TransformedMixture& mixture, std::span<const double> we
   return std::make_shared<const TabulatedBrdf>(first.grid, std::move(values), std::move(valid));
 }
 
-}  // namespace gonio::editing::test
+}  // namespace gonio::editing::test_support

@@ -9,7 +9,7 @@
 #include "core/factorization/half_difference_samples.h"
 
 /// What the tests of the baselines in half-difference coordinates share.
-namespace gonio::factorization::test {
+namespace gonio::factorization::test_support {
 
 /// Calls visit(h, d, p, index, directions) for the nodes with both directions above the horizon.
 template <typename Visit>
@@ -47,4 +47,4 @@ inline double worstAtNodes(const HalfDifferenceSamples& s, const Brdf& brdf) {
   return worst;
 }
 
-}  // namespace gonio::factorization::test
+}  // namespace gonio::factorization::test_support

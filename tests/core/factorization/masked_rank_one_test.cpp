@@ -10,10 +10,9 @@
 #include "tests/studies/research/factorization/canonical_polyadic.h"
 #include "tests/support/test_program.h"
 
+namespace masked_rank_one_test {
 using namespace gonio;
 using namespace gonio::factorization;
-
-namespace {
 
 /// Uniform entries; `keep` is the share of the cells that count.
 MaskedTensor randomTensor(int m, int n, int p, bool positive, double keep, unsigned seed) {
@@ -40,8 +39,6 @@ double squaredDistance(const MaskedTensor& t, const RankOne& term) {
       }
   return sum;
 }
-
-}  // namespace
 
 class MaskedRankOneTest : public QObject {
   Q_OBJECT
@@ -120,4 +117,6 @@ class MaskedRankOneTest : public QObject {
 };
 
 GONIO_TEST(MaskedRankOneTest)
+}  // namespace masked_rank_one_test
+
 #include "masked_rank_one_test.moc"

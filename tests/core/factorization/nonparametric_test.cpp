@@ -10,12 +10,11 @@
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
+namespace nonparametric_test {
 using namespace gonio;
 using namespace gonio::factorization;
-using factorization::test::halfDifferenceSamples;
-using factorization::test::worstAtNodes;
-
-namespace {
+using factorization::test_support::halfDifferenceSamples;
+using factorization::test_support::worstAtNodes;
 
 /// A glossy material of the model.
 NonparametricFactors someFactors() {
@@ -38,8 +37,6 @@ HalfDifferenceSamples samplesOf(const Brdf& brdf) {
   return halfDifferenceSamples(nonparametricAxes(),
                                [&](const auto&, const auto& pair) { return brdf.evaluate(pair.wi, pair.wo); });
 }
-
-}  // namespace
 
 class NonparametricTest : public QObject {
   Q_OBJECT
@@ -84,7 +81,7 @@ class NonparametricTest : public QObject {
       for (std::size_t i = 1; i < residuals.size(); ++i) QVERIFY(residuals[i] <= residuals[i - 1] * (1 + 1e-12));
     const auto brdf = makeNonparametricBrdf(fit.factors);
     double left = 0, total = 0;
-    factorization::test::visitNodes(
+    factorization::test_support::visitNodes(
         s.axes, [&](std::size_t h, std::size_t d, std::size_t p, std::size_t i, const DirectionPair& at) {
           const double cosines = at.wi.z * at.wo.z, x = s.values[i].x * cosines;
           const double weight = projectedMeasure(s, h, d, p) / cosines * std::pow(std::log1p(x) / x, 2);
@@ -98,7 +95,7 @@ class NonparametricTest : public QObject {
     const auto brdf = makeNonparametricBrdf(someFactors());
     std::mt19937_64 generator(3);
     for (int i = 0; i < 2000; ++i) {
-      const Direction wi = testing::randomUpper(generator), wo = testing::randomUpper(generator);
+      const Direction wi = test::randomUpper(generator), wo = test::randomUpper(generator);
       const double a = brdf->evaluate(wi, wo).y, b = brdf->evaluate(wo, wi).y;
       QVERIFY(std::isfinite(a) && a >= 0);
       QVERIFY(std::abs(a - b) < 1e-9 * (1 + a));
@@ -127,11 +124,13 @@ class NonparametricTest : public QObject {
     const auto brdf = makeNonparametricBrdf(fitNonparametric(s, {.maxSweeps = 10}).factors);
     std::mt19937_64 generator(4);
     for (int i = 0; i < 2000; ++i) {
-      const Rgb value = brdf->evaluate(testing::randomUpper(generator), testing::randomUpper(generator));
+      const Rgb value = brdf->evaluate(test::randomUpper(generator), test::randomUpper(generator));
       QVERIFY(std::isfinite(value.x) && value.x >= 0);
     }
   }
 };
 
 GONIO_TEST(NonparametricTest)
+}  // namespace nonparametric_test
+
 #include "nonparametric_test.moc"

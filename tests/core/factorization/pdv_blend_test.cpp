@@ -12,10 +12,9 @@
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
+namespace pdv_blend_test {
 using namespace gonio;
 using namespace gonio::factorization;
-
-namespace {
 
 /// Two terms whose curves are simple functions; `width` of the first term's F2.
 PdvFactors factors(double strength, double width, int nodes = 21, int terms = 2) {
@@ -47,8 +46,6 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
 }
-
-}  // namespace
 
 class PdvBlendTest : public QObject {
   Q_OBJECT
@@ -103,7 +100,7 @@ class PdvBlendTest : public QObject {
     const auto brdf = makePdvBrdf(a), same = makePdvBrdf(blend(a, a, 0.3));
     std::mt19937_64 random(1);
     for (int i = 0; i < 200; ++i) {
-      const Direction wi = testing::randomUpper(random), wo = testing::randomUpper(random);
+      const Direction wi = test::randomUpper(random), wo = test::randomUpper(random);
       const double value = brdf->evaluate(wi, wo).x;
       QVERIFY(std::abs(same->evaluate(wi, wo).x - value) < 1e-5 * (1 + value));
     }
@@ -138,7 +135,7 @@ class PdvBlendTest : public QObject {
     const auto brdf = makePdvBrdf(blend(a, b, 0.5)), first = makePdvBrdf(blend(a.truncated(1), b.truncated(1), 0.5));
     std::mt19937_64 random(1);
     for (int i = 0; i < 200; ++i) {
-      const Direction wi = testing::randomUpper(random), wo = testing::randomUpper(random);
+      const Direction wi = test::randomUpper(random), wo = test::randomUpper(random);
       QVERIFY(std::abs(brdf->evaluate(wi, wo).x - first->evaluate(wi, wo).x) < 1e-3);
     }
   }
@@ -185,4 +182,6 @@ class PdvBlendTest : public QObject {
 };
 
 GONIO_TEST(PdvBlendTest)
+}  // namespace pdv_blend_test
+
 #include "pdv_blend_test.moc"

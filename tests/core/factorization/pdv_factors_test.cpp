@@ -14,11 +14,10 @@
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
+namespace pdv_factors_test {
 using namespace gonio;
 using namespace gonio::factorization;
-using testing::randomUpper;
-
-namespace {
+using test::randomUpper;
 
 const HalfDifferenceGrid smallGrid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 60};
 
@@ -40,8 +39,6 @@ PdvFactors someFactors() {
     }
   return f;
 }
-
-}  // namespace
 
 class PdvFactorsTest : public QObject {
   Q_OBJECT
@@ -253,4 +250,6 @@ class PdvFactorsTest : public QObject {
 };
 
 GONIO_TEST(PdvFactorsTest)
+}  // namespace pdv_factors_test
+
 #include "pdv_factors_test.moc"

@@ -11,10 +11,9 @@
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 
+namespace pdv_operations_test {
 using namespace gonio;
 using namespace gonio::factorization;
-
-namespace {
 
 constexpr int nodeCount = 41;
 
@@ -52,8 +51,6 @@ double valueAt(const PdvFactors& f, double theta, double deviation) {
 }
 
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
-
-}  // namespace
 
 class PdvOperationsTest : public QObject {
   Q_OBJECT
@@ -152,4 +149,6 @@ class PdvOperationsTest : public QObject {
 };
 
 GONIO_TEST(PdvOperationsTest)
+}  // namespace pdv_operations_test
+
 #include "pdv_operations_test.moc"

@@ -9,10 +9,9 @@
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 
+namespace pdv_residuals_test {
 using namespace gonio;
 using namespace gonio::factorization;
-
-namespace {
 
 constexpr int terms = 3;
 
@@ -21,8 +20,6 @@ std::shared_ptr<const TabulatedBrdf> glossyTable() {
   values.values[models::ggx().spec().find("roughness").value()] = Rgb(0.2);
   return bakeTable(*models::ggx().instantiate(values), {.thetaHCount = 24, .thetaDCount = 24, .phiDCount = 24});
 }
-
-}  // namespace
 
 class PdvResidualsTest : public QObject {
   Q_OBJECT
@@ -85,4 +82,6 @@ class PdvResidualsTest : public QObject {
 };
 
 GONIO_TEST(PdvResidualsTest)
+}  // namespace pdv_residuals_test
+
 #include "pdv_residuals_test.moc"

@@ -16,10 +16,9 @@
 #include "tests/support/sampling_check.h"
 #include "tests/support/test_program.h"
 
+namespace pdv_sampler_test {
 using namespace gonio;
 using namespace gonio::factorization;
-
-namespace {
 
 /// Angles of the viewer of hard case 41, degrees, and what the printed scheme keeps there of its draws.
 constexpr double anglesDegrees[] = {0, 30, 60, 75, 85, 89.9};
@@ -27,8 +26,8 @@ constexpr double keptByPrinted[] = {1, 0.869, 0.693, 0.527, 0.428, 0.415};
 
 double abcLobe(double deviation) { return 0.02 + 50 / std::pow(1 + 400 * deviation * deviation, 1.2); }
 
-gonio::testing::FunctionBrdf abcBrdf() {
-  return gonio::testing::FunctionBrdf(
+gonio::test::FunctionBrdf abcBrdf() {
+  return gonio::test::FunctionBrdf(
       [](const Direction& wi, const Direction& wo) { return Rgb(abcLobe(toProjectedDeviation(wi, wo).deviation)); });
 }
 
@@ -106,8 +105,6 @@ std::size_t cellOf(const DirectionSample& sample, const Direction& wo, const std
   return bin * sectors + std::size_t(std::clamp((share + 1) / 2 * sectors, 0.0, sectors - 1.0));
 }
 
-}  // namespace
-
 class PdvSamplerTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -145,7 +142,7 @@ class PdvSamplerTest : public QObject {
       QVERIFY(std::isfinite(sample.pdf) && sample.pdf > 0 && sample.pdf == sampler.pdf(sample.wi, wo));
       observed[cellOf(sample, wo, edges)] += 1;
     }
-    const double pValue = tests::pearsonPValue(expected, observed);
+    const double pValue = test::pearsonPValue(expected, observed);
     QVERIFY2(pValue > 1e-3, qPrintable(QString::number(pValue)));
   }
 
@@ -204,15 +201,14 @@ class PdvSamplerTest : public QObject {
   }
 
   void hardCase40BlackIsCosine() {
-    const PdvSampler black(gonio::testing::lambert(Rgb(0)), thetas, deviations);
+    const PdvSampler black(gonio::test::lambert(Rgb(0)), thetas, deviations);
     const Direction wo = fromSpherical(1, 2);
     for (const double u : {0.0, 0.5, 1 - 0x1p-24}) {
       const DirectionSample sample = black.sample(wo, {u, 0.3, 0.6});
       QVERIFY(std::abs(sample.pdf - sample.wi.z / pi) < 1e-12);
     }
     // Black for steep viewers only: between a black row and one that is not, the cosine has its part.
-    const gonio::testing::FunctionBrdf half(
-        [](const Direction&, const Direction& o) { return Rgb(o.z < 0.5 ? 1 : 0); });
+    const gonio::test::FunctionBrdf half([](const Direction&, const Direction& o) { return Rgb(o.z < 0.5 ? 1 : 0); });
     const PdvSampler sampler(half, thetas, deviations);
     for (const double angle : {0.5, 59.9, 60.3, 60.9, 61.5, 80.0})
       QVERIFY(std::abs(integral(sampler, radians(angle), deviations) - 1) < 1e-4);
@@ -221,7 +217,7 @@ class PdvSamplerTest : public QObject {
   /// hardCase40: energy in one bin only: drawn from it alone, finite, for the largest numbers too.
   void hardCase40OneBin() {
     const double low = deviations[20], high = deviations[21];
-    const gonio::testing::FunctionBrdf ring([=](const Direction& wi, const Direction& wo) {
+    const gonio::test::FunctionBrdf ring([=](const Direction& wi, const Direction& wo) {
       const double deviation = toProjectedDeviation(wi, wo).deviation;
       return Rgb(deviation >= low && deviation < high ? 1 : 0);
     });
@@ -244,7 +240,7 @@ class PdvSamplerTest : public QObject {
 
   /// The BRDF of factors draws by its own first term.
   void factorsDrawByTheirFirstTerm() {
-    const auto source = gonio::testing::ggx(Rgb(0.1), Rgb(1), 0.15, 0.5);
+    const auto source = gonio::test::ggx(Rgb(0.1), Rgb(1), 0.15, 0.5);
     const HalfDifferenceGrid grid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 60};
     const PdvFactors factors = factorizePdv(*bakeTable(*source, grid), {.terms = 2}).factors;
     const auto brdf = makePdvBrdf(factors), first = makePdvBrdf(factors.truncated(1));
@@ -259,4 +255,6 @@ class PdvSamplerTest : public QObject {
 };
 
 GONIO_TEST(PdvSamplerTest)
+}  // namespace pdv_sampler_test
+
 #include "pdv_sampler_test.moc"

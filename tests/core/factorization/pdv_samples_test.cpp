@@ -9,10 +9,9 @@
 #include "core/factorization/deviation_grid.h"
 #include "tests/support/test_program.h"
 
+namespace pdv_samples_test {
 using namespace gonio;
 using namespace gonio::factorization;
-
-namespace {
 
 const HalfDifferenceGrid smallGrid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 60};
 
@@ -45,8 +44,6 @@ double sum(const std::vector<float>& weights) {
   for (const float weight : weights) result += double(weight);
   return result;
 }
-
-}  // namespace
 
 class PdvSamplesTest : public QObject {
   Q_OBJECT
@@ -133,4 +130,6 @@ class PdvSamplesTest : public QObject {
 };
 
 GONIO_TEST(PdvSamplesTest)
+}  // namespace pdv_samples_test
+
 #include "pdv_samples_test.moc"

@@ -8,9 +8,8 @@
 
 #include "tests/support/test_program.h"
 
+namespace width_blend_test {
 using namespace gonio::factorization;
-
-namespace {
 
 using Curve = std::vector<double>;
 
@@ -38,8 +37,6 @@ double largestDifference(const Curve& a, const Curve& b) {
 }
 
 double bell(double x) { return std::exp(-x * x); }
-
-}  // namespace
 
 class WidthBlendTest : public QObject {
   Q_OBJECT
@@ -89,4 +86,6 @@ class WidthBlendTest : public QObject {
 };
 
 GONIO_TEST(WidthBlendTest)
+}  // namespace width_blend_test
+
 #include "width_blend_test.moc"

@@ -8,9 +8,8 @@
 
 #include "tests/support/test_program.h"
 
+namespace bounded_quadratic_test {
 using namespace gonio::fitting;
-
-namespace {
 
 LinearVector vectorOf(std::initializer_list<double> values) {
   LinearVector v(Eigen::Index(values.size()));
@@ -69,8 +68,6 @@ double bruteForce(const Problem& p) {
   }
   return best;
 }
-
-}  // namespace
 
 class BoundedQuadraticTest : public QObject {
   Q_OBJECT
@@ -134,4 +131,6 @@ class BoundedQuadraticTest : public QObject {
 };
 
 GONIO_TEST(BoundedQuadraticTest)
+}  // namespace bounded_quadratic_test
+
 #include "bounded_quadratic_test.moc"

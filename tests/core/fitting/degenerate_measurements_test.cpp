@@ -9,10 +9,9 @@
 #include "core/fitting/group_fit.h"
 #include "tests/support/test_program.h"
 
+namespace degenerate_measurements_test {
 using namespace gonio;
 using namespace gonio::fitting;
-
-namespace {
 
 // Every cell is among those that a fit looks at: what holds for them holds for the table.
 constexpr HalfDifferenceGrid grid{.thetaHCount = 12, .thetaDCount = 8, .phiDCount = 5};
@@ -54,8 +53,6 @@ void verifyDefined(const FitResult& result, const TabulatedBrdf& table) {
   const TabulatedBrdf black = tableOf([](std::size_t) { return TabulatedBrdf::Value(0); });
   QVERIFY2(result.errors[0] <= metrics::brdfErrors(table, black)[0] * (1 + 1e-9), result.model->spec().id.data());
 }
-
-}  // namespace
 
 class DegenerateMeasurementsTest : public QObject {
   Q_OBJECT
@@ -158,4 +155,6 @@ class DegenerateMeasurementsTest : public QObject {
 };
 
 GONIO_TEST(DegenerateMeasurementsTest)
+}  // namespace degenerate_measurements_test
+
 #include "degenerate_measurements_test.moc"

@@ -8,16 +8,13 @@
 #include "core/models/fresnel.h"
 #include "tests/support/test_program.h"
 
+namespace fit_parameters_test {
 using namespace gonio;
 using namespace gonio::fitting;
-
-namespace {
 
 constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 20, .phiDCount = 24};
 
 std::size_t indexOf(const models::Model& model, const char* id) { return model.spec().find(id).value(); }
-
-}  // namespace
 
 class FitParametersTest : public QObject {
   Q_OBJECT
@@ -78,4 +75,6 @@ class FitParametersTest : public QObject {
 };
 
 GONIO_TEST(FitParametersTest)
+}  // namespace fit_parameters_test
+
 #include "fit_parameters_test.moc"

@@ -10,16 +10,15 @@
 #include "tests/support/leading_parameters.h"
 #include "tests/support/test_program.h"
 
+namespace fit_test {
 using namespace gonio;
 using namespace gonio::fitting;
-
-namespace {
 
 constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 45, .thetaDCount = 30, .phiDCount = 36};
 const Rgb tint(0.9, 0.5, 0.2), body(0.05, 0.2, 0.3);
 
 models::ParameterValues ggxValues(const std::vector<Rgb>& first) {
-  return testing::leadingParameters(models::findModel("ggx"), first);
+  return test::leadingParameters(models::findModel("ggx"), first);
 }
 
 std::shared_ptr<const TabulatedBrdf> bake(const models::Model& model, const models::ParameterValues& parameters) {
@@ -50,8 +49,6 @@ void verifyInsideHardRanges(const FitResult& result) {
   models::ParameterValues clamped = result.parameters;
   QVERIFY(models::clampToHardRange(result.model->spec(), clamped).empty());
 }
-
-}  // namespace
 
 class FitTest : public QObject {
   Q_OBJECT
@@ -96,7 +93,7 @@ class FitTest : public QObject {
     QFETCH(QString, model);
     QFETCH(std::vector<Rgb>, parameters);
     const models::Model& fitted = models::findModel(model.toStdString());
-    const FitResult result = fit(*bake(fitted, testing::leadingParameters(fitted, parameters)), fitted);
+    const FitResult result = fit(*bake(fitted, test::leadingParameters(fitted, parameters)), fitted);
     verifyInsideHardRanges(result);
     QVERIFY2(result.errors[0] < 1e-5, qPrintable(QString::number(result.errors[0])));
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -241,4 +238,6 @@ class FitTest : public QObject {
 };
 
 GONIO_TEST(FitTest)
+}  // namespace fit_test
+
 #include "fit_test.moc"

@@ -7,10 +7,9 @@
 
 #include "tests/support/test_program.h"
 
+namespace linear_solve_test {
 using namespace gonio;
 using namespace gonio::fitting;
-
-namespace {
 
 LinearVector vectorOf(std::initializer_list<double> values) {
   LinearVector v(Eigen::Index(values.size()));
@@ -69,10 +68,6 @@ double costAt(const ChannelProblem& p, double a, double b) {
   return cost;
 }
 
-}  // namespace
-
-Q_DECLARE_METATYPE(gonio::metrics::BrdfMetric)
-
 class LinearSolveTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -127,4 +122,6 @@ class LinearSolveTest : public QObject {
 };
 
 GONIO_TEST(LinearSolveTest)
+}  // namespace linear_solve_test
+
 #include "linear_solve_test.moc"

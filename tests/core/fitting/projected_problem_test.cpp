@@ -11,10 +11,9 @@
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 
+namespace projected_problem_test {
 using namespace gonio;
 using namespace gonio::fitting;
-
-namespace {
 
 constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 24, .thetaDCount = 20, .phiDCount = 30};
 
@@ -35,8 +34,6 @@ FitTarget targetOf(const TabulatedBrdf& table, metrics::BrdfMetric metric = metr
 std::vector<std::size_t> nonlinearOf(const models::Model& model) {
   return parametersOf(model.spec(), models::defaultParameters(model.spec()), FitRole::nonlinear);
 }
-
-}  // namespace
 
 class ProjectedProblemTest : public QObject {
   Q_OBJECT
@@ -145,4 +142,6 @@ class ProjectedProblemTest : public QObject {
 };
 
 GONIO_TEST(ProjectedProblemTest)
+}  // namespace projected_problem_test
+
 #include "projected_problem_test.moc"

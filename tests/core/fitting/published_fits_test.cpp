@@ -11,18 +11,15 @@
 #include "core/materials/material.h"
 #include "tests/support/test_program.h"
 
+namespace published_fits_test {
 using namespace gonio;
 using namespace gonio::fitting;
-
-namespace {
 
 const QString shared = GONIO_SHARED_DIR;
 const QString folder = QString(GONIO_TEST_OUTPUT_DIR) + "/near-measured";
 constexpr double nganAngle = 80;  ///< deg; Ngan et al. leave out what is more grazing
 
 const QStringList names{"alum-bronze", "red-fabric"};
-
-}  // namespace
 
 /// A part of published_fits_study (tests/studies), which compares all materials and sets.
 class PublishedFitsTest : public QObject {
@@ -37,10 +34,10 @@ class PublishedFitsTest : public QObject {
 
   /// Figures of the tables, and what each author's conventions make of them.
   void conventions() {
-    const auto sets = testing::readPublishedSets((shared + "/data/tables").toStdString());
+    const auto sets = test::readPublishedSets((shared + "/data/tables").toStdString());
     const auto value = [&](const char* set, const char* parameter) {
-      for (const testing::PublishedSet& s : sets)
-        for (const testing::PublishedFit& fit : s.fits)
+      for (const test::PublishedSet& s : sets)
+        for (const test::PublishedFit& fit : s.fits)
           if (s.name == set && fit.material == "alum-bronze")
             return fit.parameters.values[s.model->spec().find(parameter).value()];
       return Rgb(-1);
@@ -65,8 +62,8 @@ class PublishedFitsTest : public QObject {
     QFETCH(QString, material);
     const auto table = materials::readMaterial((folder + "/" + material + ".binary").toStdString()).tabulated();
     std::map<metrics::BrdfMetric, FitData> data;
-    for (const testing::PublishedSet& set : testing::readPublishedSets((shared + "/data/tables").toStdString()))
-      for (const testing::PublishedFit& published : set.fits) {
+    for (const test::PublishedSet& set : test::readPublishedSets((shared + "/data/tables").toStdString()))
+      for (const test::PublishedFit& published : set.fits) {
         if (published.material != material.toStdString() || set.name == "bagher-sgd") continue;
         const FitOptions options{.metric = set.metric, .maxPolarAngle = radians(nganAngle)};
         const FitData& at = data.try_emplace(set.metric, *table, options).first->second;
@@ -79,4 +76,6 @@ class PublishedFitsTest : public QObject {
 };
 
 GONIO_TEST(PublishedFitsTest)
+}  // namespace published_fits_test
+
 #include "published_fits_test.moc"

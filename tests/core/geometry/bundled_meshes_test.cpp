@@ -9,6 +9,7 @@
 #include "tests/support/simple_meshes.h"
 #include "tests/support/test_program.h"
 
+namespace bundled_meshes_test {
 using namespace gonio;
 
 class BundledMeshesTest : public QObject {
@@ -34,8 +35,8 @@ class BundledMeshesTest : public QObject {
     for (const char* name : {"shader-ball", "torus", "bowl"}) {
       const MeshIntersector intersector(bundledMesh(name));
       for (int n = 0; n < 20000; ++n) {
-        const glm::dvec3 origin = 3.0 * testing::randomDirection(random);
-        const Direction direction = testing::randomDirection(random) - origin;
+        const glm::dvec3 origin = 3.0 * test::randomDirection(random);
+        const Direction direction = test::randomDirection(random) - origin;
         if (const auto hit = intersector.closest(origin, direction, 0, 10))
           QVERIFY(glm::dot(hit->geometricNormal, direction) < 0);
       }
@@ -76,4 +77,6 @@ class BundledMeshesTest : public QObject {
 };
 
 GONIO_TEST(BundledMeshesTest)
+}  // namespace bundled_meshes_test
+
 #include "bundled_meshes_test.moc"

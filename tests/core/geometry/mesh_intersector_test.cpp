@@ -10,10 +10,9 @@
 #include "tests/support/simple_meshes.h"
 #include "tests/support/test_program.h"
 
+namespace mesh_intersector_test {
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -81,8 +80,6 @@ void checkAgainstPlain(const TriangleMesh& mesh, double distance, int rays) {
   QVERIFY(hits > rays / 4);
   QVERIFY(unclear < rays / 2);
 }
-
-}  // namespace
 
 class MeshIntersectorTest : public QObject {
   Q_OBJECT
@@ -232,4 +229,6 @@ class MeshIntersectorTest : public QObject {
 };
 
 GONIO_TEST(MeshIntersectorTest)
+}  // namespace mesh_intersector_test
+
 #include "mesh_intersector_test.moc"

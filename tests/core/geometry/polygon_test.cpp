@@ -9,9 +9,8 @@
 #include "core/geometry/triangle_mesh.h"
 #include "tests/support/test_program.h"
 
+namespace polygon_test {
 using namespace gonio;
-
-namespace {
 
 using Points = std::vector<glm::vec3>;
 
@@ -48,8 +47,6 @@ Points star(int corners, std::mt19937_64& random) {
   }
   return result;
 }
-
-}  // namespace
 
 class PolygonTest : public QObject {
   Q_OBJECT
@@ -114,4 +111,6 @@ class PolygonTest : public QObject {
 };
 
 GONIO_TEST(PolygonTest)
+}  // namespace polygon_test
+
 #include "polygon_test.moc"

@@ -10,10 +10,9 @@
 #include "tests/support/simple_meshes.h"
 #include "tests/support/test_program.h"
 
+namespace triangle_mesh_test {
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 std::string refusal(const MeshArrays& arrays) {
   try {
@@ -70,8 +69,6 @@ double largestNormalError(const TriangleMesh& mesh, const std::function<Directio
     }
   return worst;
 }
-
-}  // namespace
 
 class TriangleMeshTest : public QObject {
   Q_OBJECT
@@ -284,4 +281,6 @@ class TriangleMeshTest : public QObject {
 };
 
 GONIO_TEST(TriangleMeshTest)
+}  // namespace triangle_mesh_test
+
 #include "triangle_mesh_test.moc"

@@ -10,10 +10,9 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace container_test {
 using namespace gonio;
 using namespace gonio::test;
-
-namespace {
 
 constexpr io::ContainerFormat format{.name = "test", .signature = "GONIOTST", .version = 3, .maxBytes = 400};
 
@@ -50,8 +49,6 @@ void readAll(const Bytes& bytes) {
 std::string errorOfFile(const Bytes& bytes) {
   return errorOf([&] { readAll(bytes); });
 }
-
-}  // namespace
 
 class ContainerTest : public QObject {
   Q_OBJECT
@@ -124,4 +121,6 @@ class ContainerTest : public QObject {
 };
 
 GONIO_TEST(ContainerTest)
+}  // namespace container_test
+
 #include "container_test.moc"

@@ -8,15 +8,12 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace csv_text_test {
 using namespace gonio;
 using namespace gonio::test;
 
-namespace {
-
 constexpr std::array<std::string_view, 2> names{"x", "y"};
 using Strings = std::vector<std::string>;
-
-}  // namespace
 
 /// Files of plans test what spreadsheets write (plan_file_test.cpp); here is what all tables share.
 class CsvTextTest : public QObject {
@@ -64,4 +61,6 @@ class CsvTextTest : public QObject {
 };
 
 GONIO_TEST(CsvTextTest)
+}  // namespace csv_text_test
+
 #include "csv_text_test.moc"

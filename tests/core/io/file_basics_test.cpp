@@ -19,12 +19,12 @@
 #include "tests/studies/research/baselines/npf_file.h"
 #include "tests/support/test_program.h"
 
+namespace file_basics_test {
 using namespace gonio;
 using namespace gonio::test;
 namespace fs = std::filesystem;
 
 using Read = std::function<void(const fs::path&)>;
-Q_DECLARE_METATYPE(Read)
 
 class FileBasicsTest : public QObject {
   Q_OBJECT
@@ -131,4 +131,6 @@ class FileBasicsTest : public QObject {
 };
 
 GONIO_TEST(FileBasicsTest)
+}  // namespace file_basics_test
+
 #include "file_basics_test.moc"

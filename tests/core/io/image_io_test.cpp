@@ -15,10 +15,9 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace image_io_test {
 using namespace gonio;
 using namespace gonio::test;
-
-namespace {
 
 Image pattern(int width, int height, bool alpha) {
   Image image(width, height);
@@ -42,8 +41,6 @@ Bytes flatHdr(int width, int height, const std::vector<std::array<unsigned char,
   for (const auto& pixel : pixels) append(bytes, pixel);
   return bytes;
 }
-
-}  // namespace
 
 class ImageIoTest : public QObject {
   Q_OBJECT
@@ -152,4 +149,6 @@ class ImageIoTest : public QObject {
 };
 
 GONIO_TEST(ImageIoTest)
+}  // namespace image_io_test
+
 #include "image_io_test.moc"

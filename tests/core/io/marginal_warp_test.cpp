@@ -8,10 +8,9 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace marginal_warp_test {
 using namespace gonio;
 using namespace gonio::io;
-
-namespace {
 
 constexpr SliceBlend firstSlice{1, {0}, {1}};
 
@@ -39,8 +38,6 @@ glm::dvec2 bruteForce(const SliceStack<float>& density, const SliceBlend& blend,
   }
   return {before / row, below / all};
 }
-
-}  // namespace
 
 class MarginalWarpTest : public QObject {
   Q_OBJECT
@@ -115,4 +112,6 @@ class MarginalWarpTest : public QObject {
 };
 
 GONIO_TEST(MarginalWarpTest)
+}  // namespace marginal_warp_test
+
 #include "marginal_warp_test.moc"

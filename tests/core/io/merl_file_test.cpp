@@ -11,10 +11,9 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace merl_file_test {
 using namespace gonio;
 using namespace gonio::test;
-
-namespace {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -38,8 +37,6 @@ io::MerlTable read(const Bytes& bytes) { return io::readMerl(io::MemorySource(by
 std::string readError(const Bytes& bytes) {
   return errorOf([&] { read(bytes); });
 }
-
-}  // namespace
 
 class MerlFileTest : public QObject {
   Q_OBJECT
@@ -165,4 +162,6 @@ class MerlFileTest : public QObject {
 };
 
 GONIO_TEST(MerlFileTest)
+}  // namespace merl_file_test
+
 #include "merl_file_test.moc"

@@ -7,10 +7,9 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace obj_file_test {
 using namespace gonio;
 using namespace gonio::io;
-
-namespace {
 
 TriangleMesh read(std::string_view text, const TaskControl& control = {}) {
   return readObj(MemorySource(std::as_bytes(std::span(text))), control);
@@ -36,8 +35,6 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
 }
 
 const std::filesystem::path spot = std::filesystem::path(GONIO_SHARED_DIR) / "data/meshes/spot.obj";
-
-}  // namespace
 
 class ObjFileTest : public QObject {
   Q_OBJECT
@@ -176,4 +173,6 @@ class ObjFileTest : public QObject {
 };
 
 GONIO_TEST(ObjFileTest)
+}  // namespace obj_file_test
+
 #include "obj_file_test.moc"

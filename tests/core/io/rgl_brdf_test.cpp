@@ -15,11 +15,10 @@
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/test_program.h"
 
+namespace rgl_brdf_test {
 using namespace gonio;
 using namespace gonio::test;
 namespace fs = std::filesystem;
-
-namespace {
 
 io::RglFile read(const Bytes& bytes) { return io::readRgl(io::MemorySource(bytes)); }
 Rgb value(const SyntheticRgl& rgl, const Direction& wi, const Direction& wo) {
@@ -78,8 +77,6 @@ struct Tensors {
     return result;
   }
 };
-
-}  // namespace
 
 class RglBrdfTest : public QObject {
   Q_OBJECT
@@ -263,4 +260,6 @@ class RglBrdfTest : public QObject {
 };
 
 GONIO_TEST(RglBrdfTest)
+}  // namespace rgl_brdf_test
+
 #include "rgl_brdf_test.moc"

@@ -9,10 +9,9 @@
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/test_program.h"
 
+namespace tensor_file_test {
 using namespace gonio;
 using namespace gonio::test;
-
-namespace {
 
 io::TensorFile parse(const Bytes& bytes) { return io::TensorFile(io::MemorySource(bytes)); }
 
@@ -25,8 +24,6 @@ std::string mismatchOf(const Bytes& bytes) {
   }
   return {};
 }
-
-}  // namespace
 
 class TensorFileTest : public QObject {
   Q_OBJECT
@@ -90,4 +87,6 @@ class TensorFileTest : public QObject {
 };
 
 GONIO_TEST(TensorFileTest)
+}  // namespace tensor_file_test
+
 #include "tensor_file_test.moc"

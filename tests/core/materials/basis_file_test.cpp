@@ -10,12 +10,11 @@
 #include "tests/support/smooth_materials.h"
 #include "tests/support/test_program.h"
 
+namespace basis_file_test {
 using namespace gonio;
 using namespace gonio::io;
 using namespace gonio::materials;
 using dictionary::PrincipalComponents;
-
-namespace {
 
 std::shared_ptr<const BasisFile> read(const test::Bytes& bytes) { return readBasis(MemorySource(bytes)); }
 
@@ -28,12 +27,10 @@ test::Bytes with(test::Bytes bytes, const std::string& text, const std::string& 
   return bytes;
 }
 
-}  // namespace
-
 class BasisFileTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() { basis_ = testing::learnFrom(testing::smoothMaterials(6)); }
+  void initTestCase() { basis_ = test::learnFrom(test::smoothMaterials(6)); }
 
   void roundTrip() {
     for (const BasisPrecision precision : {BasisPrecision::single, BasisPrecision::half})
@@ -61,7 +58,7 @@ class BasisFileTest : public QObject {
 
   /// What a file leaves out comes back, also of what had left something out before; of all that there is it is nothing.
   void leftOut() {
-    const PrincipalComponents truncated = testing::learnFrom(testing::smoothMaterials(6), {.mostComponents = 5});
+    const PrincipalComponents truncated = test::learnFrom(test::smoothMaterials(6), {.mostComponents = 5});
     for (const BasisPrecision precision : {BasisPrecision::single, BasisPrecision::half})
       for (const int components : {0, 3, 5}) {
         const std::vector<float> expected = dictionary::leftOutVariance(basis_, components, 0, basis_.mean.size());
@@ -81,7 +78,7 @@ class BasisFileTest : public QObject {
   void halfPrecisionIsEnough() {
     const auto bytes = encodeBasis(basis_, basis_.count(), {});
     QVERIFY(bytes.size() < encodeBasis(basis_, basis_.count(), {}, BasisPrecision::single).size());
-    const auto code = dictionary::encode(basis_, *testing::smoothMaterial(3), basis_.count());
+    const auto code = dictionary::encode(basis_, *test::smoothMaterial(3), basis_.count());
     const auto expected = dictionary::decode(basis_, code), found = dictionary::decode(read(bytes)->components, code);
     for (int channel = 0; channel < 3; ++channel) {
       double bound = 1e-5;
@@ -101,7 +98,7 @@ class BasisFileTest : public QObject {
 
   /// Of nothing that varies there are no components.
   void withoutComponents() {
-    const PrincipalComponents still = testing::learnFrom({testing::smoothMaterial(1), testing::smoothMaterial(1)});
+    const PrincipalComponents still = test::learnFrom({test::smoothMaterial(1), test::smoothMaterial(1)});
     PrincipalComponents none = still;
     none.svd = {.u = {{}, still.svd.u.rows, 0}, .singularValues = {}, .v = Eigen::MatrixXd(6, 0)};
     QCOMPARE(read(encodeBasis(none, 3, {}))->components.count(), 0);
@@ -168,4 +165,6 @@ class BasisFileTest : public QObject {
 };
 
 GONIO_TEST(BasisFileTest)
+}  // namespace basis_file_test
+
 #include "basis_file_test.moc"

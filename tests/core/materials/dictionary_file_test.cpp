@@ -13,13 +13,12 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace dictionary_file_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
+using namespace gonio::dictionary::test_support;
 using gonio::test::errorOf;
 using gonio::test::outputPath;
-
-namespace {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -35,8 +34,6 @@ std::string errorWith(const std::filesystem::path& file, std::size_t at, Number 
   const auto changed = gonio::test::writeFile("dictionary/changed", bytes);
   return errorOf([&] { read(changed); });
 }
-
-}  // namespace
 
 class DictionaryFileTest : public QObject {
   Q_OBJECT
@@ -166,4 +163,6 @@ class DictionaryFileTest : public QObject {
 };
 
 GONIO_TEST(DictionaryFileTest)
+}  // namespace dictionary_file_test
+
 #include "dictionary_file_test.moc"

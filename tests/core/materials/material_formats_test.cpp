@@ -10,12 +10,11 @@
 #include "tests/fuzz/reader_seeds.h"
 #include "tests/support/test_program.h"
 
+namespace material_formats_test {
 using namespace gonio;
 using namespace gonio::test;
 using materials::FormatId;
 using materials::MaterialFormat;
-
-namespace {
 
 /// A file of a format, without its suffix in its name.
 Bytes fileOf(FormatId id) {
@@ -38,8 +37,6 @@ std::shared_ptr<const TabulatedBrdf> greyTable(const HalfDifferenceGrid& grid) {
   return std::make_shared<const TabulatedBrdf>(grid, std::vector<glm::vec3>(grid.size(), glm::vec3(0.2f)),
                                                std::vector<std::uint8_t>(grid.size(), 1));
 }
-
-}  // namespace
 
 class MaterialFormatsTest : public QObject {
   Q_OBJECT
@@ -141,4 +138,6 @@ class MaterialFormatsTest : public QObject {
 };
 
 GONIO_TEST(MaterialFormatsTest)
+}  // namespace material_formats_test
+
 #include "material_formats_test.moc"

@@ -9,12 +9,11 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace pdv_file_test {
 using namespace gonio;
 using namespace gonio::factorization;
 using namespace gonio::io;
 using namespace gonio::materials;
-
-namespace {
 
 /// Values that single precision holds.
 PdvFactors someFactors(PdvForm form) {
@@ -33,8 +32,6 @@ PdvFactors someFactors(PdvForm form) {
                                      flat ? std::vector<double>{1} : std::vector<double>{1, -0.5, 0.75}});
   return f;
 }
-
-}  // namespace
 
 class PdvFileTest : public QObject {
   Q_OBJECT
@@ -102,4 +99,6 @@ class PdvFileTest : public QObject {
 };
 
 GONIO_TEST(PdvFileTest)
+}  // namespace pdv_file_test
+
 #include "pdv_file_test.moc"

@@ -9,12 +9,11 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace plan_file_test {
 using namespace gonio;
 using namespace gonio::io;
 using namespace gonio::materials;
 using acquisition::SamplingPlan;
-
-namespace {
 
 const std::string names = "index,theta_i,phi_i,theta_o,phi_o\n";
 
@@ -22,10 +21,8 @@ std::string planError(const std::string& text) {
   return test::errorOf([&] { parsePlan(text); });
 }
 
-#define VERIFY_ERROR(text, part) \
+#define VERIFY_PLAN_ERROR(text, part) \
   QVERIFY2(test::contains(planError(text), part), qPrintable(QString::fromStdString("found: " + planError(text))))
-
-}  // namespace
 
 class PlanFileTest : public QObject {
   Q_OBJECT
@@ -101,10 +98,10 @@ class PlanFileTest : public QObject {
     }
     const std::string ordered = "index,theta_i,phi_i,theta_o,phi_o,order\n";
     QCOMPARE(parsePlan(ordered + "1,10,0,10,180,2\n2,50,0,50,180,1\n").samples[0].order, 2);
-    VERIFY_ERROR(ordered + "1,10,0,10,180,2\n2,50,0,50,180,1\n3,50,0,40,180,2\n",
-                 "line 4: found the order 2 again, first in line 2");
-    VERIFY_ERROR(ordered + "1,10,0,10,180,1\n2,50,0,50,180,3\n", "line 3: found the order 3, expected 1 to 2");
-    VERIFY_ERROR(ordered + "1,10,0,10,180,0\n2,50,0,50,180,1\n", "line 2: found the order 0, expected 1 to 2");
+    VERIFY_PLAN_ERROR(ordered + "1,10,0,10,180,2\n2,50,0,50,180,1\n3,50,0,40,180,2\n",
+                      "line 4: found the order 2 again, first in line 2");
+    VERIFY_PLAN_ERROR(ordered + "1,10,0,10,180,1\n2,50,0,50,180,3\n", "line 3: found the order 3, expected 1 to 2");
+    VERIFY_PLAN_ERROR(ordered + "1,10,0,10,180,0\n2,50,0,50,180,1\n", "line 2: found the order 0, expected 1 to 2");
   }
 
   /// A plan near the normal is small enough for radians: its half-difference angles say that it is in degrees.
@@ -128,37 +125,38 @@ class PlanFileTest : public QObject {
       for (const double angle : {at.thetaH, at.thetaD, at.phiD}) row += "," + decimalText(angle, 6);
       radianText += row + "\n";
     }
-    VERIFY_ERROR(radianText, "expected degrees");
-    VERIFY_ERROR(alone, "expected degrees");
+    VERIFY_PLAN_ERROR(radianText, "expected degrees");
+    VERIFY_PLAN_ERROR(alone, "expected degrees");
   }
 
   void manySamples() {
     std::string text = names;
     for (int i = 1; i <= 65536; ++i) text += std::to_string(i) + ",10,0,20,180\n";
     QCOMPARE(parsePlan(text).samples.size(), std::size_t(65536));
-    VERIFY_ERROR(text + "65537,10,0,20,180\n", "found 65537 samples, expected at most 65536");
+    VERIFY_PLAN_ERROR(text + "65537,10,0,20,180\n", "found 65537 samples, expected at most 65536");
   }
 
   void errorsNameTheLine() {
-    VERIFY_ERROR("", "no line with the names");
-    VERIFY_ERROR("# only\n", "no line with the names");
-    VERIFY_ERROR(names, "no samples");
-    VERIFY_ERROR("index,theta_i,phi_i,theta_o\n1,2,3,4\n", "line 1: found the columns index, theta_i, phi_i, theta_o");
-    VERIFY_ERROR("index,theta_i,phi_i,theta_o,phi_o,phi_o\n", "line 1: found two columns 'phi_o'");
-    VERIFY_ERROR(names + "1,10,0,20\n", "line 2: found 4 columns, expected 5");
-    VERIFY_ERROR(names + "1,10,0,20,0,5\n", "line 2: found 6 columns, expected 5");
-    VERIFY_ERROR(names + "\n1,10,0,20,0\n1,11,0,20,0\n", "line 4: found the index 1 again, first in line 3");
-    VERIFY_ERROR("index,theta_i,phi_i,theta_o,phi_o\r\n\r\n1,2,3,4,x\r\n", "line 3: ");
-    VERIFY_ERROR(names + "0,10,0,20,0\n", "line 2: found the index 0");
-    VERIFY_ERROR(names + "1.5,10,0,20,0\n", "line 2: found '1.5' for index, expected a whole number");
-    VERIFY_ERROR(names + "1,ten,0,20,0\n", "line 2: found 'ten' for theta_i, expected a finite number");
-    VERIFY_ERROR(names + "1,10,nan,20,0\n", "line 2: found 'nan' for phi_i");
-    VERIFY_ERROR(names + "1,10,0,inf,0\n", "line 2: found 'inf' for theta_o");
-    VERIFY_ERROR(names + "1,10,0,20,\n", "line 2: found '' for phi_o");
-    VERIFY_ERROR(names + "1,91,0,20,0\n", "line 2: found 91 for theta_i, expected degrees from 0 to 90");
-    VERIFY_ERROR(names + "1,10,0,-20,0\n", "line 2: found -20 for theta_o");
-    VERIFY_ERROR(names + "1,10,0,20,400\n", "line 2: found 400 for phi_o");
-    VERIFY_ERROR(names + "1,0.5,0.1,0.3,3.1\n2,1.2,0,0.7,-3.1\n3,1.5,1,0.2,2\n", "expected degrees");
+    VERIFY_PLAN_ERROR("", "no line with the names");
+    VERIFY_PLAN_ERROR("# only\n", "no line with the names");
+    VERIFY_PLAN_ERROR(names, "no samples");
+    VERIFY_PLAN_ERROR("index,theta_i,phi_i,theta_o\n1,2,3,4\n",
+                      "line 1: found the columns index, theta_i, phi_i, theta_o");
+    VERIFY_PLAN_ERROR("index,theta_i,phi_i,theta_o,phi_o,phi_o\n", "line 1: found two columns 'phi_o'");
+    VERIFY_PLAN_ERROR(names + "1,10,0,20\n", "line 2: found 4 columns, expected 5");
+    VERIFY_PLAN_ERROR(names + "1,10,0,20,0,5\n", "line 2: found 6 columns, expected 5");
+    VERIFY_PLAN_ERROR(names + "\n1,10,0,20,0\n1,11,0,20,0\n", "line 4: found the index 1 again, first in line 3");
+    VERIFY_PLAN_ERROR("index,theta_i,phi_i,theta_o,phi_o\r\n\r\n1,2,3,4,x\r\n", "line 3: ");
+    VERIFY_PLAN_ERROR(names + "0,10,0,20,0\n", "line 2: found the index 0");
+    VERIFY_PLAN_ERROR(names + "1.5,10,0,20,0\n", "line 2: found '1.5' for index, expected a whole number");
+    VERIFY_PLAN_ERROR(names + "1,ten,0,20,0\n", "line 2: found 'ten' for theta_i, expected a finite number");
+    VERIFY_PLAN_ERROR(names + "1,10,nan,20,0\n", "line 2: found 'nan' for phi_i");
+    VERIFY_PLAN_ERROR(names + "1,10,0,inf,0\n", "line 2: found 'inf' for theta_o");
+    VERIFY_PLAN_ERROR(names + "1,10,0,20,\n", "line 2: found '' for phi_o");
+    VERIFY_PLAN_ERROR(names + "1,91,0,20,0\n", "line 2: found 91 for theta_i, expected degrees from 0 to 90");
+    VERIFY_PLAN_ERROR(names + "1,10,0,-20,0\n", "line 2: found -20 for theta_o");
+    VERIFY_PLAN_ERROR(names + "1,10,0,20,400\n", "line 2: found 400 for phi_o");
+    VERIFY_PLAN_ERROR(names + "1,0.5,0.1,0.3,3.1\n2,1.2,0,0.7,-3.1\n3,1.5,1,0.2,2\n", "expected degrees");
     QCOMPARE(parsePlan(names + "1,90.000001,0,20,0\n").samples.size(), std::size_t(1));
     // Near the normal, in degrees.
     QCOMPARE(parsePlan(names + "1,0.5,90,0.3,-90\n2,1,0,1,180\n3,0,0,0.5,180\n").samples.size(), std::size_t(3));
@@ -178,4 +176,6 @@ class PlanFileTest : public QObject {
 };
 
 GONIO_TEST(PlanFileTest)
+}  // namespace plan_file_test
+
 #include "plan_file_test.moc"

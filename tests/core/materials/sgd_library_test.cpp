@@ -11,10 +11,9 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace sgd_library_test {
 using namespace gonio;
 using namespace gonio::test;
-
-namespace {
 
 /// The published formula with the published normalisation kap, straight from the columns of the table.
 double published(const std::vector<double>& v, double thetaI, double thetaO, double thetaH, double thetaD) {
@@ -28,8 +27,6 @@ double published(const std::vector<double>& v, double thetaI, double thetaO, dou
   const double cosD = std::cos(thetaD), fresnel = v[f0] - v[f1] * cosD + (1 - v[f0]) * std::pow(1 - cosD, 5);
   return (v[rhoD] + v[rhoS] * fresnel * d * g1(thetaI) * g1(thetaO) / (std::cos(thetaI) * std::cos(thetaO))) / pi;
 }
-
-}  // namespace
 
 class SgdLibraryTest : public QObject {
   Q_OBJECT
@@ -103,4 +100,6 @@ class SgdLibraryTest : public QObject {
 };
 
 GONIO_TEST(SgdLibraryTest)
+}  // namespace sgd_library_test
+
 #include "sgd_library_test.moc"

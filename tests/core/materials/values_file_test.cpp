@@ -8,12 +8,11 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace values_file_test {
 using namespace gonio;
 using namespace gonio::materials;
 using acquisition::MeasuredValues;
 using acquisition::SamplingPlan;
-
-namespace {
 
 /// Three samples with indices that are not those of their places.
 SamplingPlan plan() {
@@ -26,10 +25,8 @@ std::string valuesError(const std::string& text) {
   return test::errorOf([&] { parseValues(text, plan()); });
 }
 
-#define VERIFY_ERROR(text, part) \
+#define VERIFY_VALUES_ERROR(text, part) \
   QVERIFY2(test::contains(valuesError(text), part), qPrintable(QString::fromStdString("found: " + valuesError(text))))
-
-}  // namespace
 
 class ValuesFileTest : public QObject {
   Q_OBJECT
@@ -74,27 +71,29 @@ class ValuesFileTest : public QObject {
     // Beside r, g, b they are columns that nobody asked for.
     QVERIFY(parseValues("index,r,g,b,450,550,650\n2,1,1,1,0,0,0\n5,1,1,1,0,0,0\n7,1,1,1,0,0,0\n", plan()).rgb[0] ==
             Rgb(1));
-    VERIFY_ERROR("index,450,550\n", "expected one named r");
-    VERIFY_ERROR("index,450,550,550nm,650\n", "two columns of 550 nm");
-    VERIFY_ERROR("index,450,550,650\n2,1,-1,1\n5,1,1,1\n7,1,1,1\n", "line 2: found -1 for 550");
-    VERIFY_ERROR("index,580,640,700\n2,1.79e308,0,0\n5,1,1,1\n7,1,1,1\n", "too large");
+    VERIFY_VALUES_ERROR("index,450,550\n", "expected one named r");
+    VERIFY_VALUES_ERROR("index,450,550,550nm,650\n", "two columns of 550 nm");
+    VERIFY_VALUES_ERROR("index,450,550,650\n2,1,-1,1\n5,1,1,1\n7,1,1,1\n", "line 2: found -1 for 550");
+    VERIFY_VALUES_ERROR("index,580,640,700\n2,1.79e308,0,0\n5,1,1,1\n7,1,1,1\n", "too large");
   }
 
   void errorsNameTheLine() {
     const std::string names = "index,r,g,b\n", good = "2,1,1,1\n5,1,1,1\n7,1,1,1\n";
     QVERIFY(valuesError(names + good).empty());
-    VERIFY_ERROR(names, "found no row of index 2, 5, 7");
-    VERIFY_ERROR(names + "2,1,1,1\n7,1,1,1\n", "found no row of index 5, expected one for each sample");
-    VERIFY_ERROR(names + good + "5,1,1,1\n", "line 5: found the index 5 again, first in line 3");
-    VERIFY_ERROR(names + good + "3,1,1,1\n", "line 5: found the index 3, which the plan does not have");
-    VERIFY_ERROR(names + "2,1,1,1\n5,1,-0.5,1\n7,1,1,1\n", "line 3: found -0.5 for g, expected a number, 0 or more");
+    VERIFY_VALUES_ERROR(names, "found no row of index 2, 5, 7");
+    VERIFY_VALUES_ERROR(names + "2,1,1,1\n7,1,1,1\n", "found no row of index 5, expected one for each sample");
+    VERIFY_VALUES_ERROR(names + good + "5,1,1,1\n", "line 5: found the index 5 again, first in line 3");
+    VERIFY_VALUES_ERROR(names + good + "3,1,1,1\n", "line 5: found the index 3, which the plan does not have");
+    VERIFY_VALUES_ERROR(names + "2,1,1,1\n5,1,-0.5,1\n7,1,1,1\n",
+                        "line 3: found -0.5 for g, expected a number, 0 or more");
     for (const char* bad : {"nan", "inf", "-inf", "1e999", "abc", "", "0x1p3", "1.2.3", "1 2"})
-      VERIFY_ERROR(names + "2,1,1,1\n5,1,1," + bad + "\n7,1,1,1\n", std::string("line 3: found '") + bad + "' for b");
-    VERIFY_ERROR(names + "2,1,1\n5,1,1,1\n7,1,1,1\n", "line 2: found 3 columns, expected 4");
-    VERIFY_ERROR("index,r,g\n", "expected one named b");
-    VERIFY_ERROR("r,g,b\n1,1,1\n", "expected one named index");
-    VERIFY_ERROR("index,r,g,b,noise_r\n2,1,1,1,0\n5,1,1,1,0\n7,1,1,1,0\n", "expected one named noise_g");
-    VERIFY_ERROR("index,r,g,b,noise\n2,1,1,1,0\n5,1,1,1,-1\n7,1,1,1,0\n", "line 3: found -1 for noise");
+      VERIFY_VALUES_ERROR(names + "2,1,1,1\n5,1,1," + bad + "\n7,1,1,1\n",
+                          std::string("line 3: found '") + bad + "' for b");
+    VERIFY_VALUES_ERROR(names + "2,1,1\n5,1,1,1\n7,1,1,1\n", "line 2: found 3 columns, expected 4");
+    VERIFY_VALUES_ERROR("index,r,g\n", "expected one named b");
+    VERIFY_VALUES_ERROR("r,g,b\n1,1,1\n", "expected one named index");
+    VERIFY_VALUES_ERROR("index,r,g,b,noise_r\n2,1,1,1,0\n5,1,1,1,0\n7,1,1,1,0\n", "expected one named noise_g");
+    VERIFY_VALUES_ERROR("index,r,g,b,noise\n2,1,1,1,0\n5,1,1,1,-1\n7,1,1,1,0\n", "line 3: found -1 for noise");
     const std::string bad = names + "9,1,1,1\n";
     const auto path = test::writeFile("values/bad.csv", std::as_bytes(std::span(bad)));
     QVERIFY(test::contains(test::errorOf([&] { readValues(path, plan()); }), "bad.csv: line 2: "));
@@ -102,4 +101,6 @@ class ValuesFileTest : public QObject {
 };
 
 GONIO_TEST(ValuesFileTest)
+}  // namespace values_file_test
+
 #include "values_file_test.moc"

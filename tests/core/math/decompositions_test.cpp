@@ -9,17 +9,14 @@
 
 #include "tests/support/test_program.h"
 
+namespace decompositions_test {
 using namespace gonio;
 using Eigen::MatrixXd;
-using gonio::testing::randomMatrix;
-
-namespace {
+using gonio::test::randomMatrix;
 
 double departureFromOrthonormal(const MatrixXd& columns) {
   return (columns.transpose() * columns - MatrixXd::Identity(columns.cols(), columns.cols())).norm();
 }
-
-}  // namespace
 
 class DecompositionsTest : public QObject {
   Q_OBJECT
@@ -63,4 +60,6 @@ class DecompositionsTest : public QObject {
 };
 
 GONIO_TEST(DecompositionsTest)
+}  // namespace decompositions_test
+
 #include "decompositions_test.moc"

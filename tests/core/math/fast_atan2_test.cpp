@@ -8,6 +8,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace fast_atan2_test {
 using namespace gonio;
 
 class FastAtan2Test : public QObject {
@@ -44,4 +45,6 @@ class FastAtan2Test : public QObject {
 };
 
 GONIO_TEST(FastAtan2Test)
+}  // namespace fast_atan2_test
+
 #include "fast_atan2_test.moc"

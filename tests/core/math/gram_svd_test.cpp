@@ -9,9 +9,8 @@
 #include "core/math/parallel.h"
 #include "tests/support/test_program.h"
 
+namespace gram_svd_test {
 using namespace gonio;
-
-namespace {
 
 TallMatrix randomTall(int rows, int columns, unsigned seed) {
   std::mt19937 generator(seed);
@@ -27,8 +26,6 @@ double orthonormalityError(const TallMatrix& u) {
 }
 
 constexpr int all = 1000;
-
-}  // namespace
 
 class GramSvdTest : public QObject {
   Q_OBJECT
@@ -118,4 +115,6 @@ class GramSvdTest : public QObject {
 };
 
 GONIO_TEST(GramSvdTest)
+}  // namespace gram_svd_test
+
 #include "gram_svd_test.moc"

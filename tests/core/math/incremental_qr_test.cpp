@@ -9,17 +9,14 @@
 
 #include "tests/support/test_program.h"
 
+namespace incremental_qr_test {
 using namespace gonio;
 using Eigen::MatrixXd, Eigen::VectorXd;
-using gonio::testing::randomMatrix;
-
-namespace {
+using gonio::test::randomMatrix;
 
 double orthonormalityError(const IncrementalQr& qr) {
   return (qr.q().transpose() * qr.q() - MatrixXd::Identity(qr.size(), qr.size())).cwiseAbs().maxCoeff();
 }
-
-}  // namespace
 
 class IncrementalQrTest : public QObject {
   Q_OBJECT
@@ -77,4 +74,6 @@ class IncrementalQrTest : public QObject {
 };
 
 GONIO_TEST(IncrementalQrTest)
+}  // namespace incremental_qr_test
+
 #include "incremental_qr_test.moc"

@@ -11,11 +11,10 @@
 #include "tests/support/random_matrix.h"
 #include "tests/support/test_program.h"
 
+namespace matching_pursuit_test {
 using namespace gonio;
 using Eigen::MatrixXd, Eigen::VectorXd;
-using gonio::testing::randomMatrix;
-
-namespace {
+using gonio::test::randomMatrix;
 
 /// Orthonormal columns.
 MatrixXd randomBasis(int size, unsigned seed) { return randomMatrix(size, size, seed).householderQr().householderQ(); }
@@ -39,8 +38,6 @@ VectorXd leastSquaresResidual(const MatrixXd& columns, const VectorXd& x) {
 }
 
 std::set<int> asSet(const std::vector<int>& support) { return {support.begin(), support.end()}; }
-
-}  // namespace
 
 class MatchingPursuitTest : public QObject {
   Q_OBJECT
@@ -222,4 +219,6 @@ class MatchingPursuitTest : public QObject {
 };
 
 GONIO_TEST(MatchingPursuitTest)
+}  // namespace matching_pursuit_test
+
 #include "matching_pursuit_test.moc"

@@ -9,6 +9,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace monotone_cubic_test {
 using namespace gonio;
 
 class MonotoneCubicTest : public QObject {
@@ -82,4 +83,6 @@ class MonotoneCubicTest : public QObject {
 };
 
 GONIO_TEST(MonotoneCubicTest)
+}  // namespace monotone_cubic_test
+
 #include "monotone_cubic_test.moc"

@@ -10,6 +10,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace parallel_test {
 using namespace gonio;
 
 class ParallelTest : public QObject {
@@ -79,4 +80,6 @@ class ParallelTest : public QObject {
 };
 
 GONIO_TEST(ParallelTest)
+}  // namespace parallel_test
+
 #include "parallel_test.moc"

@@ -8,6 +8,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace quadrature_test {
 using namespace gonio;
 
 class QuadratureTest : public QObject {
@@ -40,4 +41,6 @@ class QuadratureTest : public QObject {
 };
 
 GONIO_TEST(QuadratureTest)
+}  // namespace quadrature_test
+
 #include "quadrature_test.moc"

@@ -10,11 +10,10 @@
 
 #include "tests/support/test_program.h"
 
+namespace ridge_regression_test {
 using namespace gonio;
 using Eigen::MatrixXd;
-using gonio::testing::randomMatrix;
-
-namespace {
+using gonio::test::randomMatrix;
 
 MatrixXd identity(Eigen::Index size) { return MatrixXd::Identity(size, size); }
 
@@ -33,8 +32,6 @@ double relative(const MatrixXd& found, const MatrixXd& expected) { return (found
 
 /// Fewer rows than columns, as many, more.
 const std::pair<Eigen::Index, Eigen::Index> shapes[] = {{5, 9}, {7, 7}, {12, 6}};
-
-}  // namespace
 
 class RidgeRegressionTest : public QObject {
   Q_OBJECT
@@ -136,4 +133,6 @@ class RidgeRegressionTest : public QObject {
 };
 
 GONIO_TEST(RidgeRegressionTest)
+}  // namespace ridge_regression_test
+
 #include "ridge_regression_test.moc"

@@ -9,6 +9,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace sampling_test {
 using namespace gonio;
 
 class SamplingTest : public QObject {
@@ -75,4 +76,6 @@ class SamplingTest : public QObject {
 };
 
 GONIO_TEST(SamplingTest)
+}  // namespace sampling_test
+
 #include "sampling_test.moc"

@@ -8,9 +8,9 @@
 #include "core/math/types.h"
 #include "tests/support/test_program.h"
 
+namespace special_functions_test {
 using namespace gonio;
 
-namespace {
 constexpr double arguments[] = {1e-12, 1.6e-5, 1e-3, 0.1, 0.854, 1, 1.7, 5, 10, 40, 100};
 
 bool agrees(double s, double x, double expected, double tolerance = 1e-13) {
@@ -19,8 +19,6 @@ bool agrees(double s, double x, double expected, double tolerance = 1e-13) {
   qWarning("s = %g, x = %g: ratio - 1 = %g", s, x, ratio - 1);
   return false;
 }
-}  // namespace
-
 class SpecialFunctionsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -55,4 +53,6 @@ class SpecialFunctionsTest : public QObject {
 };
 
 GONIO_TEST(SpecialFunctionsTest)
+}  // namespace special_functions_test
+
 #include "special_functions_test.moc"

@@ -7,9 +7,8 @@
 
 #include "tests/support/test_program.h"
 
+namespace spectrum_test {
 using namespace gonio;
-
-namespace {
 
 Rgb rgbOf(const std::vector<double>& nanometres, const std::vector<double>& values) {
   const std::vector<Rgb> weights = spectrumWeights(nanometres);
@@ -17,8 +16,6 @@ Rgb rgbOf(const std::vector<double>& nanometres, const std::vector<double>& valu
   for (std::size_t i = 0; i < values.size(); ++i) sum += weights[i] * values[i];
   return sum;
 }
-
-}  // namespace
 
 class SpectrumTest : public QObject {
   Q_OBJECT
@@ -60,4 +57,6 @@ class SpectrumTest : public QObject {
 };
 
 GONIO_TEST(SpectrumTest)
+}  // namespace spectrum_test
+
 #include "spectrum_test.moc"

@@ -9,6 +9,7 @@
 #include "core/math/quadrature.h"
 #include "tests/support/test_program.h"
 
+namespace spherical_harmonics_test {
 using namespace gonio;
 
 class SphericalHarmonicsTest : public QObject {
@@ -60,4 +61,6 @@ class SphericalHarmonicsTest : public QObject {
 };
 
 GONIO_TEST(SphericalHarmonicsTest)
+}  // namespace spherical_harmonics_test
+
 #include "spherical_harmonics_test.moc"

@@ -10,6 +10,7 @@
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 
+namespace weights_test {
 using namespace gonio;
 
 class WeightsTest : public QObject {
@@ -47,4 +48,6 @@ class WeightsTest : public QObject {
 };
 
 GONIO_TEST(WeightsTest)
+}  // namespace weights_test
+
 #include "weights_test.moc"

@@ -11,17 +11,16 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace brdf_metrics_test {
 using namespace gonio;
 using namespace gonio::metrics;
-
-namespace {
 
 using Values = std::vector<TabulatedBrdf::Value>;
 using Flags = std::vector<std::uint8_t>;
 
 /// Every cell above the horizon holds `value`.
 TabulatedBrdf constantTable(double value, const HalfDifferenceGrid& grid = {}) {
-  return *bakeTable(testing::FunctionBrdf([&](const Direction&, const Direction&) { return Rgb(value); }), grid);
+  return *bakeTable(test::FunctionBrdf([&](const Direction&, const Direction&) { return Rgb(value); }), grid);
 }
 
 constexpr double gammaOfTests = 1.7;
@@ -96,16 +95,14 @@ TabulatedBrdf scaled(const TabulatedBrdf& table, float factor) {
   return {table.grid(), std::move(values), Flags(table.valid().begin(), table.valid().end())};
 }
 
-}  // namespace
-
 class BrdfMetricsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void agreesWithTheDefinition() {
     const HalfDifferenceGrid grid{36, 18, 36, true};  // has nodes at exactly 60, 80 and 85 degrees
     for (const bool isGrey : {false, true}) {
-      const auto table = bakeTable(*testing::ggx(isGrey ? Rgb(0.3) : Rgb(0.3, 0.1, 0), Rgb(1), 0.2, 0.3), grid);
-      const auto test = testing::ggx(isGrey ? Rgb(0.2) : Rgb(0.25, 0.2, 0.1), Rgb(0.8), 0.25, 0.3);
+      const auto table = bakeTable(*test::ggx(isGrey ? Rgb(0.3) : Rgb(0.3, 0.1, 0), Rgb(1), 0.2, 0.3), grid);
+      const auto test = test::ggx(isGrey ? Rgb(0.2) : Rgb(0.25, 0.2, 0.1), Rgb(0.8), 0.25, 0.3);
       for (const double angle : {60.0, 80.0, 85.0}) {
         const std::vector<double> errors = brdfErrors(*table, *test, radians(angle), gammaOfTests);
         QCOMPARE(errors.size(), metricRecords().size());
@@ -145,8 +142,8 @@ class BrdfMetricsTest : public QObject {
   /// Both materials 8 times as bright.
   void scalingLaws() {
     const HalfDifferenceGrid grid{30, 20, 24, true};
-    const auto reference = bakeTable(*testing::ggx(Rgb(0.3, 0.1, 0), Rgb(1), 0.2, 0.3), grid);
-    const auto test = bakeTable(*testing::ggx(Rgb(0.25, 0.2, 0.1), Rgb(0.8), 0.25, 0.3), grid);
+    const auto reference = bakeTable(*test::ggx(Rgb(0.3, 0.1, 0), Rgb(1), 0.2, 0.3), grid);
+    const auto test = bakeTable(*test::ggx(Rgb(0.25, 0.2, 0.1), Rgb(0.8), 0.25, 0.3), grid);
     const std::vector<double> once = brdfErrors(*reference, *test, defaultMaxPolarAngle, 1.5);
     const std::vector<double> eight = brdfErrors(scaled(*reference, 8), scaled(*test, 8), defaultMaxPolarAngle, 1.5);
     const auto verify = [&](BrdfMetric metric, double factor) {
@@ -167,8 +164,8 @@ class BrdfMetricsTest : public QObject {
 
   /// The gamma metric is the cosine-weighted L2 at 1 and the cube root at 3.
   void gammaMeetsItsNeighbours() {
-    const auto table = bakeTable(*testing::ggx(Rgb(0.3, 0.1, 0), Rgb(1), 0.2, 0.3), {30, 20, 24, true});
-    const auto test = testing::ggx(Rgb(0.25, 0.2, 0.1), Rgb(0.8), 0.25, 0.3);
+    const auto table = bakeTable(*test::ggx(Rgb(0.3, 0.1, 0), Rgb(1), 0.2, 0.3), {30, 20, 24, true});
+    const auto test = test::ggx(Rgb(0.25, 0.2, 0.1), Rgb(0.8), 0.25, 0.3);
     const auto gammaError = [&](double gamma) {
       return brdfError(BrdfMetric::gamma, *table, *test, defaultMaxPolarAngle, gamma);
     };
@@ -178,7 +175,7 @@ class BrdfMetricsTest : public QObject {
   }
 
   void equalValuesGiveZero() {
-    const auto brdf = testing::ggx(Rgb(0.3), Rgb(1), 0.01, 0.9);
+    const auto brdf = test::ggx(Rgb(0.3), Rgb(1), 0.01, 0.9);
     const auto table = bakeTable(*brdf);
     for (const double error : brdfErrors(*table, *table)) QCOMPARE(error, 0.0);
     // The model in double against its table in float.
@@ -206,7 +203,7 @@ class BrdfMetricsTest : public QObject {
 
   /// A tenth of the value is 20 dB, whatever the cosines.
   void brdfSnrOfScaledValues() {
-    const auto table = bakeTable(*testing::ggx(Rgb(0.3), Rgb(1), 0.3, 0.3));
+    const auto table = bakeTable(*test::ggx(Rgb(0.3), Rgb(1), 0.3, 0.3));
     Values values(table->values().begin(), table->values().end());
     for (auto& value : values) value *= 0.9f;
     const TabulatedBrdf test(table->grid(), values, Flags(table->valid().begin(), table->valid().end()));
@@ -214,8 +211,8 @@ class BrdfMetricsTest : public QObject {
   }
 
   void sameBitsForAnyThreadCount() {
-    const auto table = bakeTable(*testing::ggx(Rgb(0.3), Rgb(1), 0.2, 0.3));
-    const auto test = testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
+    const auto table = bakeTable(*test::ggx(Rgb(0.3), Rgb(1), 0.2, 0.3));
+    const auto test = test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
     const auto run = [&](int threads) {
       const ThreadLimit limit(threads);
       std::vector<double> all = brdfErrors(*table, *test);
@@ -231,8 +228,7 @@ class BrdfMetricsTest : public QObject {
     for (double x = 1e-9; x <= 1e6; x *= 10) {
       const TabulatedBrdf reference(mirror, Values(1, TabulatedBrdf::Value(float(x))), Flags(1, 1));
       const double value = reference.values()[0].x;
-      const auto test =
-          testing::FunctionBrdf([&](const Direction&, const Direction&) { return Rgb(value * (1 + 1e-6)); });
+      const auto test = test::FunctionBrdf([&](const Direction&, const Direction&) { return Rgb(value * (1 + 1e-6)); });
       const double expected = std::log1p(1e-6 * value / (1 + value));
       QVERIFY(std::abs(brdfError(BrdfMetric::log, reference, test) / expected - 1) < 1e-9);
     }
@@ -240,8 +236,8 @@ class BrdfMetricsTest : public QObject {
 
   void hardCase43NegativeReconstruction() {
     const TabulatedBrdf reference = constantTable(0.25, {10, 10, 10, true});
-    const testing::FunctionBrdf negative([](const Direction&, const Direction&) { return Rgb(-3); });
-    const testing::FunctionBrdf black([](const Direction&, const Direction&) { return Rgb(0); });
+    const test::FunctionBrdf negative([](const Direction&, const Direction&) { return Rgb(-3); });
+    const test::FunctionBrdf black([](const Direction&, const Direction&) { return Rgb(0); });
     QVERIFY(brdfErrors(reference, negative) == brdfErrors(reference, black));
     for (const double error : brdfErrors(reference, negative)) QVERIFY(std::isfinite(error) && error > 0);
   }
@@ -268,4 +264,6 @@ class BrdfMetricsTest : public QObject {
 };
 
 GONIO_TEST(BrdfMetricsTest)
+}  // namespace brdf_metrics_test
+
 #include "brdf_metrics_test.moc"

@@ -9,10 +9,10 @@
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 
+namespace image_metrics_test {
 using namespace gonio;
 using namespace gonio::metrics;
 
-namespace {
 Image constant(float value, int width = 4, int height = 3) {
   Image image(width, height);
   for (glm::vec3& pixel : image.pixels) pixel = glm::vec3(value);
@@ -27,8 +27,6 @@ Image noisy(Image image, double deviation, std::uint64_t seed) {
     for (int c = 0; c < 3; ++c) pixel[c] += float(noise(random));
   return image;
 }
-}  // namespace
-
 class ImageMetricsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -119,4 +117,6 @@ class ImageMetricsTest : public QObject {
 };
 
 GONIO_TEST(ImageMetricsTest)
+}  // namespace image_metrics_test
+
 #include "image_metrics_test.moc"

@@ -9,10 +9,9 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace plausibility_test {
 using namespace gonio;
 using namespace gonio::metrics;
-
-namespace {
 
 PlausibilityCheck find(const std::vector<PlausibilityCheck>& checks, const std::string& name) {
   for (const PlausibilityCheck& check : checks)
@@ -29,22 +28,20 @@ std::vector<std::string> failures(const Brdf& brdf) {
 
 using Names = std::vector<std::string>;
 
-}  // namespace
-
 class PlausibilityTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void physicalModelsPass() {
     for (const double roughness : {1e-3, 0.05, 0.3, 1.0})
-      QCOMPARE(failures(*testing::ggx(Rgb(0), Rgb(1), roughness, 1)), Names{});
-    QCOMPARE(failures(testing::lambert(Rgb(1))), Names{});
-    QCOMPARE(failures(testing::lambert(Rgb(0))), Names{});
+      QCOMPARE(failures(*test::ggx(Rgb(0), Rgb(1), roughness, 1)), Names{});
+    QCOMPARE(failures(test::lambert(Rgb(1))), Names{});
+    QCOMPARE(failures(test::lambert(Rgb(0))), Names{});
   }
 
-  void bakedTablesPass() { QCOMPARE(failures(*bakeTable(*testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.04))), Names{}); }
+  void bakedTablesPass() { QCOMPARE(failures(*bakeTable(*test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.04))), Names{}); }
 
   void aBrdfThatIsNotReciprocalIsFound() {
-    const testing::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(0.2 * wi.z); });
+    const test::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(0.2 * wi.z); });
     const auto checks = checkPlausibility(brdf);
     QCOMPARE(failures(brdf), Names{"reciprocity"});
     const PlausibilityCheck check = find(checks, "reciprocity");
@@ -53,20 +50,20 @@ class PlausibilityTest : public QObject {
   }
 
   void slightDifferencesPass() {
-    const testing::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(0.2 + 0.002 * wi.z); });
+    const test::FunctionBrdf brdf([](const Direction& wi, const Direction&) { return Rgb(0.2 + 0.002 * wi.z); });
     QCOMPARE(failures(brdf), Names{});
     QVERIFY(find(checkPlausibility(brdf), "reciprocity").worst > 0.005);
   }
 
   void gainOfEnergyIsFound() {
-    QCOMPARE(failures(testing::lambert(Rgb(0.2, 1.2, 0.3))), Names{"energy"});
-    QVERIFY(std::abs(find(checkPlausibility(testing::lambert(Rgb(0.2, 1.2, 0.3))), "energy").worst - 1.2) < 1e-9);
-    QCOMPARE(failures(testing::lambert(Rgb(1.005))), Names{});
-    QCOMPARE(failures(testing::lambert(Rgb(1.02))), Names{"energy"});
+    QCOMPARE(failures(test::lambert(Rgb(0.2, 1.2, 0.3))), Names{"energy"});
+    QVERIFY(std::abs(find(checkPlausibility(test::lambert(Rgb(0.2, 1.2, 0.3))), "energy").worst - 1.2) < 1e-9);
+    QCOMPARE(failures(test::lambert(Rgb(1.005))), Names{});
+    QCOMPARE(failures(test::lambert(Rgb(1.02))), Names{"energy"});
   }
 
   void negativeValuesAreFound() {
-    const testing::FunctionBrdf brdf(
+    const test::FunctionBrdf brdf(
         [](const Direction& wi, const Direction& wo) { return Rgb(0.1, wi.z * wo.z > 0.5 ? -0.01 : 0.1, 0.1); });
     const PlausibilityCheck check = find(checkPlausibility(brdf), "negative");
     QVERIFY(!check.passed && std::abs(check.worst - 0.01) < 1e-12 && !check.where.empty());
@@ -74,7 +71,7 @@ class PlausibilityTest : public QObject {
 
   void notFiniteValuesAreFound() {
     for (const double bad : {double(NAN), double(INFINITY)}) {
-      const testing::FunctionBrdf brdf([bad](const Direction& wi, const Direction& wo) {
+      const test::FunctionBrdf brdf([bad](const Direction& wi, const Direction& wo) {
         return Rgb(0.1, 0.1, wi.z > 0.9 && wo.z > 0.9 ? bad : 0.1);
       });
       const PlausibilityCheck check = find(checkPlausibility(brdf), "non-finite");
@@ -84,10 +81,12 @@ class PlausibilityTest : public QObject {
 
   void order() {
     Names names;
-    for (const PlausibilityCheck& check : checkPlausibility(testing::lambert(Rgb(0.5)))) names.push_back(check.name);
+    for (const PlausibilityCheck& check : checkPlausibility(test::lambert(Rgb(0.5)))) names.push_back(check.name);
     QCOMPARE(names, (Names{"reciprocity", "energy", "negative", "non-finite"}));
   }
 };
 
 GONIO_TEST(PlausibilityTest)
+}  // namespace plausibility_test
+
 #include "plausibility_test.moc"

@@ -9,11 +9,11 @@
 #include "tests/core/models/model_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace analytic_models_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
+using namespace gonio::models::test_support;
 
-namespace {
 using Changes = std::initializer_list<std::pair<std::string_view, double>>;
 
 double red(const Model& model, Changes changes, const Direction& wi, const Direction& wo) {
@@ -25,8 +25,6 @@ bool agrees(double value, double expected, double tolerance = 1e-12) {
 }
 
 constexpr Direction normal{0, 0, 1};
-}  // namespace
-
 /// Closed forms, limits and integrals of the models derived from physics.
 class AnalyticModelsTest : public QObject {
   Q_OBJECT
@@ -243,4 +241,6 @@ class AnalyticModelsTest : public QObject {
 };
 
 GONIO_TEST(AnalyticModelsTest)
+}  // namespace analytic_models_test
+
 #include "analytic_models_test.moc"

@@ -9,18 +9,16 @@
 #include "core/math/types.h"
 #include "tests/support/test_program.h"
 
+namespace fresnel_test {
 using namespace gonio;
 using namespace gonio::models;
 
-namespace {
 /// Mean of the squared s and p amplitudes by Snell's law: the textbook form, which knows nothing of ours.
 double fresnelBySnell(double cosI, std::complex<double> eta) {
   const std::complex<double> cosT = std::sqrt(1.0 - (1 - cosI * cosI) / (eta * eta));
   const auto s = (cosI - eta * cosT) / (cosI + eta * cosT), p = (eta * cosI - cosT) / (eta * cosI + cosT);
   return 0.5 * (std::norm(s) + std::norm(p));
 }
-}  // namespace
-
 class FresnelTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -136,4 +134,6 @@ class FresnelTest : public QObject {
 };
 
 GONIO_TEST(FresnelTest)
+}  // namespace fresnel_test
+
 #include "fresnel_test.moc"

@@ -9,11 +9,10 @@
 #include "tests/core/models/white_furnace.h"
 #include "tests/support/test_program.h"
 
+namespace holzschuch_pacanowski_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
-
-namespace {
+using namespace gonio::models::test_support;
 
 constexpr Direction normal{0, 0, 1};
 constexpr double powers[] = {0.05, 0.11, 0.2, 0.37, 0.5, 0.8, 1, 1.7, 3.1, 5};
@@ -63,8 +62,6 @@ double blurredLobe(double t, double u, double c, double beta, double p) {
     });
   });
 }
-
-}  // namespace
 
 /// The exponential power distribution and the two scales built on it.
 class HolzschuchPacanowskiTest : public QObject {
@@ -215,4 +212,6 @@ class HolzschuchPacanowskiTest : public QObject {
 };
 
 GONIO_TEST(HolzschuchPacanowskiTest)
+}  // namespace holzschuch_pacanowski_test
+
 #include "holzschuch_pacanowski_test.moc"

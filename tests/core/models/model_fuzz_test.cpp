@@ -8,11 +8,10 @@
 #include "tests/core/models/model_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace model_fuzz_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
-
-namespace {
+using namespace gonio::models::test_support;
 
 constexpr std::size_t pairCount = 1'000'000;
 constexpr std::size_t pairsAMaterial = 50;
@@ -71,8 +70,6 @@ DirectionPair drawPair(std::mt19937_64& random) {
   return pair;
 }
 
-}  // namespace
-
 /// A million random sets of parameters and directions: values, densities and draws are finite, and none is negative.
 class ModelFuzzTest : public QObject {
   Q_OBJECT
@@ -110,4 +107,6 @@ class ModelFuzzTest : public QObject {
 };
 
 GONIO_TEST(ModelFuzzTest)
+}  // namespace model_fuzz_test
+
 #include "model_fuzz_test.moc"

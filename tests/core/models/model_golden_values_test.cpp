@@ -7,9 +7,10 @@
 #include "tests/core/models/model_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace model_golden_values_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
+using namespace gonio::models::test_support;
 
 /// Values of an independent implementation at five pairs of directions.
 class ModelGoldenValuesTest : public QObject {
@@ -179,4 +180,6 @@ class ModelGoldenValuesTest : public QObject {
 };
 
 GONIO_TEST(ModelGoldenValuesTest)
+}  // namespace model_golden_values_test
+
 #include "model_golden_values_test.moc"

@@ -6,11 +6,11 @@
 #include "tests/core/models/model_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace model_limits_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
+using namespace gonio::models::test_support;
 
-namespace {
 double red(const Model& model, std::initializer_list<std::pair<std::string_view, double>> changes, const Direction& wi,
            const Direction& wo) {
   return model.instantiate(parametersOf(model, changes))->evaluate(wi, wo).x;
@@ -24,8 +24,6 @@ bool agrees(double value, double expected, double tolerance = 1e-13) {
 }
 
 constexpr Direction normal{0, 0, 1};
-}  // namespace
-
 /// Closed forms at the ends of the parameters.
 class ModelLimitsTest : public QObject {
   Q_OBJECT
@@ -178,4 +176,6 @@ class ModelLimitsTest : public QObject {
 };
 
 GONIO_TEST(ModelLimitsTest)
+}  // namespace model_limits_test
+
 #include "model_limits_test.moc"

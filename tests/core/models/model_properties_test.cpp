@@ -9,11 +9,10 @@
 #include "tests/core/models/model_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace model_properties_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
-
-namespace {
+using namespace gonio::models::test_support;
 
 bool finiteAndNotNegative(const Rgb& value) {
   for (int c = 0; c < 3; ++c)
@@ -31,8 +30,6 @@ bool near(const Rgb& a, const Rgb& b, double tolerance) {
 Direction rotated(const Direction& w, double phi) {
   return {std::cos(phi) * w.x - std::sin(phi) * w.y, std::sin(phi) * w.x + std::cos(phi) * w.y, w.z};
 }
-
-}  // namespace
 
 /// What holds for every model, at parameters drawn from the whole of the sliders' ranges.
 class ModelPropertiesTest : public QObject {
@@ -226,4 +223,6 @@ class ModelPropertiesTest : public QObject {
 };
 
 GONIO_TEST(ModelPropertiesTest)
+}  // namespace model_properties_test
+
 #include "model_properties_test.moc"

@@ -8,9 +8,10 @@
 #include "tests/support/sampling_check.h"
 #include "tests/support/test_program.h"
 
+namespace model_sampling_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
+using namespace gonio::models::test_support;
 
 /// Importance sampling of every model: Brdf::sample() against Brdf::pdf().
 class ModelSamplingTest : public QObject {
@@ -33,9 +34,9 @@ class ModelSamplingTest : public QObject {
         draw == 0 ? defaultParameters(model->spec()) : randomParameters(model->spec(), random);
     const auto brdf = model->instantiate(values);
     constexpr std::size_t count = std::size(viewerDegrees);
-    gonio::tests::SamplingCheck checks[count];
+    gonio::test::SamplingCheck checks[count];
     parallelForBlocks(count, 1, [&](std::size_t i, std::size_t) {
-      checks[i] = gonio::tests::checkSampling(*brdf, direction(viewerDegrees[i], 25));
+      checks[i] = gonio::test::checkSampling(*brdf, direction(viewerDegrees[i], 25));
     });
     for (std::size_t i = 0; i < count; ++i) {
       const QByteArray where = QByteArray::number(viewerDegrees[i]) + " degrees: integral " +
@@ -70,4 +71,6 @@ class ModelSamplingTest : public QObject {
 };
 
 GONIO_TEST(ModelSamplingTest)
+}  // namespace model_sampling_test
+
 #include "model_sampling_test.moc"

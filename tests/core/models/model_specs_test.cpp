@@ -9,9 +9,10 @@
 #include "tests/core/models/model_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace model_specs_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
+using namespace gonio::models::test_support;
 
 /// What the registry and the records of the parameters promise to everyone who reads them.
 class ModelSpecsTest : public QObject {
@@ -147,4 +148,6 @@ class ModelSpecsTest : public QObject {
 };
 
 GONIO_TEST(ModelSpecsTest)
+}  // namespace model_specs_test
+
 #include "model_specs_test.moc"

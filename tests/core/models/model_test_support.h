@@ -11,7 +11,7 @@
 #include "core/models/registry.h"
 
 /// What the tests of the models share.
-namespace gonio::models::test {
+namespace gonio::models::test_support {
 
 /// The defaults of a model with named parameters replaced, the same in all channels.
 inline ParameterValues parametersOf(const Model& model,
@@ -63,4 +63,4 @@ inline ParameterValues randomCorner(const ModelSpec& spec, std::mt19937_64& rand
   return values;
 }
 
-}  // namespace gonio::models::test
+}  // namespace gonio::models::test_support

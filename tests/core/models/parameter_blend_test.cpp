@@ -9,10 +9,9 @@
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 
+namespace parameter_blend_test {
 using namespace gonio;
 using namespace gonio::models;
-
-namespace {
 
 ParameterValues ggxValues(const Rgb& diffuse, double roughness) {
   ParameterValues values = defaultParameters(ggx().spec());
@@ -24,8 +23,6 @@ ParameterValues ggxValues(const Rgb& diffuse, double roughness) {
 ParameterValues blend(const std::vector<ParameterValues>& ends, const std::vector<double>& weights) {
   return blended(ggx().spec(), ends, weights);
 }
-
-}  // namespace
 
 class ParameterBlendTest : public QObject {
   Q_OBJECT
@@ -78,4 +75,6 @@ class ParameterBlendTest : public QObject {
 };
 
 GONIO_TEST(ParameterBlendTest)
+}  // namespace parameter_blend_test
+
 #include "parameter_blend_test.moc"

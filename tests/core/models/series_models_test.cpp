@@ -6,19 +6,16 @@
 #include "tests/core/models/model_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace series_models_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
-
-namespace {
+using namespace gonio::models::test_support;
 
 bool near(double value, double expected, double tolerance = 1e-13) {
   return std::abs(value - expected) <= tolerance * std::max(1.0, std::abs(expected));
 }
 
 Direction halfOf(const Direction& wi, const Direction& wo) { return glm::normalize(wi + wo); }
-
-}  // namespace
 
 /// Spherical harmonics, rational functions and DSBRDF against their definitions written out.
 class SeriesModelsTest : public QObject {
@@ -139,4 +136,6 @@ class SeriesModelsTest : public QObject {
 };
 
 GONIO_TEST(SeriesModelsTest)
+}  // namespace series_models_test
+
 #include "series_models_test.moc"

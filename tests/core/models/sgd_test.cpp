@@ -10,10 +10,9 @@
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 
+namespace sgd_test {
 using namespace gonio;
 using namespace gonio::models;
-
-namespace {
 
 /// D in 1/sr at tan^2 theta_h.
 double distribution(double tan2H, double alpha, double p) {
@@ -31,8 +30,6 @@ double distributionIntegral(double alpha, double p) {
     return distribution(tan2, alpha, p) * pi * cos2 * cos2 * alpha * alpha * std::exp(w);
   });
 }
-
-}  // namespace
 
 class SgdTest : public QObject {
   Q_OBJECT
@@ -117,4 +114,6 @@ class SgdTest : public QObject {
 };
 
 GONIO_TEST(SgdTest)
+}  // namespace sgd_test
+
 #include "sgd_test.moc"

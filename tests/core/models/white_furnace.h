@@ -8,7 +8,7 @@
 #include "core/brdf/brdf.h"
 #include "core/math/quadrature.h"
 
-namespace gonio::models::test {
+namespace gonio::models::test_support {
 
 /// White-furnace albedo, the integral of the BRDF times cos theta_i over wi, by quadrature over the half vector: there
 /// a highlight of any width lies at the pole. The radius r = tan theta_h runs over decades, the azimuth is periodic.
@@ -40,4 +40,4 @@ inline double whiteFurnaceAlbedo(const Brdf& brdf, const Direction& wo, double w
   return sum;
 }
 
-}  // namespace gonio::models::test
+}  // namespace gonio::models::test_support

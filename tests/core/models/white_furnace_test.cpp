@@ -10,9 +10,10 @@
 #include "tests/core/models/model_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace white_furnace_test {
 using namespace gonio;
 using namespace gonio::models;
-using namespace gonio::models::test;
+using namespace gonio::models::test_support;
 
 /// How much of a uniform light a lobe alone sends back (k_s = 1, F = 1, no diffuse part).
 class WhiteFurnaceTest : public QObject {
@@ -259,4 +260,6 @@ class WhiteFurnaceTest : public QObject {
 };
 
 GONIO_TEST(WhiteFurnaceTest)
+}  // namespace white_furnace_test
+
 #include "white_furnace_test.moc"

@@ -10,10 +10,9 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace plot_curves_test {
 using namespace gonio;
 using namespace gonio::plots;
-
-namespace {
 
 constexpr double tolerance = 1e-12;
 
@@ -25,14 +24,12 @@ TabulatedBrdf partlyMeasured() {
   return TabulatedBrdf(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.5f)), valid);
 }
 
-}  // namespace
-
 class PlotCurvesTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   /// Lambert: k_d / pi at every angle; times a cosine, that cosine.
   void lobeOfLambertIsTheCosine() {
-    const auto brdf = testing::lambert(Rgb(0.2, 0.5, 0.9));
+    const auto brdf = test::lambert(Rgb(0.2, 0.5, 0.9));
     const double thetaI = radians(50);
     for (const auto cosine : {CosineFactor::none, CosineFactor::incident, CosineFactor::outgoing}) {
       const Curve curve = polarLobe(brdf, thetaI, cosine);
@@ -50,7 +47,7 @@ class PlotCurvesTest : public QObject {
 
   /// theta_o = theta_i is the mirror: the half vector is the normal there, and nowhere else.
   void lobePeaksAtTheMirrorDirection() {
-    const testing::FunctionBrdf brdf(
+    const test::FunctionBrdf brdf(
         [](const Direction& wi, const Direction& wo) { return Rgb(std::pow(glm::normalize(wi + wo).z, 1e5)); });
     for (const double thetaI : {0.0, radians(37.3), radians(80)}) {
       const Curve curve = polarLobe(brdf, thetaI, CosineFactor::none);
@@ -63,7 +60,7 @@ class PlotCurvesTest : public QObject {
 
   /// A function that returns its own coordinates tells where a section lies.
   void sectionsLieWhereTheySay() {
-    const testing::FunctionBrdf coordinates([](const Direction& wi, const Direction& wo) {
+    const test::FunctionBrdf coordinates([](const Direction& wi, const Direction& wo) {
       const HalfDifference at = toHalfDifference(wi, wo);
       return Rgb(at.thetaH, at.thetaD, foldPhiD(at.phiD));
     });
@@ -80,7 +77,7 @@ class PlotCurvesTest : public QObject {
       QVERIFY(maxChannel(glm::abs(curve.points.values[i] - Rgb(0.2, curve.angles[i], 1.1))) < 1e-9);
     }
     // Out of the plane of incidence: the azimuths of light and viewer differ by 90 degrees.
-    const testing::FunctionBrdf product([](const Direction& wi, const Direction& wo) { return Rgb(glm::dot(wi, wo)); });
+    const test::FunctionBrdf product([](const Direction& wi, const Direction& wo) { return Rgb(glm::dot(wi, wo)); });
     curve = sectionCurve(product, {.axis = SectionAxis::thetaO, .thetaI = 0.4, .planeAzimuth = halfPi});
     for (std::size_t i = 0; i < curve.angles.size(); ++i)
       QVERIFY(std::abs(curve.points.values[i].x - std::cos(0.4) * std::cos(curve.angles[i])) < tolerance);
@@ -89,7 +86,7 @@ class PlotCurvesTest : public QObject {
   /// phi_d = 0: the directions meet the horizon at theta_h + theta_d = 90 degrees.
   void pointsBelowTheHorizonAreMarked() {
     const Curve curve =
-        sectionCurve(testing::lambert(Rgb(1)), {.axis = SectionAxis::thetaH, .thetaD = radians(30), .phiD = 0});
+        sectionCurve(test::lambert(Rgb(1)), {.axis = SectionAxis::thetaH, .thetaD = radians(30), .phiD = 0});
     for (std::size_t i = 0; i < curve.angles.size(); ++i) {
       const bool below = curve.angles[i] > radians(60);
       QCOMPARE(curve.points.states[i] == PointState::belowHorizon, below);
@@ -122,7 +119,7 @@ class PlotCurvesTest : public QObject {
   }
 
   void sliceOfAKnownFunction() {
-    const testing::FunctionBrdf brdf([](const Direction& wi, const Direction& wo) {
+    const test::FunctionBrdf brdf([](const Direction& wi, const Direction& wo) {
       const HalfDifference at = toHalfDifference(wi, wo);
       return Rgb(at.thetaH, at.thetaD, wi.z);
     });
@@ -141,7 +138,7 @@ class PlotCurvesTest : public QObject {
       }
     // At phi_d = 90 degrees cos theta_i = cos theta_h cos theta_d.
     const Slice slice =
-        halfDifferenceSlice(testing::lambert(Rgb(pi)), halfPi, ThetaHSpacing::linear, CosineFactor::incident);
+        halfDifferenceSlice(test::lambert(Rgb(pi)), halfPi, ThetaHSpacing::linear, CosineFactor::incident);
     const std::size_t i = slice.index(10, 70);
     QVERIFY(std::abs(slice.cells.values[i].x - std::cos(slice.thetaH(10)) * std::cos(slice.thetaD(70))) < tolerance);
   }
@@ -155,18 +152,18 @@ class PlotCurvesTest : public QObject {
 
   void albedoOfLambertIsItsReflectance() {
     const Rgb albedo(0.2, 0.5, 0.9);
-    const Curve curve = albedoCurve(testing::lambert(albedo), 7, 256);
+    const Curve curve = albedoCurve(test::lambert(albedo), 7, 256);
     QCOMPARE(curve.angles.front(), 0.0);
     QVERIFY(std::abs(curve.angles.back() - radians(89)) < tolerance);
     for (const Rgb& value : curve.points.values) QVERIFY(maxChannel(glm::abs(value - albedo)) < tolerance);
     std::stop_source stop;
     stop.request_stop();
-    QVERIFY_EXCEPTION_THROWN(albedoCurve(testing::lambert(albedo), 7, 256, {stop.get_token(), {}}), Cancelled);
+    QVERIFY_EXCEPTION_THROWN(albedoCurve(test::lambert(albedo), 7, 256, {stop.get_token(), {}}), Cancelled);
   }
 
   /// The mesh covers the hemisphere: the areas of its cells, by the corners' solid angles, sum to 2 pi.
   void lobeSurfaceCoversTheHemisphere() {
-    const LobeSurface lobe = lobeSurface(testing::lambert(Rgb(1)), radians(60), CosineFactor::outgoing);
+    const LobeSurface lobe = lobeSurface(test::lambert(Rgb(1)), radians(60), CosineFactor::outgoing);
     double solidAngle = 0;
     for (int ring = 0; ring + 1 < lobe.rings; ++ring)
       for (int sector = 0; sector < lobe.sectors; ++sector) {
@@ -185,4 +182,6 @@ class PlotCurvesTest : public QObject {
 };
 
 GONIO_TEST(PlotCurvesTest)
+}  // namespace plot_curves_test
+
 #include "plot_curves_test.moc"

@@ -11,6 +11,7 @@
 #include "core/plots/value_scale.h"
 #include "tests/support/test_program.h"
 
+namespace plot_numbers_test {
 using namespace gonio;
 using namespace gonio::plots;
 
@@ -99,4 +100,6 @@ class PlotNumbersTest : public QObject {
 };
 
 GONIO_TEST(PlotNumbersTest)
+}  // namespace plot_numbers_test
+
 #include "plot_numbers_test.moc"

@@ -8,17 +8,15 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace bundled_environments_test {
 using namespace gonio;
 
-namespace {
 std::vector<double> luminances(const EnvironmentMap& map) {
   std::vector<double> values;
   for (const glm::vec3& pixel : map.image().pixels) values.push_back(luminance(Rgb(pixel)));
   std::ranges::sort(values);
   return values;
 }
-}  // namespace
-
 class BundledEnvironmentsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -39,7 +37,7 @@ class BundledEnvironmentsTest : public QObject {
       const Scene scene = sphereScene(bundledEnvironment(name));
       RenderOptions options;
       options.width = options.height = 32;
-      const Image image = renderPicture(testing::lambert(Rgb(1)), scene, options);
+      const Image image = renderPicture(test::lambert(Rgb(1)), scene, options);
       double sum = 0, covered = 0;
       for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         sum += luminance(Rgb(image.pixels[i]));
@@ -74,4 +72,6 @@ class BundledEnvironmentsTest : public QObject {
 };
 
 GONIO_TEST(BundledEnvironmentsTest)
+}  // namespace bundled_environments_test
+
 #include "bundled_environments_test.moc"

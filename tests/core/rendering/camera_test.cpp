@@ -9,17 +9,15 @@
 #include "core/rendering/shape.h"
 #include "tests/support/test_program.h"
 
+namespace camera_test {
 using namespace gonio;
 
-namespace {
 /// Where a ray meets the unit sphere.
 std::optional<Direction> sphereHit(const Ray& ray) {
   const auto hit = nearestHit(Sphere{}, ray);
   return hit ? std::optional(hit->position) : std::nullopt;
 }
 bool near(const Direction& a, const Direction& b, double tolerance = 1e-12) { return glm::length(a - b) < tolerance; }
-}  // namespace
-
 class CameraTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -80,4 +78,6 @@ class CameraTest : public QObject {
 };
 
 GONIO_TEST(CameraTest)
+}  // namespace camera_test
+
 #include "camera_test.moc"

@@ -8,10 +8,9 @@
 #include "tests/core/rendering/tracing.h"
 #include "tests/support/test_program.h"
 
+namespace effect_costs_test {
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 const Material grey = diffuseMaterial(Rgb(0.5));
 constexpr EffectCostOptions small{.width = 16, .height = 16, .samples = 16, .repeats = 1};
@@ -21,8 +20,6 @@ EffectCosts measure(const char* name, const EffectOverrides& overrides = {}, con
   const Scene scene = openScene(name);
   return measureEffectCosts(scene, bindMaterials(scene, std::vector<Material>(2, grey)), overrides, options, control);
 }
-
-}  // namespace
 
 /// What effects change; times are told, not tested.
 class EffectCostsTest : public QObject {
@@ -80,4 +77,6 @@ class EffectCostsTest : public QObject {
 };
 
 GONIO_TEST(EffectCostsTest)
+}  // namespace effect_costs_test
+
 #include "effect_costs_test.moc"

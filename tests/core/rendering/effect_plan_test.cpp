@@ -13,10 +13,9 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/test_program.h"
 
+namespace effect_plan_test {
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 const auto grey = diffuseMaterial(Rgb(0.5));
 
@@ -108,8 +107,6 @@ std::vector<Case> cases() {
        "no lamp that lights a surface has a size"},
       {Effect::areaLightSampling, false, inDistantLight({sphere}), "no lamp that lights a surface has a size"}};
 }
-
-}  // namespace
 
 class EffectPlanTest : public QObject {
   Q_OBJECT
@@ -314,4 +311,6 @@ class EffectPlanTest : public QObject {
 };
 
 GONIO_TEST(EffectPlanTest)
+}  // namespace effect_plan_test
+
 #include "effect_plan_test.moc"

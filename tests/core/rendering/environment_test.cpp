@@ -12,9 +12,9 @@
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 
+namespace environment_test {
 using namespace gonio;
 
-namespace {
 Direction randomDirection(std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0, 1);
   return fromSpherical(std::acos(1 - 2 * uniform(random)), 2 * pi * uniform(random));
@@ -29,8 +29,6 @@ EnvironmentMap spottedMap() {
   image.at(9, 3) = glm::vec3(40);
   return EnvironmentMap(image, "spots");
 }
-}  // namespace
-
 class EnvironmentTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -213,4 +211,6 @@ class EnvironmentTest : public QObject {
 };
 
 GONIO_TEST(EnvironmentTest)
+}  // namespace environment_test
+
 #include "environment_test.moc"

@@ -8,17 +8,14 @@
 #include "core/rendering/tone_map.h"
 #include "tests/support/test_program.h"
 
+namespace false_colour_test {
 using namespace gonio;
-
-namespace {
 
 /// Relative luminance of a display colour.
 double lightness(const DisplayColour& colour) {
   return 0.2126 * fromSrgb(colour[0] / 255.0) + 0.7152 * fromSrgb(colour[1] / 255.0) +
          0.0722 * fromSrgb(colour[2] / 255.0);
 }
-
-}  // namespace
 
 class FalseColourTest : public QObject {
   Q_OBJECT
@@ -50,4 +47,6 @@ class FalseColourTest : public QObject {
 };
 
 GONIO_TEST(FalseColourTest)
+}  // namespace false_colour_test
+
 #include "false_colour_test.moc"

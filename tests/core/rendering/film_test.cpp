@@ -8,6 +8,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace film_test {
 using namespace gonio;
 
 class FilmTest : public QObject {
@@ -74,4 +75,6 @@ class FilmTest : public QObject {
 };
 
 GONIO_TEST(FilmTest)
+}  // namespace film_test
+
 #include "film_test.moc"

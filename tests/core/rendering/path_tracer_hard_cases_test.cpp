@@ -10,11 +10,10 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace path_tracer_hard_cases_test {
 /// Scenes at the edges: no light, no object, light where it cannot be, and brightness of all orders.
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 const Material grey = diffuseMaterial(Rgb(0.5));
 const Material glossy = traced(ggx(Rgb(0.3, 0.2, 0.1), Rgb(0.8), 0.25, 0.4));
@@ -45,8 +44,6 @@ std::shared_ptr<const EnvironmentMap> hotEnvironment(const Direction& bright, fl
   image.at(int(place.x * 64), int(place.y * 32)) = glm::vec3(radiance);
   return std::make_shared<const EnvironmentMap>(std::move(image), "hot");
 }
-
-}  // namespace
 
 class PathTracerHardCasesTest : public QObject {
   Q_OBJECT
@@ -175,4 +172,6 @@ class PathTracerHardCasesTest : public QObject {
 };
 
 GONIO_TEST(PathTracerHardCasesTest)
+}  // namespace path_tracer_hard_cases_test
+
 #include "path_tracer_hard_cases_test.moc"

@@ -18,11 +18,10 @@
 #include "tests/support/leading_parameters.h"
 #include "tests/support/test_program.h"
 
+namespace path_tracer_materials_test {
 /// Every kind of material in the path tracer: energy in the furnace, and each representation against its own table.
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 /// A mesh without smooth shading, which would lose the light between both horizons; or with its inside outward.
 MeshShape flat(const TriangleMesh& mesh, bool isTurned = false) {
@@ -77,8 +76,6 @@ QString againstItsTable(std::shared_ptr<const Brdf> brdf, double slack) {
   return disagreement(tracedTiles(scene, material, {.samples = 32}, 1), tracedTiles(scene, table, {.samples = 32}, 101),
                       slack);
 }
-
-}  // namespace
 
 class PathTracerMaterialsTest : public QObject {
   Q_OBJECT
@@ -210,4 +207,6 @@ class PathTracerMaterialsTest : public QObject {
 };
 
 GONIO_TEST(PathTracerMaterialsTest)
+}  // namespace path_tracer_materials_test
+
 #include "path_tracer_materials_test.moc"

@@ -10,11 +10,10 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace path_tracer_plan_test {
 /// The path tracer does what its plan says, and a plan leaves out nothing that shows.
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 const Material glossy = traced(ggx(Rgb(0.3, 0.2, 0.1), Rgb(0.8), 0.25, 0.4));
 
@@ -29,8 +28,6 @@ float brightest(const Image& image) {
   for (const glm::vec3& pixel : image.pixels) result = std::max({result, pixel.x, pixel.y, pixel.z});
   return result;
 }
-
-}  // namespace
 
 class PathTracerPlanTest : public QObject {
   Q_OBJECT
@@ -155,4 +152,6 @@ class PathTracerPlanTest : public QObject {
 };
 
 GONIO_TEST(PathTracerPlanTest)
+}  // namespace path_tracer_plan_test
+
 #include "path_tracer_plan_test.moc"

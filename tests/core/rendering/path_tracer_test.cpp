@@ -12,10 +12,9 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace path_tracer_test {
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 const Material grey = diffuseMaterial(Rgb(0.5));
 const Material glossy = traced(ggx(Rgb(0.3, 0.2, 0.1), Rgb(0.8), 0.25, 0.4));
@@ -43,8 +42,6 @@ double polygonIrradiance(const std::vector<Direction>& corners, const Direction&
 bool isNear(const Rgb& a, const Rgb& b, double relative) {
   return maxChannel(glm::abs(a - b)) <= relative * maxChannel(glm::abs(b));
 }
-
-}  // namespace
 
 class PathTracerTest : public QObject {
   Q_OBJECT
@@ -205,4 +202,6 @@ class PathTracerTest : public QObject {
 };
 
 GONIO_TEST(PathTracerTest)
+}  // namespace path_tracer_test
+
 #include "path_tracer_test.moc"

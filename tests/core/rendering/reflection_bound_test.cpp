@@ -13,9 +13,8 @@
 #include "tests/support/leading_parameters.h"
 #include "tests/support/test_program.h"
 
+namespace reflection_bound_test {
 using namespace gonio;
-
-namespace {
 
 ReflectionBound boundOf(std::shared_ptr<const Brdf> brdf) { return RenderMaterial(std::move(brdf)).bound(); }
 
@@ -46,8 +45,6 @@ std::vector<double> bruteForce(const Brdf& brdf, double theta, const std::vector
   return result;
 }
 
-}  // namespace
-
 class ReflectionBoundTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -66,7 +63,7 @@ class ReflectionBoundTest : public QObject {
 
   /// All that a mirror reflects may come from a speck.
   void mirrorsRiseAtOnce() {
-    const ReflectionBound bound = boundOf(testing::ggx(Rgb(0), Rgb(1), 0.005, 0.9));
+    const ReflectionBound bound = boundOf(test::ggx(Rgb(0), Rgb(1), 0.005, 0.9));
     QVERIFY(bound.largestAlbedo() > 0.85);
     QVERIFY(bound.at(1e-3) > 0.8 * bound.largestAlbedo());
     QVERIFY(bound.at(1e-4) > 0.5 * bound.largestAlbedo());
@@ -88,7 +85,7 @@ class ReflectionBoundTest : public QObject {
 
   void blackIsBlack() {
     QVERIFY(diffuseMaterial(Rgb(0))->bound().isBlack());
-    QVERIFY(boundOf(testing::ggx(Rgb(0), Rgb(0), 0.1, 1)).isBlack());
+    QVERIFY(boundOf(test::ggx(Rgb(0), Rgb(0), 0.1, 1)).isBlack());
     QVERIFY(!diffuseMaterial({0, 0, 1e-6})->bound().isBlack());
   }
 
@@ -106,8 +103,8 @@ class ReflectionBoundTest : public QObject {
   /// Against all directions of a grid, at the viewer that is worst; and never much below.
   void sharesAgreeWithBruteForce() {
     for (const double roughness : {0.1, 0.3, 0.6}) {
-      const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), roughness, 0.3);
-      const ReflectionBound bound = boundOf(testing::ggx(Rgb(0.2), Rgb(1), roughness, 0.3));
+      const auto brdf = test::ggx(Rgb(0.2), Rgb(1), roughness, 0.3);
+      const ReflectionBound bound = boundOf(test::ggx(Rgb(0.2), Rgb(1), roughness, 0.3));
       const std::vector<double> shares{0.001, 0.01, 0.1, 0.3, 1.0};
       std::vector<double> expected(shares.size(), 0);
       for (const double theta : {0, 30, 60, 75, 80, 85, 89}) {
@@ -126,9 +123,9 @@ class ReflectionBoundTest : public QObject {
   /// Ward-Duer gains energy at grazing angles: the bound says so.
   void wardDuerGains() {
     const models::Model& model = models::findModel("ward-duer");
-    const auto brdf = model.instantiate(testing::leadingParameters(model, {Rgb(0), Rgb(1), Rgb(0.4)}));
+    const auto brdf = model.instantiate(test::leadingParameters(model, {Rgb(0), Rgb(1), Rgb(0.4)}));
     QVERIFY(largestAlbedo(*brdf) > 1.2);
-    QVERIFY(boundOf(model.instantiate(testing::leadingParameters(model, {Rgb(0), Rgb(1), Rgb(0.4)}))).largestAlbedo() >
+    QVERIFY(boundOf(model.instantiate(test::leadingParameters(model, {Rgb(0), Rgb(1), Rgb(0.4)}))).largestAlbedo() >
             1.2);
   }
 
@@ -138,11 +135,13 @@ class ReflectionBoundTest : public QObject {
       const auto reflects = [turn](const Direction& wi, const Direction& wo) {
         return Rgb(wi.z > 0 && std::abs(std::remainder(degrees(azimuth(wo)) - turn, 180)) < 22 ? 0.9 / pi : 0);
       };
-      const ReflectionBound bound = boundOf(std::make_shared<const testing::FunctionBrdf>(reflects, false));
+      const ReflectionBound bound = boundOf(std::make_shared<const test::FunctionBrdf>(reflects, false));
       QVERIFY(std::abs(bound.largestAlbedo() - 0.9) < 0.1);
     }
   }
 };
 
 GONIO_TEST(ReflectionBoundTest)
+}  // namespace reflection_bound_test
+
 #include "reflection_bound_test.moc"

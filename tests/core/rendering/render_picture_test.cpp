@@ -13,10 +13,9 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace render_picture_test {
 using namespace gonio;
-using testing::quadrature;
-
-namespace {
+using test::quadrature;
 
 RenderOptions sized(int size, int samples, std::uint64_t seed = 1) {
   RenderOptions options;
@@ -36,8 +35,6 @@ std::shared_ptr<const EnvironmentMap> smallEnvironment() {
 }
 
 bool sameBits(const Image& a, const Image& b) { return a.pixels == b.pixels && a.alpha == b.alpha; }
-
-}  // namespace
 
 class RenderPictureTest : public QObject {
   Q_OBJECT
@@ -67,7 +64,7 @@ class RenderPictureTest : public QObject {
   }
 
   void whiteSphereVanishesInTheFurnace() {
-    const Image image = renderPicture(testing::lambert(Rgb(1)), sphereScene(furnaceEnvironment()), sized(48, 64));
+    const Image image = renderPicture(test::lambert(Rgb(1)), sphereScene(furnaceEnvironment()), sized(48, 64));
     double sum = 0, covered = 0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
       if (image.alpha[i] == 0) {
@@ -82,7 +79,7 @@ class RenderPictureTest : public QObject {
   }
 
   void coverageIsTheDisc() {
-    const Image image = renderPicture(testing::lambert(Rgb(1)), sphereScene(nullptr, {0, 0, 4, 0}), sized(64, 64));
+    const Image image = renderPicture(test::lambert(Rgb(1)), sphereScene(nullptr, {0, 0, 4, 0}), sized(64, 64));
     double covered = 0;
     for (const float alpha : image.alpha) covered += alpha;
     const double pixel = 2 * 1.15 / 64;
@@ -93,7 +90,7 @@ class RenderPictureTest : public QObject {
   void directionalLightHasItsClosedForm() {
     Scene scene = sphereScene(nullptr, {0, 0, 4, 0});
     scene.directionalLights = {{{0, 0, 1}, Rgb(2, 3, 4)}};
-    const Image image = renderPicture(testing::lambert(Rgb(0.5)), scene, sized(64, 16));
+    const Image image = renderPicture(test::lambert(Rgb(0.5)), scene, sized(64, 16));
     for (int y = 8; y < 56; ++y)
       for (int x = 8; x < 56; ++x) {
         const double px = 1.15 * ((2 * x + 1) / 64.0 - 1), py = 1.15 * (1 - (2 * y + 1) / 64.0);
@@ -106,7 +103,7 @@ class RenderPictureTest : public QObject {
 
   /// A picture of a glossy and coloured sphere against quadrature at a grid of positions in each pixel.
   void picturesAgreeWithQuadrature() {
-    const auto brdf = testing::ggx(Rgb(0.3, 0.1, 0.05), Rgb(1), 0.3, 0.3);
+    const auto brdf = test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(1), 0.3, 0.3);
     Scene scene = sphereScene(smallEnvironment(), {0.4, 0.3, 3, 0.7});
     scene.environmentRotation = 0.9;
     constexpr int size = 10, perAxis = 3;
@@ -130,7 +127,7 @@ class RenderPictureTest : public QObject {
 
   /// One point under the studio, all pixels of a very long lens: sampling lights and lobe against all directions.
   void glossyPointsUnderTheStudioAgreeWithQuadrature() {
-    const auto brdf = testing::ggx(Rgb(0.1), Rgb(1), 0.15, 0.6);
+    const auto brdf = test::ggx(Rgb(0.1), Rgb(1), 0.15, 0.6);
     for (const double yaw : {-0.5, 0.0, 1.2}) {
       const Scene scene = sphereScene(studioEnvironment(), {yaw, 0.3, 4, 1e-4});
       const Image image = renderPicture(*brdf, scene, sized(8, 512));
@@ -144,7 +141,7 @@ class RenderPictureTest : public QObject {
   /// The lobe changes the noise, never the picture. The tolerance is two standard deviations of the worst lobe's mean,
   /// measured over 16 seeds.
   void anyLobeGivesTheSamePicture() {
-    const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
+    const auto brdf = test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
     const Scene scene = sphereScene(smallEnvironment());
     const auto mean = [&](const SamplingLobe& lobe) {
       RenderOptions options = sized(24, 8192);
@@ -160,7 +157,7 @@ class RenderPictureTest : public QObject {
   }
 
   void sameBitsForAnyThreadCount() {
-    const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
+    const auto brdf = test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
     for (const Scene& scene : {comparisonScene(), sphereScene()}) {
       const auto render = [&](int threads) {
         const ThreadLimit limit(threads);
@@ -171,7 +168,7 @@ class RenderPictureTest : public QObject {
   }
 
   void seedsChangeTheNoiseOnly() {
-    const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
+    const auto brdf = test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
     const auto render = [&](std::uint64_t seed) {
       return renderPicture(*brdf, comparisonScene(), sized(32, 64, seed));
     };
@@ -184,14 +181,13 @@ class RenderPictureTest : public QObject {
   void comparedPicturesShareTheirNoise() {
     RenderOptions options = sized(32, 16);
     options.lobe = SamplingLobe{0.1, 0.5};
-    const Image reference = renderPicture(*testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3), comparisonScene(), options);
-    const Image test =
-        renderPicture(*testing::ggx(Rgb(0.2) * 1.01, Rgb(1) * 1.01, 0.1, 0.3), comparisonScene(), options);
+    const Image reference = renderPicture(*test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3), comparisonScene(), options);
+    const Image test = renderPicture(*test::ggx(Rgb(0.2) * 1.01, Rgb(1) * 1.01, 0.1, 0.3), comparisonScene(), options);
     QVERIFY(std::abs(metrics::signalToNoiseRatio(reference, test) - 40) < 1e-3);
   }
 
   void turningCameraAndEnvironmentTogetherChangesNothing() {
-    const auto brdf = testing::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
+    const auto brdf = test::ggx(Rgb(0.2), Rgb(1), 0.1, 0.3);
     Scene a = comparisonScene(), b = comparisonScene();
     b.environmentRotation = 0.8;
     b.camera.yaw = -0.8;
@@ -202,7 +198,7 @@ class RenderPictureTest : public QObject {
   void theEnvironmentStandsBehindTheSphere() {
     Scene scene = sphereScene(smallEnvironment());
     scene.showEnvironment = true;
-    const Image image = renderPicture(testing::lambert(Rgb(0)), scene, sized(16, 64));
+    const Image image = renderPicture(test::lambert(Rgb(0)), scene, sized(16, 64));
     for (const float alpha : image.alpha) QCOMPARE(alpha, 1.0f);
     const Ray ray = cameraRay(cameraFrame(scene.camera), 2 * 0.5 / 16 - 1, 1 - 2 * 0.5 / 16, 1);
     QVERIFY(glm::length(Rgb(image.at(0, 0)) - scene.environment->radiance(ray.direction)) < 0.01);
@@ -211,7 +207,7 @@ class RenderPictureTest : public QObject {
 
   /// wi.x > 0 is light from the right for a surface that faces the camera.
   void anisotropicMaterialsSeeTheFrame() {
-    const testing::FunctionBrdf brdf(
+    const test::FunctionBrdf brdf(
         [](const Direction& wi, const Direction&) { return Rgb(wi.x > 0 ? 1 : 0, wi.y > 0 ? 1 : 0, 0); }, false);
     Scene scene = sphereScene();
     scene.directionalLights[0].toLight = glm::normalize(Direction{0.3, -0.3, 1});
@@ -224,9 +220,11 @@ class RenderPictureTest : public QObject {
     source.request_stop();
     TaskControl control;
     control.stop = source.get_token();
-    QVERIFY_THROWS_EXCEPTION(Cancelled, renderPicture(testing::lambert(Rgb(1)), comparisonScene(), {}, control));
+    QVERIFY_THROWS_EXCEPTION(Cancelled, renderPicture(test::lambert(Rgb(1)), comparisonScene(), {}, control));
   }
 };
 
 GONIO_TEST(RenderPictureTest)
+}  // namespace render_picture_test
+
 #include "render_picture_test.moc"

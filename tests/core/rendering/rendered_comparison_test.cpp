@@ -10,12 +10,11 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace rendered_comparison_test {
 using namespace gonio;
 
-namespace {
-
 std::shared_ptr<const TabulatedBrdf> plastic() {
-  static const auto table = bakeTable(*testing::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04),
+  static const auto table = bakeTable(*test::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04),
                                       {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 30});
   return table;
 }
@@ -31,8 +30,6 @@ std::shared_ptr<const TabulatedBrdf> withNoise(const TabulatedBrdf& table, doubl
 }
 
 RenderOptions pictures(int samples) { return {.width = 32, .height = 32, .samples = samples, .lobe = {}}; }
-
-}  // namespace
 
 class RenderedComparisonTest : public QObject {
   Q_OBJECT
@@ -72,4 +69,6 @@ class RenderedComparisonTest : public QObject {
 };
 
 GONIO_TEST(RenderedComparisonTest)
+}  // namespace rendered_comparison_test
+
 #include "rendered_comparison_test.moc"

@@ -17,9 +17,8 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace scene_file_test {
 using namespace gonio;
-
-namespace {
 
 /// A scene of one of everything that a scene file may say.
 const char* const everything = R"({
@@ -107,8 +106,6 @@ std::vector<Wrong> wrongMembers() {
       {"/camera/fieldOfView", 0, "camera.fieldOfView: found the number 0, expected a number from 1"},
       {"/lamps", 1, "lamps: found a member of this name, expected one of format, version"}};
 }
-
-}  // namespace
 
 class SceneFileTest : public QObject {
   Q_OBJECT
@@ -300,4 +297,6 @@ class SceneFileTest : public QObject {
 };
 
 GONIO_TEST(SceneFileTest)
+}  // namespace scene_file_test
+
 #include "scene_file_test.moc"

@@ -9,10 +9,9 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/test_program.h"
 
+namespace scene_light_test {
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 using Kind = SceneLight::Kind;
@@ -136,8 +135,6 @@ bool blocked(const Scene& scene, std::size_t receiver, std::size_t blocker) {
 bool reached(const Scene& scene, std::size_t receiver) {
   return canReach(scene, lightsOf(scene).front(), scene.objects[receiver]);
 }
-
-}  // namespace
 
 class SceneLightTest : public QObject {
   Q_OBJECT
@@ -308,4 +305,6 @@ class SceneLightTest : public QObject {
 };
 
 GONIO_TEST(SceneLightTest)
+}  // namespace scene_light_test
+
 #include "scene_light_test.moc"

@@ -10,10 +10,9 @@
 #include "tests/support/simple_meshes.h"
 #include "tests/support/test_program.h"
 
+namespace shape_test {
 using namespace gonio;
-using namespace gonio::testing;
-
-namespace {
+using namespace gonio::test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -36,8 +35,6 @@ Ray randomRay(const Shape& shape, double distance, std::mt19937_64& random) {
   const Direction target = bound.centre + std::cbrt(uniform(random)) * bound.radius * randomDirection(random);
   return {origin, glm::normalize(target - origin)};
 }
-
-}  // namespace
 
 class ShapeTest : public QObject {
   Q_OBJECT
@@ -186,4 +183,6 @@ class ShapeTest : public QObject {
 };
 
 GONIO_TEST(ShapeTest)
+}  // namespace shape_test
+
 #include "shape_test.moc"

@@ -9,9 +9,8 @@
 #include "core/rendering/scene_file.h"
 #include "tests/support/test_program.h"
 
+namespace strategy_costs_test {
 using namespace gonio;
-
-namespace {
 
 /// A sphere under a small lamp, and nothing else.
 std::vector<StrategyCost> costsOf(double roughness) {
@@ -27,8 +26,6 @@ std::vector<StrategyCost> costsOf(double roughness) {
   return measureStrategyCosts(shown, bound, planEffects(shown, bound),
                               {.width = 32, .height = 32, .samples = 16, .referenceSamples = 512});
 }
-
-}  // namespace
 
 class StrategyCostsTest : public QObject {
   Q_OBJECT
@@ -59,4 +56,6 @@ class StrategyCostsTest : public QObject {
 };
 
 GONIO_TEST(StrategyCostsTest)
+}  // namespace strategy_costs_test
+
 #include "strategy_costs_test.moc"

@@ -7,6 +7,7 @@
 
 #include "tests/support/test_program.h"
 
+namespace tone_map_test {
 using namespace gonio;
 
 class ToneMapTest : public QObject {
@@ -57,4 +58,6 @@ class ToneMapTest : public QObject {
 };
 
 GONIO_TEST(ToneMapTest)
+}  // namespace tone_map_test
+
 #include "tone_map_test.moc"

@@ -10,7 +10,7 @@
 #include "tests/support/random_scenes.h"
 
 /// Small pictures by the path tracer, and whether two estimates of a picture agree within their own noise.
-namespace gonio::testing {
+namespace gonio::test {
 
 using Material = std::shared_ptr<const RenderMaterial>;
 
@@ -125,4 +125,4 @@ inline Tiles tracedTiles(const Scene& scene, const Material& material, TraceOpti
       firstSeed);
 }
 
-}  // namespace gonio::testing
+}  // namespace gonio::test

@@ -16,15 +16,14 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace accuracy_study_test {
 using namespace gonio;
 using namespace gonio::study;
-
-namespace {
 
 constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36};
 
 StudySubject plastic() {
-  static const auto table = bakeTable(*testing::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04), smallGrid);
+  static const auto table = bakeTable(*test::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04), smallGrid);
   return {table, table};
 }
 
@@ -46,8 +45,6 @@ const StudyRecord& find(const std::vector<StudyRecord>& records, std::string_vie
   return *std::ranges::find_if(
       records, [&](const auto& r) { return r.representation.id == id && r.representation.budget == budget; });
 }
-
-}  // namespace
 
 class AccuracyStudyTest : public QObject {
   Q_OBJECT
@@ -114,12 +111,12 @@ class AccuracyStudyTest : public QObject {
   }
 
   void codesAndComponents() {
-    const HalfDifferenceGrid grid = dictionary::test::smallGrid;
+    const HalfDifferenceGrid grid = dictionary::test_support::smallGrid;
     const auto table = bakeTable(*plastic().table, grid);
     BuildOptions build;
     build.dictionary = std::make_shared<const materials::NamedEnsemble>(
-        materials::NamedEnsemble{dictionary::test::randomEnsemble(2), 1});
-    const auto rough = bakeTable(*testing::ggx(Rgb(0.1), Rgb(0.5), 0.5, 0.04), grid);
+        materials::NamedEnsemble{dictionary::test_support::randomEnsemble(2), 1});
+    const auto rough = bakeTable(*test::ggx(Rgb(0.1), Rgb(0.5), 0.5, 0.04), grid);
     const std::shared_ptr<const TabulatedBrdf> taught[] = {table, rough};
     build.components = std::make_shared<const dictionary::PrincipalComponents>(
         dictionary::learnPrincipalComponents(2, [&](std::size_t m) { return taught[m]; }));
@@ -191,11 +188,13 @@ class AccuracyStudyTest : public QObject {
   }
 
   void hardCase44BlackReference() {
-    const auto black = bakeTable(*testing::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
+    const auto black = bakeTable(*test::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
     for (const StudyRecord& record : runStudy({black, black}, few(), smallPictures()))
       QVERIFY(std::isnan(record.renderedSnr));
   }
 };
 
 GONIO_TEST(AccuracyStudyTest)
+}  // namespace accuracy_study_test
+
 #include "accuracy_study_test.moc"

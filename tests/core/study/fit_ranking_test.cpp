@@ -11,16 +11,15 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace fit_ranking_test {
 using namespace gonio;
 using namespace gonio::fitting;
 using namespace gonio::study;
 
-namespace {
-
 constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 45, .thetaDCount = 30, .phiDCount = 36};
 
 std::shared_ptr<const TabulatedBrdf> plastic() {
-  static const auto table = bakeTable(*testing::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04), smallGrid);
+  static const auto table = bakeTable(*test::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.2, 0.04), smallGrid);
   return table;
 }
 
@@ -30,8 +29,6 @@ RankingOptions fewModels() {
   options.picture = {.width = 24, .height = 24, .samples = 4};
   return options;
 }
-
-}  // namespace
 
 class FitRankingTest : public QObject {
   Q_OBJECT
@@ -124,7 +121,7 @@ class FitRankingTest : public QObject {
 
   /// 0/0 by contract: not a number, told at the end of every ranking.
   void hardCase44BlackReference() {
-    const auto black = bakeTable(*testing::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
+    const auto black = bakeTable(*test::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
     for (const RankedFit& row : rankFits({black, black}, fewModels())) {
       QVERIFY(std::isnan(row.renderedSnr));
       QVERIFY(!row.fit.warnings.empty());
@@ -133,4 +130,6 @@ class FitRankingTest : public QObject {
 };
 
 GONIO_TEST(FitRankingTest)
+}  // namespace fit_ranking_test
+
 #include "fit_ranking_test.moc"

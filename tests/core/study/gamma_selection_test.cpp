@@ -11,21 +11,18 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace gamma_selection_test {
 using namespace gonio;
 using namespace gonio::fitting;
 using namespace gonio::study;
-
-namespace {
 
 constexpr HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 20, .phiDCount = 24};
 const RenderOptions thumbnail{.width = 24, .height = 24, .samples = 4, .lobe = {}};
 
 /// What no Blinn lobe explains: the gammas differ in what they give up.
 std::shared_ptr<const TabulatedBrdf> metal() {
-  return bakeTable(*testing::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.15, 0.5), smallGrid);
+  return bakeTable(*test::ggx(Rgb(0.05, 0.2, 0.3), Rgb(0.9, 0.5, 0.2), 0.15, 0.5), smallGrid);
 }
-
-}  // namespace
 
 class GammaSelectionTest : public QObject {
   Q_OBJECT
@@ -53,7 +50,7 @@ class GammaSelectionTest : public QObject {
   }
 
   void blackReferenceTakesTheFirst() {
-    const auto black = bakeTable(*testing::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
+    const auto black = bakeTable(*test::ggx(Rgb(0), Rgb(0), 0.3, 0.04), smallGrid);
     const std::vector<GammaTrial> trials = selectGamma(*black, *black, models::lambert(), {}, thumbnail);
     QCOMPARE(trials.size(), std::size_t(9));
     QCOMPARE(trials.front().gamma, 1.0);
@@ -75,4 +72,6 @@ class GammaSelectionTest : public QObject {
 };
 
 GONIO_TEST(GammaSelectionTest)
+}  // namespace gamma_selection_test
+
 #include "gamma_selection_test.moc"

@@ -10,9 +10,8 @@
 
 #include "tests/support/test_program.h"
 
+namespace pareto_test {
 using namespace gonio::study;
-
-namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const double none = std::nan("");
@@ -25,8 +24,6 @@ bool beats(const Trade& a, const Trade& b) {
 StudyRecord record(double frame, double snr, std::size_t bytes) {
   return {.representation = {}, .bytes = bytes, .frameMilliseconds = frame, .errors = {}, .renderedSnr = snr};
 }
-
-}  // namespace
 
 class ParetoTest : public QObject {
   Q_OBJECT
@@ -90,4 +87,6 @@ class ParetoTest : public QObject {
 };
 
 GONIO_TEST(ParetoTest)
+}  // namespace pareto_test
+
 #include "pareto_test.moc"

@@ -11,12 +11,11 @@
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace picture_encoding_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
+using namespace gonio::dictionary::test_support;
 using namespace gonio::study;
-
-namespace {
 
 const RenderOptions picture{.width = 32, .height = 32, .samples = 16, .lobe = {}};
 
@@ -48,8 +47,6 @@ const Studied& studied() {
 }
 
 constexpr double target = 45;
-
-}  // namespace
 
 class PictureEncodingTest : public QObject {
   Q_OBJECT
@@ -91,4 +88,6 @@ class PictureEncodingTest : public QObject {
 };
 
 GONIO_TEST(PictureEncodingTest)
+}  // namespace picture_encoding_test
+
 #include "picture_encoding_test.moc"

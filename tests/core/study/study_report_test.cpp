@@ -16,10 +16,9 @@
 #include "core/study/study_summary.h"
 #include "tests/support/test_program.h"
 
+namespace study_report_test {
 using namespace gonio;
 using namespace gonio::study;
-
-namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -48,8 +47,6 @@ const MachineFacts machine{.processor = "Abacus <10 & \"more\">",
                            .compiler = "GNU 1",
                            .flags = "-O3",
                            .date = "2026-11-21T22:00:00Z"};
-
-}  // namespace
 
 /// What is made of the records of a study: summaries, tables, plots.
 class StudyReportTest : public QObject {
@@ -183,4 +180,6 @@ class StudyReportTest : public QObject {
 };
 
 GONIO_TEST(StudyReportTest)
+}  // namespace study_report_test
+
 #include "study_report_test.moc"

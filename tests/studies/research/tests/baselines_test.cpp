@@ -13,14 +13,11 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace baselines_test {
 using namespace gonio;
 using namespace gonio::factorization;
 
-namespace {
-
 const HalfDifferenceGrid smallGrid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 60};
-
-}  // namespace
 
 class BaselinesTest : public QObject {
   Q_OBJECT
@@ -33,7 +30,7 @@ class BaselinesTest : public QObject {
   void rebuildAGlossyMaterial() {
     QFETCH(int, index);
     const Baseline& baseline = baselines()[std::size_t(index)];
-    const auto table = bakeTable(*testing::ggx(Rgb(0.3, 0.1, 0.05), Rgb(1), 0.3, 0.05), smallGrid);
+    const auto table = bakeTable(*test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(1), 0.3, 0.05), smallGrid);
     const std::vector<std::size_t> budgets = {4'000, 20'000};
     const std::vector<ComparedModel> models = baseline.build(*table, budgets, {});
     QCOMPARE(models.size(), std::size_t(2));
@@ -42,19 +39,19 @@ class BaselinesTest : public QObject {
     const ComparedModel& model = models[1];
     const double few = metrics::brdfSignalToNoiseRatio(*table, *models[0].brdf),
                  decibels = metrics::brdfSignalToNoiseRatio(*table, *model.brdf);
-    const double diffuse = metrics::brdfSignalToNoiseRatio(*table, testing::lambert(Rgb(0.4, 0.2, 0.15)));
+    const double diffuse = metrics::brdfSignalToNoiseRatio(*table, test::lambert(Rgb(0.4, 0.2, 0.15)));
     QVERIFY2(decibels > diffuse + 1 && decibels >= few,
              qPrintable(QString("%1 %2 %3").arg(diffuse).arg(few).arg(decibels)));
     std::mt19937_64 generator(5);
     for (int i = 0; i < 3000; ++i) {
-      const Rgb value = model.brdf->evaluate(testing::randomUpper(generator), testing::randomUpper(generator));
+      const Rgb value = model.brdf->evaluate(test::randomUpper(generator), test::randomUpper(generator));
       for (int c = 0; c < 3; ++c) QVERIFY(std::isfinite(value[c]) && value[c] >= 0);
     }
     QCOMPARE(model.brdf->evaluate({0, 0, -1}, {0, 0, 1}), Rgb(0));
   }
 
   void hardCase12BlackTable() {
-    const auto black = bakeTable(testing::lambert(Rgb(0)), smallGrid);
+    const auto black = bakeTable(test::lambert(Rgb(0)), smallGrid);
     const std::vector<std::size_t> budgets = {5000};
     for (const Baseline& baseline : baselines()) {
       const Rgb value = baseline.build(*black, budgets, {})[0].brdf->evaluate({0, 0.6, 0.8}, {0.6, 0, 0.8});
@@ -74,7 +71,7 @@ class BaselinesTest : public QObject {
   /// Half-out samples are the table's values; the measure integrates to 1/2 for the viewer's polar angle times pi / 2
   /// for the half of the hemisphere that the azimuths cover.
   void halfOutSamplesOfALambertian() {
-    const auto table = bakeTable(testing::lambert(Rgb(1)), smallGrid);
+    const auto table = bakeTable(test::lambert(Rgb(1)), smallGrid);
     const HalfOutSamples s = sampleHalfOut(*table, makeHalfOutAxes(90, 60, 45));
     double sum = 0;
     for (std::size_t h = 0; h < s.axes.thetaH.size(); ++h)
@@ -90,7 +87,7 @@ class BaselinesTest : public QObject {
   /// Half-difference samples are the table's values; the measure integrates to that of both projected solid angles,
   /// pi^2, over a quarter of phi_d, a unit of phi_h, and the factor 4 that it leaves out.
   void halfDifferenceSamplesOfALambertian() {
-    const auto table = bakeTable(testing::lambert(Rgb(1)), smallGrid);
+    const auto table = bakeTable(test::lambert(Rgb(1)), smallGrid);
     const HalfDifferenceSamples s = sampleHalfDifference(*table, makeHalfDifferenceAxes(90, 90, 19));
     double sum = 0;
     for (std::size_t h = 0; h < 90; ++h)
@@ -104,7 +101,7 @@ class BaselinesTest : public QObject {
 
   /// The mean of four azimuths, of a function that has no symmetry: what is odd goes.
   void halfDifferenceSamplesAreSymmetric() {
-    const auto table = bakeTable(testing::FunctionBrdf([](const Direction& wi, const Direction& wo) {
+    const auto table = bakeTable(test::FunctionBrdf([](const Direction& wi, const Direction& wo) {
                                    const HalfDifference at = toHalfDifference(wi, wo);
                                    return Rgb(2 + std::sin(2 * at.phiD) + at.thetaH + std::cos(2 * at.phiD));
                                  }),
@@ -119,4 +116,6 @@ class BaselinesTest : public QObject {
 };
 
 GONIO_TEST(BaselinesTest)
+}  // namespace baselines_test
+
 #include "baselines_test.moc"

@@ -8,12 +8,11 @@
 #include "tests/studies/research/tests/half_out_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace bilgili_test {
 using namespace gonio;
 using namespace gonio::factorization;
-using factorization::test::halfOutSamples;
-using factorization::test::worstAtNodes;
-
-namespace {
+using factorization::test_support::halfOutSamples;
+using factorization::test_support::worstAtNodes;
 
 /// Nodes that all have a light above the horizon: no holes, which are made up.
 HalfOutAxes axesWithoutHoles() {
@@ -26,8 +25,6 @@ HalfOutAxes axesWithoutHoles() {
 double product(double thetaH, double phiH, double thetaO) {
   return std::exp(-3 * thetaH) * (2 + std::cos(phiH)) * (1 + thetaO);
 }
-
-}  // namespace
 
 class BilgiliTest : public QObject {
   Q_OBJECT
@@ -127,4 +124,6 @@ class BilgiliTest : public QObject {
 };
 
 GONIO_TEST(BilgiliTest)
+}  // namespace bilgili_test
+
 #include "bilgili_test.moc"

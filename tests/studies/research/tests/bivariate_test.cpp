@@ -9,19 +9,16 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace bivariate_test {
 using namespace gonio;
 using namespace gonio::factorization;
-using testing::FunctionBrdf;
-
-namespace {
+using test::FunctionBrdf;
 
 const HalfDifferenceGrid smallGrid{.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36};
 
 Rgb smooth(double thetaH, double thetaD) {
   return Rgb(0.2, 0.4, 0.1) + Rgb(std::exp(-4 * thetaH * thetaH) * (1 + thetaD * thetaD));
 }
-
-}  // namespace
 
 class BivariateTest : public QObject {
   Q_OBJECT
@@ -69,11 +66,11 @@ class BivariateTest : public QObject {
 
   /// Reciprocal, finite and never negative for any pair.
   void reciprocal() {
-    const auto table = bakeTable(*testing::ggx(Rgb(0.1), Rgb(1), 0.2, 0.05), smallGrid);
+    const auto table = bakeTable(*test::ggx(Rgb(0.1), Rgb(1), 0.2, 0.05), smallGrid);
     const auto brdf = makeBivariateBrdf(averageBivariate(*table, 17));
     std::mt19937_64 generator(3);
     for (int i = 0; i < 2000; ++i) {
-      const Direction wi = testing::randomUpper(generator), wo = testing::randomUpper(generator);
+      const Direction wi = test::randomUpper(generator), wo = test::randomUpper(generator);
       const double a = brdf->evaluate(wi, wo).y, b = brdf->evaluate(wo, wi).y;
       QVERIFY(std::isfinite(a) && a >= 0);
       QVERIFY(std::abs(a - b) < 1e-9 * (1 + a));
@@ -90,4 +87,6 @@ class BivariateTest : public QObject {
 };
 
 GONIO_TEST(BivariateTest)
+}  // namespace bivariate_test
+
 #include "bivariate_test.moc"

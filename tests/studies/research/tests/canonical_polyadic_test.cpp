@@ -9,11 +9,10 @@
 #include "tests/studies/research/tests/factorization_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace canonical_polyadic_test {
 using namespace gonio;
 using namespace gonio::factorization;
-using namespace gonio::factorization::test;
-
-namespace {
+using namespace gonio::factorization::test_support;
 
 CanonicalPolyadic randomDecomposition(const std::vector<int>& sizes, int rank, unsigned seed) {
   CanonicalPolyadic result{.weights = Eigen::VectorXd::Ones(rank), .factors = {}};
@@ -26,8 +25,6 @@ bool allFinite(const CanonicalPolyadic& d) {
   for (const Eigen::MatrixXd& factor : d.factors) finite = finite && factor.allFinite();
   return finite;
 }
-
-}  // namespace
 
 class CanonicalPolyadicTest : public QObject {
   Q_OBJECT
@@ -132,4 +129,6 @@ class CanonicalPolyadicTest : public QObject {
 };
 
 GONIO_TEST(CanonicalPolyadicTest)
+}  // namespace canonical_polyadic_test
+
 #include "canonical_polyadic_test.moc"

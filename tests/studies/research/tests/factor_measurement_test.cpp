@@ -13,10 +13,9 @@
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
+namespace factor_measurement_test {
 using namespace gonio;
 using namespace gonio::acquisition;
-
-namespace {
 
 /// (angle, distance) of a pair, once more.
 glm::dvec2 placeOf(FactorAxes axes, const Direction& wi, const Direction& wo) {
@@ -28,14 +27,12 @@ glm::dvec2 placeOf(FactorAxes axes, const Direction& wi, const Direction& wo) {
 }
 
 /// z = (1 + angle) / (1 + 2 distance): a product of two curves.
-gonio::testing::FunctionBrdf separable(FactorAxes axes) {
-  return gonio::testing::FunctionBrdf([axes](const Direction& wi, const Direction& wo) {
+gonio::test::FunctionBrdf separable(FactorAxes axes) {
+  return gonio::test::FunctionBrdf([axes](const Direction& wi, const Direction& wo) {
     const glm::dvec2 at = placeOf(axes, wi, wo);
     return Rgb(std::expm1((1 + at.x) / (1 + 2 * at.y)), std::expm1(0.3 / (1 + at.y)), 0);
   });
 }
-
-}  // namespace
 
 class FactorMeasurementTest : public QObject {
   Q_OBJECT
@@ -51,7 +48,7 @@ class FactorMeasurementTest : public QObject {
   void hardCase20ProductsArePredicted() {
     QFETCH(int, axes);
     const FactorAxes which = static_cast<FactorAxes>(axes);
-    const gonio::testing::FunctionBrdf material = separable(which);
+    const gonio::test::FunctionBrdf material = separable(which);
     const FactorMeasurement m = measureFactors(material, {.axes = which, .fixedAngle = 0.6});
     QVERIFY(m.unscaled == (std::array<bool, 3>{false, false, true}));
     QVERIFY(m.unreadable > 0 && m.unreadable < 90);
@@ -78,7 +75,7 @@ class FactorMeasurementTest : public QObject {
 
   /// hardCase20: a mirror direction that is black at the fixed angle cannot scale: the curve is taken as it is.
   void hardCase20NothingToScaleBy() {
-    const gonio::testing::FunctionBrdf material([](const Direction& wi, const Direction& wo) {
+    const gonio::test::FunctionBrdf material([](const Direction& wi, const Direction& wo) {
       return Rgb(toProjectedDeviation(wi, wo).deviation < 0.05 ? 1e-13 : 0.5);
     });
     const FactorMeasurement m = measureFactors(material);
@@ -103,7 +100,7 @@ class FactorMeasurementTest : public QObject {
 
   /// hardCase20: a curve along the mirror direction that is black but at the fixed angle divides by nothing.
   void hardCase20BlackBesideTheFixedAngle() {
-    const gonio::testing::FunctionBrdf material([](const Direction& wi, const Direction& wo) {
+    const gonio::test::FunctionBrdf material([](const Direction& wi, const Direction& wo) {
       const ProjectedDeviation at = toProjectedDeviation(wi, wo);
       return Rgb(at.deviation > 1e-6 || std::abs(at.thetaR - 1) < 0.05 ? 0.5 : 0);
     });
@@ -123,7 +120,7 @@ class FactorMeasurementTest : public QObject {
   }
 
   void noiseIsSeededAndOfItsSize() {
-    const gonio::testing::FunctionBrdf constant = gonio::testing::lambert(Rgb(pi));
+    const gonio::test::FunctionBrdf constant = gonio::test::lambert(Rgb(pi));
     const FactorMeasurementOptions options{.angles = 2000, .noise = 0.05, .seed = 3};
     const FactorMeasurement m = measureFactors(constant, options);
     QVERIFY(m.along == measureFactors(constant, options).along);
@@ -143,4 +140,6 @@ class FactorMeasurementTest : public QObject {
 };
 
 GONIO_TEST(FactorMeasurementTest)
+}  // namespace factor_measurement_test
+
 #include "factor_measurement_test.moc"

@@ -7,7 +7,7 @@
 #include "tests/studies/research/factorization/tensor.h"
 
 /// What the tests of the factorisations share.
-namespace gonio::factorization::test {
+namespace gonio::factorization::test_support {
 
 /// Entries of both signs, or positive ones.
 inline Eigen::MatrixXd randomMatrix(int rows, int columns, unsigned seed, bool positive = false) {
@@ -31,4 +31,4 @@ inline double relativeDifference(const Tensor& a, const Tensor& b) {
   return difference.norm() / b.norm();
 }
 
-}  // namespace gonio::factorization::test
+}  // namespace gonio::factorization::test_support

@@ -9,11 +9,10 @@
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
+namespace half_out_test {
 using namespace gonio;
-using testing::randomUpper;
-using testing::rotateZ;
-
-namespace {
+using test::randomUpper;
+using test::rotateZ;
 
 bool roundTrips(const Direction& wi, const Direction& wo) {
   const HalfOutDirections back = fromHalfOut(toHalfOut(wi, wo));
@@ -21,8 +20,6 @@ bool roundTrips(const Direction& wi, const Direction& wo) {
   return back.valid && glm::length(rotateZ(back.pair.wi, phi) - wi) < 1e-12 &&
          glm::length(rotateZ(back.pair.wo, phi) - wo) < 1e-12;
 }
-
-}  // namespace
 
 class HalfOutTest : public QObject {
   Q_OBJECT
@@ -71,4 +68,6 @@ class HalfOutTest : public QObject {
 };
 
 GONIO_TEST(HalfOutTest)
+}  // namespace half_out_test
+
 #include "half_out_test.moc"

@@ -9,7 +9,7 @@
 #include "tests/studies/research/coordinates/half_out.h"
 
 /// What the tests of the baselines in half-out coordinates share.
-namespace gonio::factorization::test {
+namespace gonio::factorization::test_support {
 
 /// Samples of any function of (theta_h, |phi_h|, theta_o) at nodes that have a light above the horizon.
 inline HalfOutSamples halfOutSamples(
@@ -47,4 +47,4 @@ inline double worstAtNodes(const HalfOutSamples& s, const Brdf& brdf) {
   return worst;
 }
 
-}  // namespace gonio::factorization::test
+}  // namespace gonio::factorization::test_support

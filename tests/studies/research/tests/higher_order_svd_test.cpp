@@ -9,9 +9,10 @@
 #include "tests/studies/research/tests/factorization_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace higher_order_svd_test {
 using namespace gonio;
 using namespace gonio::factorization;
-using namespace gonio::factorization::test;
+using namespace gonio::factorization::test_support;
 
 class HigherOrderSvdTest : public QObject {
   Q_OBJECT
@@ -70,4 +71,6 @@ class HigherOrderSvdTest : public QObject {
 };
 
 GONIO_TEST(HigherOrderSvdTest)
+}  // namespace higher_order_svd_test
+
 #include "higher_order_svd_test.moc"

@@ -14,11 +14,10 @@
 #include "core/math/parallel.h"
 #include "tests/support/test_program.h"
 
+namespace k_svd_test {
 using namespace gonio;
 using namespace gonio::dictionary;
 using Eigen::MatrixXd, Eigen::VectorXd;
-
-namespace {
 
 MatrixXd gaussian(int rows, int columns, unsigned seed) {
   std::mt19937_64 random(seed);
@@ -46,8 +45,6 @@ double squaredError(const MatrixXd& signals, const MatrixXd& atoms, int sparsity
     sum += std::pow(orthogonalMatchingPursuit(set, signal, {.steps = sparsity}).residualNorm, 2);
   return sum / signals.squaredNorm();
 }
-
-}  // namespace
 
 class KSvdTest : public QObject {
   Q_OBJECT
@@ -190,4 +187,6 @@ class KSvdTest : public QObject {
 };
 
 GONIO_TEST(KSvdTest)
+}  // namespace k_svd_test
+
 #include "k_svd_test.moc"

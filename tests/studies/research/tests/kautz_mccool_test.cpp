@@ -10,12 +10,11 @@
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
+namespace kautz_mccool_test {
 using namespace gonio;
 using namespace gonio::factorization;
-using factorization::test::halfDifferenceSamples;
-using factorization::test::worstAtNodes;
-
-namespace {
+using factorization::test_support::halfDifferenceSamples;
+using factorization::test_support::worstAtNodes;
 
 /// No node has a direction below the horizon: the matrix has no holes.
 HalfDifferenceAxes axesWithoutHoles() {
@@ -34,8 +33,6 @@ Rgb secondProduct(const HalfDifference& at) { return at.thetaH * (1 + at.thetaD 
 Rgb manyProducts(const HalfDifference& at) {
   return Rgb(std::exp(-8 * at.thetaH * (1 + at.thetaD * (1 + 0.3 * std::cos(2 * at.phiD))))) * Rgb(1, 0.8, 0.5);
 }
-
-}  // namespace
 
 class KautzMcCoolTest : public QObject {
   Q_OBJECT
@@ -68,7 +65,7 @@ class KautzMcCoolTest : public QObject {
     QCOMPARE(three.residuals.size(), std::size_t(4));
     QCOMPARE(three.bytes(), std::size_t(4 * 3 * (3 * 12 + 9 * 5)));
     double left = 0, total = 0;
-    factorization::test::visitNodes(
+    factorization::test_support::visitNodes(
         s.axes, [&](std::size_t h, std::size_t d, std::size_t p, std::size_t i, const DirectionPair&) {
           // Weighted as at phi_d = pi / 2, for any azimuth.
           const double cosines = std::pow(std::cos(s.axes.thetaH[h]) * std::cos(s.axes.thetaD[d]), 2);
@@ -90,7 +87,7 @@ class KautzMcCoolTest : public QObject {
     const auto brdf = makeKautzMcCoolBrdf(factorizeKautzMcCool(s, 2));
     std::mt19937_64 generator(3);
     for (int i = 0; i < 2000; ++i) {
-      const Direction wi = testing::randomUpper(generator), wo = testing::randomUpper(generator);
+      const Direction wi = test::randomUpper(generator), wo = test::randomUpper(generator);
       const double a = brdf->evaluate(wi, wo).y, b = brdf->evaluate(wo, wi).y;
       QVERIFY(std::isfinite(a) && a >= 0);
       QVERIFY(std::abs(a - b) < 1e-9);
@@ -132,4 +129,6 @@ class KautzMcCoolTest : public QObject {
 };
 
 GONIO_TEST(KautzMcCoolTest)
+}  // namespace kautz_mccool_test
+
 #include "kautz_mccool_test.moc"

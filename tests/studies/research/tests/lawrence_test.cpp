@@ -8,12 +8,11 @@
 #include "tests/studies/research/tests/half_out_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace lawrence_test {
 using namespace gonio;
 using namespace gonio::factorization;
-using factorization::test::halfOutSamples;
-using factorization::test::worstAtNodes;
-
-namespace {
+using factorization::test_support::halfOutSamples;
+using factorization::test_support::worstAtNodes;
 
 /// Cells below the horizon count as 0: nodes where there are none make the data one product.
 HalfOutAxes axesWithoutHorizon() {
@@ -26,8 +25,6 @@ HalfOutAxes axesWithoutHorizon() {
 Rgb product(double thetaH, double phiH, double thetaO) {
   return std::exp(-3 * thetaH) * (2 + std::cos(phiH)) * Rgb(1, 0.5 + thetaO, 0.2 * std::cos(thetaO));
 }
-
-}  // namespace
 
 class LawrenceTest : public QObject {
   Q_OBJECT
@@ -81,4 +78,6 @@ class LawrenceTest : public QObject {
 };
 
 GONIO_TEST(LawrenceTest)
+}  // namespace lawrence_test
+
 #include "lawrence_test.moc"

@@ -10,12 +10,11 @@
 #include "tests/support/random_directions.h"
 #include "tests/support/test_program.h"
 
+namespace mccool_test {
 using namespace gonio;
 using namespace gonio::factorization;
-using factorization::test::halfDifferenceSamples;
-using factorization::test::worstAtNodes;
-
-namespace {
+using factorization::test_support::halfDifferenceSamples;
+using factorization::test_support::worstAtNodes;
 
 const HalfDifferenceAxes axes = makeHalfDifferenceAxes(20, 18, 5);
 
@@ -25,8 +24,6 @@ Rgb product(const HalfDifference& at, const DirectionPair& pair) {
   return {std::exp(2 - 0.5 * angles - 3 * at.thetaH), std::exp(1 + 0.3 * angles - at.thetaH), std::exp(-angles)};
 }
 
-}  // namespace
-
 class McCoolTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -35,7 +32,7 @@ class McCoolTest : public QObject {
     HalfDifferenceSamples s = halfDifferenceSamples(axes, product);
     Rgb sum(0);
     double weights = 0;
-    factorization::test::visitNodes(
+    factorization::test_support::visitNodes(
         axes, [&](std::size_t h, std::size_t d, std::size_t p, std::size_t i, const DirectionPair&) {
           sum += projectedMeasure(s, h, d, p) * s.values[i];
           weights += projectedMeasure(s, h, d, p);
@@ -57,7 +54,7 @@ class McCoolTest : public QObject {
     const auto brdf = makeMcCoolBrdf(f);
     std::mt19937_64 generator(3);
     for (int i = 0; i < 2000; ++i) {
-      const Direction wi = testing::randomUpper(generator), wo = testing::randomUpper(generator);
+      const Direction wi = test::randomUpper(generator), wo = test::randomUpper(generator);
       const double a = brdf->evaluate(wi, wo).y, b = brdf->evaluate(wo, wi).y;
       QVERIFY(std::isfinite(a) && a >= 0 && a < 1000.2);
       QVERIFY(std::abs(a - b) < 1e-9 * (1 + a));
@@ -92,7 +89,7 @@ class McCoolTest : public QObject {
     const auto brdf = makeMcCoolBrdf(factorizeMcCool(s));
     std::mt19937_64 generator(4);
     for (int i = 0; i < 2000; ++i) {
-      const Rgb value = brdf->evaluate(testing::randomUpper(generator), testing::randomUpper(generator));
+      const Rgb value = brdf->evaluate(test::randomUpper(generator), test::randomUpper(generator));
       QVERIFY(std::isfinite(value.x) && value.x >= 0 && value.x <= 1e6 * (1 + 1e-9));
     }
     QVERIFY(brdf->evaluate({0.6, 0, 0.8}, {0.6, 0, 0.8}).x < 1);
@@ -100,4 +97,6 @@ class McCoolTest : public QObject {
 };
 
 GONIO_TEST(McCoolTest)
+}  // namespace mccool_test
+
 #include "mccool_test.moc"

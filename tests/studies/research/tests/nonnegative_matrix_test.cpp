@@ -9,9 +9,10 @@
 #include "tests/studies/research/tests/factorization_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace nonnegative_matrix_test {
 using namespace gonio;
 using namespace gonio::factorization;
-using namespace gonio::factorization::test;
+using namespace gonio::factorization::test_support;
 
 class NonnegativeMatrixTest : public QObject {
   Q_OBJECT
@@ -59,4 +60,6 @@ class NonnegativeMatrixTest : public QObject {
 };
 
 GONIO_TEST(NonnegativeMatrixTest)
+}  // namespace nonnegative_matrix_test
+
 #include "nonnegative_matrix_test.moc"

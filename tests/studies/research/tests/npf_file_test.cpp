@@ -8,11 +8,10 @@
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"
 
+namespace npf_file_test {
 using namespace gonio;
 using namespace gonio::factorization;
 using namespace gonio::io;
-
-namespace {
 
 constexpr std::size_t columns = 512;
 
@@ -29,8 +28,6 @@ test::Bytes table(int rows) {
 NpfTable read(const test::Bytes& bytes, std::string_view names) { return readNpf(MemorySource(bytes), names); }
 
 const std::filesystem::path sharedTable = std::filesystem::path(GONIO_SHARED_DIR) / "data/tables/npf.bin";
-
-}  // namespace
 
 class NpfFileTest : public QObject {
   Q_OBJECT
@@ -105,4 +102,6 @@ class NpfFileTest : public QObject {
 };
 
 GONIO_TEST(NpfFileTest)
+}  // namespace npf_file_test
+
 #include "npf_file_test.moc"

@@ -9,11 +9,10 @@
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
 
+namespace patch_code_test {
 using namespace gonio;
 using namespace gonio::dictionary;
-using namespace gonio::dictionary::test;
-
-namespace {
+using namespace gonio::dictionary::test_support;
 
 constexpr Sizes patch{4, 3, 3};
 
@@ -31,8 +30,6 @@ PatchTrainingOptions smallTraining() {
   options.kSvd = {.atoms = 48, .sparsity = 2, .iterations = 15};
   return options;
 }
-
-}  // namespace
 
 class PatchCodeTest : public QObject {
   Q_OBJECT
@@ -85,10 +82,10 @@ class PatchCodeTest : public QObject {
         std::vector<PursuitResult> codes;
         std::size_t sum = 0;
         for (const auto& column : patches.colwise()) {
-          const Eigen::VectorXd patch = column;
-          const double norm = patch.norm();
+          const Eigen::VectorXd values = column;
+          const double norm = values.norm();
           codes.push_back(
-              orthogonalMatchingPursuit(atoms, patch, {.steps = most, .residual = norm > 0 ? error / norm : 0}));
+              orthogonalMatchingPursuit(atoms, values, {.steps = most, .residual = norm > 0 ? error / norm : 0}));
           sum += codes.back().atoms.size();
         }
         (sum > coefficients ? tooMany : fits) = error;
@@ -150,4 +147,6 @@ class PatchCodeTest : public QObject {
 };
 
 GONIO_TEST(PatchCodeTest)
+}  // namespace patch_code_test
+
 #include "patch_code_test.moc"

@@ -10,11 +10,10 @@
 #include "tests/support/random_matrix.h"
 #include "tests/support/test_program.h"
 
+namespace tensor_test {
 using namespace gonio;
 using Matrix = Eigen::MatrixXd;
-using gonio::testing::randomMatrix;
-
-namespace {
+using gonio::test::randomMatrix;
 
 Tensor randomTensor(std::vector<int> sizes, unsigned seed = 1) {
   std::mt19937_64 generator(seed);
@@ -30,8 +29,6 @@ double difference(const Tensor& a, const Tensor& b) {
     largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
 }
-
-}  // namespace
 
 /// The operations of the dissertation's 3.1.1, written out.
 class TensorTest : public QObject {
@@ -145,4 +142,6 @@ class TensorTest : public QObject {
 };
 
 GONIO_TEST(TensorTest)
+}  // namespace tensor_test
+
 #include "tensor_test.moc"
