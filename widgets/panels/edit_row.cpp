@@ -11,7 +11,7 @@
 #include "widgets/inputs/icons.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
-#include "widgets/panels/edit_stack.h"
+#include "widgets/panels/edit_entry.h"
 
 namespace gonio::widgets {
 

@@ -7,6 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "widgets/panels/edit_entry.h"
+
 class QAction;
 class QLabel;
 class QMenu;
@@ -15,17 +17,6 @@ class QToolButton;
 namespace gonio::widgets {
 
 class EditRow;
-
-/// One edit of a stack, for people.
-struct EditEntry {
-  QString name;  ///< shown
-  QString toolTip = {};
-  double strength = 1;  ///< [0, 1]
-  bool enabled = true;
-  QString ownName = {};  ///< that the user gave it: what renaming starts from
-
-  bool operator==(const EditEntry&) const = default;
-};
 
 /// The edits of a document in the order in which they are applied: an eye, the name, the strength as slider and number,
 /// a button that deletes. One is selected. Rows are dragged to another place (or moved by Alt+Up, Alt+Down), renamed

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "app/gonio/acquisition/acquisition_training.h"
-#include "app/gonio/library/thumbnail.h"
+#include "app/gonio/library/sphere_picture.h"
 #include "core/materials/material.h"
 #include "core/metrics/brdf_metrics.h"
 #include "core/rendering/false_colour.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "app/gonio/library/thumbnail.h"
+#include "app/gonio/library/sphere_picture.h"
 #include "widgets/interpolation/blend_place.h"
 
 namespace gonio::app {

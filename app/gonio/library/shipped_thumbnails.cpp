@@ -8,7 +8,7 @@
 #include <QSaveFile>
 #include <map>
 
-#include "app/gonio/library/thumbnail.h"
+#include "app/gonio/library/sphere_picture.h"
 #include "core/materials/bundled_library.h"
 
 namespace gonio::app {

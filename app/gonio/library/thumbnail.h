@@ -4,8 +4,6 @@
 
 #include <QString>
 
-#include "core/brdf/brdf.h"
-#include "core/math/image.h"
 #include "core/support/task_control.h"
 #include "widgets/library/library_model.h"
 
@@ -17,12 +15,6 @@ namespace gonio::app {
 /// made) and put there. Some 100 ms when it is rendered.
 /// @throws Error, Cancelled.
 widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control);
-
-/// The same of any reflectance, at any size: the studio, a transparent ground. @throws Cancelled.
-QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control = {});
-
-/// A picture that was rendered, as the screen shows it: exposure 0, the film-like tone curve.
-QImage displayedImage(const Image& picture);
 
 /// Under the user's cache folder.
 QString thumbnailCacheFolder();

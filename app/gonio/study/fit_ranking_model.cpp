@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "app/gonio/comparison/comparison_numbers.h"
-#include "app/gonio/library/thumbnail.h"
+#include "app/gonio/library/sphere_picture.h"
 #include "widgets/panels/model_panel.h"
 #include "widgets/parameters/parameter_text.h"
 

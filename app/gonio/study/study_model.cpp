@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "app/gonio/comparison/comparison_numbers.h"
-#include "app/gonio/library/thumbnail.h"
+#include "app/gonio/library/sphere_picture.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {

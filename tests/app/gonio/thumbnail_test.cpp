@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/library/thumbnail.h"
+#include "app/gonio/library/sphere_picture.h"
 
 #include <QTest>
 
