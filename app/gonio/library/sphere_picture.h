@@ -10,7 +10,8 @@
 
 namespace gonio::app {
 
-/// A sphere of any reflectance in the studio, on a transparent ground, with its hue and roughness as texts of the image.
+/// A sphere of any reflectance in the studio, on a transparent ground, with its hue and roughness as texts of the
+/// image.
 /// @throws Cancelled.
 QImage spherePicture(const Brdf& brdf, int pixels, int samples, const TaskControl& control = {});
 
