@@ -46,9 +46,11 @@ std::string text(const Json& json) {
   for (const auto& [angle, value] : json["albedo"].items())
     result += "  albedo at " + angle + " degrees " + rgbText({value[0], value[1], value[2]}) + "\n";
   if (json.contains("tableSnr"))
-    result += json["tableSnr"].is_null()
-                  ? "  rendered SNR of its table for editing: undefined (it is a table itself, or black)\n"
-                  : "  rendered SNR of its table for editing " + number(json["tableSnr"].get<double>()) + " dB\n";
+    result += json["tableSnr"].is_null() ? "  rendered SNR of its table: undefined (it is a table itself, or black)\n"
+                                         : "  rendered SNR of its table for fits, factors and codes " +
+                                               number(json["tableSnr"].get<double>()) + " dB\n";
+  result += std::string("  shown and edited ") +
+            (json["shownAs"] == "measured" ? "in its own form, without a table\n" : "as a table\n");
   for (const Json& note : json["notes"]) result += "  note: " + note.get<std::string>() + "\n";
   return result;
 }
@@ -62,6 +64,7 @@ int info(const InfoArguments& options, const Tool& tool) {
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   Json json = describe(material, tableStatistics(*table));
+  json["shownAs"] = material.brdf->asRgl() ? "measured" : "table";
   if (options.tableError) {
     json["tableSnr"] = nullptr;
     if (material.brdf != table) {
@@ -81,7 +84,7 @@ void addInfo(CLI::App& app, Tool& tool) {
   CLI::App* command = app.add_subcommand("info", "Format, grid, ranges, invalid share and albedo of a material");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_flag("--table-error", options->tableError,
-                    "Also the rendered SNR of the table for editing against the material (some seconds)");
+                    "Also the rendered SNR of the material's table against the material (some seconds)");
   command->callback([options, &tool] { tool.run = [options, &tool] { return info(*options, tool); }; });
 }
 

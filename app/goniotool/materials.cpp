@@ -19,15 +19,15 @@ materials::Material replay(const std::filesystem::path& path, const TaskControl&
     throw Error(path.string() + ": its source " +
                 (document.blend ? "(" + material.source.description + ")" : material.source.path.string()) +
                 " has SHA-256 " + material.source.sha256 + ", the edits were made on " + document.sourceSha256);
-  const auto base = material.tabulated(control);
-  const auto edited = editing::bakeEdits(base, document.edits, control);
-  if (edited == base && !document.blend) return material;
+  if (editing::isIdentity(document.edits) && !document.blend) return material;
   material.name = path.stem().string();
-  material.table = edited;
-  material.brdf = edited;
-  if (std::any_of(document.edits.begin(), document.edits.end(),
-                  [](const auto& edit) { return editing::isAnisotropic(edit); })) {
-    material.brdf = editing::applyEdits(base, document.edits);
+  const std::shared_ptr<const Brdf> base = material.brdf;
+  const bool anisotropic = std::any_of(document.edits.begin(), document.edits.end(),
+                                       [](const auto& edit) { return editing::isAnisotropic(edit); });
+  // What is no table keeps its own form under the edits.
+  if (material.table) material.brdf = material.table = editing::bakeEdits(material.table, document.edits, control);
+  if (!material.table || anisotropic) material.brdf = editing::applyEdits(base, document.edits);
+  if (anisotropic) {
     material.source.notes.push_back("the edits are anisotropic: tables hold the mean over " +
                                     std::to_string(editing::bakedAzimuths) + " azimuths");
   }

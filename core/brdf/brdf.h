@@ -8,6 +8,7 @@
 
 namespace gonio {
 
+class RglBrdf;
 class TabulatedBrdf;
 
 /// A reflectance function. Values are linear RGB in 1/sr without the cosine (core/math/types.h has the conventions).
@@ -38,15 +39,19 @@ class Brdf {
   virtual bool hasData(const DirectionPair& pair) const { return !isBelowHorizon(pair.wi) && !isBelowHorizon(pair.wo); }
   /// This BRDF where it is a table, so that its nodes can be read exactly; null for all others.
   virtual const TabulatedBrdf* asTable() const { return nullptr; }
+  /// The same for a file of the RGL database in its own parameterisation.
+  virtual const RglBrdf* asRgl() const { return nullptr; }
 
   /// Whether sample() knows this BRDF better than a cosine does.
   virtual bool samplesItself() const { return false; }
 
   /// Draws a direction of light wi for the viewer wo (z > 0) from the density pdf(), for importance sampling: about
   /// proportional to the value times cos theta_i. `u` are three numbers in [0, 1): which lobe, then two for the
-  /// direction. Always above the horizon, with a positive density. Cosine-weighted where a BRDF knows no better.
+  /// direction. Above the horizon with a positive density, or lost: with the density 0. Cosine-weighted where a BRDF
+  /// knows no better.
   virtual DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
-  /// Density of sample() at wi, 1/sr: integrates to 1 over the upper hemisphere; 0 below the horizon.
+  /// Density of sample() at wi, 1/sr: integrates over the upper hemisphere to the share of draws that are not lost; 0
+  /// below the horizon.
   virtual double pdf(const Direction& wi, const Direction& wo) const;
 };
 

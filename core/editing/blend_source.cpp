@@ -148,7 +148,9 @@ materials::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<co
 materials::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,
                                const TaskControl& control) {
   if (document.blend) return readBlend(*document.blend, documentPath, control);
-  return materials::readMaterial(resolveSource(document, documentPath), control);
+  materials::Material material = materials::readMaterial(resolveSource(document, documentPath), control);
+  material.brdf = withIncident(material.brdf, document.incident);
+  return material;
 }
 
 }  // namespace gonio::editing

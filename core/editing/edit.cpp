@@ -214,4 +214,11 @@ std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const Tabul
   return bake(base, activate(edits), control, cappedCount);
 }
 
+std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const Brdf>& base, std::span<const Edit> edits,
+                                               const TaskControl& control) {
+  if (const TabulatedBrdf* table = base->asTable())
+    return bakeEdits(std::shared_ptr<const TabulatedBrdf>(base, table), edits, control);
+  return bakeTable(*applyEdits(base, edits), {}, control, bakedAzimuths);
+}
+
 }  // namespace gonio::editing

@@ -55,5 +55,8 @@ inline constexpr int bakedAzimuths = 64;
 std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const TabulatedBrdf>& base,
                                                std::span<const Edit> edits, const TaskControl& control = {},
                                                std::size_t* cappedCount = nullptr);
+/// The same over a base of any form: one that is no table is sampled with its edits onto the MERL grid.
+std::shared_ptr<const TabulatedBrdf> bakeEdits(const std::shared_ptr<const Brdf>& base, std::span<const Edit> edits,
+                                               const TaskControl& control = {});
 
 }  // namespace gonio::editing

@@ -123,6 +123,7 @@ nlohmann::json contentToJson(const EditDocument& document) {
     source["blend"] = toJson(*document.blend);
   else
     source["path"] = document.sourcePath;
+  if (document.incident != IncidentSlot::viewer) source["incident"] = incidentSlotId(document.incident);
   return {{"source", std::move(source)}, {"edits", std::move(edits)}};
 }
 
@@ -135,6 +136,12 @@ EditDocument contentFromJson(const JsonObject& object, int version, int depth) {
   } else {
     document.sourcePath = source.text("path");
     if (document.sourcePath.empty()) source.fail("path", "the path of a material");
+  }
+  if (source.contains("incident")) {
+    const std::string id = source.text("incident");
+    const auto slot = std::ranges::find_if(allIncidentSlots, [&](IncidentSlot s) { return id == incidentSlotId(s); });
+    if (slot == std::end(allIncidentSlots)) source.fail("incident", "viewer, light or mean");
+    document.incident = *slot;
   }
   document.sourceSha256 = source.text("sha256");
   if (!isSha256(document.sourceSha256)) source.fail("sha256", "64 digits 0-9 and a-f");

@@ -4,7 +4,7 @@
 
 namespace gonio::editing {
 
-std::vector<metrics::PlausibilityCheck> checkEditPlausibility(const std::shared_ptr<const TabulatedBrdf>& base,
+std::vector<metrics::PlausibilityCheck> checkEditPlausibility(const std::shared_ptr<const Brdf>& base,
                                                               std::span<const Edit> edits, const TaskControl& control) {
   auto checks = metrics::checkPlausibility(*applyEdits(base, edits), control);
   control.throwIfStopped();
@@ -13,7 +13,7 @@ std::vector<metrics::PlausibilityCheck> checkEditPlausibility(const std::shared_
     for (metrics::PlausibilityCheck& check : checks)
       if (check.name == name) ordered.push_back(std::move(check));
   ordered.insert(ordered.begin() + 2, metrics::checkNegative(*applyEditsUnclamped(base, edits)));
-  ordered.push_back(metrics::checkCoverage(*base));
+  if (const TabulatedBrdf* table = base->asTable()) ordered.push_back(metrics::checkCoverage(*table));
   return ordered;
 }
 

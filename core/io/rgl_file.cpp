@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/rgl_file.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/io/format_mismatch.h"
-#include "core/io/rgl_brdf.h"
 #include "core/io/tensor_file.h"
 
 namespace gonio::io {
@@ -58,6 +60,17 @@ SliceStack<glm::vec3> colours(const TensorFile& file, std::uint64_t& negativeCou
   return result;
 }
 
+/// The field `luminance`, [phi][theta][row][column], as it is; four nodes of 0 a slice where there is none.
+SliceStack<float> luminance(const TensorFile& file, const Shape& slices) {
+  if (!file.contains("luminance")) return {2, 2, std::vector<float>(slices[0] * slices[1] * 4)};
+  const glm::u64vec2 size = gridSize(file, "luminance", 4);
+  requireShape(file, "luminance", {slices[0], slices[1], size.y, size.x});
+  const Tensor& tensor = file.field("luminance", TensorType::float32, 4);
+  SliceStack<float> result{size.x, size.y, std::vector<float>(tensor.count())};
+  std::memcpy(result.values.data(), tensor.bytes.data(), tensor.bytes.size());
+  return result;
+}
+
 int reductionOf(const std::vector<float>& phis) {
   if (phis.size() <= 2) return 1;
   const double range = double(phis.back()) - phis.front();
@@ -91,6 +104,7 @@ RglFile readRgl(const ByteSource& source) {
   data.ndf = stack(file, "ndf", 2);
   data.sigma = stack(file, "sigma", 2);
   data.vndf = stack(file, "vndf", 4);
+  data.luminance = luminance(file, {phiCount, thetaCount});
   data.rgb = colours(file, result.negativeCount);
   result.description = file.text("description");
   for (const std::uint64_t size : file.field("rgb", TensorType::float32, 5).shape) result.grid.push_back(int(size));

@@ -7,7 +7,7 @@
 
 #include "core/io/format_mismatch.h"
 #include "core/io/merl_file.h"
-#include "core/io/rgl_brdf.h"
+#include "core/io/rgl_file.h"
 #include "core/io/tensor_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"

@@ -10,7 +10,11 @@ namespace {
 
 std::optional<SamplingLobe> lobeOf(const Brdf& brdf, std::optional<SamplingLobe> lobe, RenderMaterial::LobeUse use) {
   if (brdf.samplesItself() && !(lobe && use == RenderMaterial::LobeUse::always)) return std::nullopt;
-  return lobe ? lobe : estimateSamplingLobe(brdf);
+  return lobe || brdf.isIsotropic() ? lobe : estimateSamplingLobe(brdf);
+}
+
+std::shared_ptr<const TabulatedLobe> tabulatedLobeOf(const Brdf& brdf, const std::optional<SamplingLobe>& lobe) {
+  return lobe || brdf.samplesItself() ? nullptr : std::make_shared<const TabulatedLobe>(brdf);
 }
 
 class DiffuseBrdf final : public Brdf {
@@ -32,6 +36,12 @@ class DiffuseBrdf final : public Brdf {
 RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe, LobeUse use)
     : brdf_(std::move(brdf)),
       lobe_(lobeOf(*brdf_, lobe, use)),
+      tabulated_(tabulatedLobeOf(*brdf_, lobe_)),
+      bound_(*brdf_, [this](const Direction& wo, const glm::dvec3& u) { return sample(wo, u); }) {}
+
+RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedLobe> lobe)
+    : brdf_(std::move(brdf)),
+      tabulated_(brdf_->samplesItself() ? nullptr : std::move(lobe)),
       bound_(*brdf_, [this](const Direction& wo, const glm::dvec3& u) { return sample(wo, u); }) {}
 
 std::shared_ptr<const RenderMaterial> diffuseMaterial(const Rgb& reflectance) {

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/brdf/sampling_lobe.h"
+#include "core/brdf/tabulated_lobe.h"
 #include "core/rendering/reflection_bound.h"
 #include "core/rendering/scene.h"
 
@@ -17,17 +18,22 @@ class RenderMaterial {
   /// Whether a lobe that is given also takes the place of a density of the BRDF's own.
   enum class LobeUse { whereNeeded, always };
 
-  /// Models and factors are sampled from their own densities; what has none (tables, codes, edits) from the lobe, which
-  /// is estimated where absent. Some ms; up to 50 ms for a sparse code.
+  /// Models, factors and RGL files are sampled from their own densities. What has none (tables, codes, edits) is
+  /// sampled from the lobe that is given, else from its own values (TabulatedLobe; an anisotropic one from an estimated
+  /// lobe). Some ms; up to 50 ms for a sparse code.
   explicit RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt,
                           LobeUse use = LobeUse::whereNeeded);
+  /// Sampled from this lobe, unless it has a density of its own.
+  RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedLobe> lobe);
 
   const Brdf& brdf() const { return *brdf_; }
   /// Contracts of Brdf::sample() and pdf().
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
-    return lobe_ ? lobe_->sample(wo, u) : brdf_->sample(wo, u);
+    return lobe_ ? lobe_->sample(wo, u) : tabulated_ ? mixture().sample(wo, u) : brdf_->sample(wo, u);
   }
-  double pdf(const Direction& wi, const Direction& wo) const { return lobe_ ? lobe_->pdf(wi, wo) : brdf_->pdf(wi, wo); }
+  double pdf(const Direction& wi, const Direction& wo) const {
+    return lobe_ ? lobe_->pdf(wi, wo) : tabulated_ ? mixture().pdf(wi, wo) : brdf_->pdf(wi, wo);
+  }
   const ReflectionBound& bound() const { return bound_; }
 
  private:
@@ -35,8 +41,11 @@ class RenderMaterial {
   RenderMaterial(std::shared_ptr<const Brdf> brdf, const ReflectionBound& bound)
       : brdf_(std::move(brdf)), bound_(bound) {}
 
+  TabulatedMixture mixture() const { return tabulatedMixture(*tabulated_); }
+
   std::shared_ptr<const Brdf> brdf_;
   std::optional<SamplingLobe> lobe_;
+  std::shared_ptr<const TabulatedLobe> tabulated_;
   ReflectionBound bound_;
 };
 

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// What is looked at: a measured table with or without edits, a model alone, or a blend. The definitions are listed in
+// What is looked at: a measured table or RGL file with or without edits, a model alone, or a blend. The definitions are listed in
 // preview/scene.frag.
 // A file is put where it is first included: what several variants share comes before what only one has.
 #include "half_difference.glsl"
-#ifndef MODEL_ALONE
+#include "preview/marginal_warp.glsl"
+#include "preview/normal_square.glsl"
+#ifdef RGL_THETAS
+#include "preview/rgl.glsl"
+#elif !defined(MODEL_ALONE)
 #include "preview/table.glsl"
+#endif
+#ifndef MODEL_ALONE
 #include "preview/data_transform.glsl"
 #endif
 #ifdef BLEND_TABLES
@@ -32,8 +38,13 @@ vec3 evaluateBrdf(vec3 wi, vec3 wo) {
 #elif defined(MODEL_ALONE)
   return EVALUATE_MODEL(wi, wo, modelParameters);
 #else
+#ifdef RGL_THETAS
+  const bool valid = true;
+  vec3 value = evaluateRgl(wi, wo);
+#else
   bool valid;
   vec3 value = evaluateTable(wi, wo, valid);
+#endif
 #ifdef EDIT_STEPS
   if (valid) {
     EDIT_STEPS

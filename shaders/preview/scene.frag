@@ -16,6 +16,7 @@
 //   INTERREFLECTION      light is followed over `reflections` of them (else one)
 //   EDIT_STEPS           the edits of the table in their order, with EDIT_UNIFORMS (widgets/preview/gl/edit_chain)
 //   FACTOR_EDITS         how many of them are of factor curves (preview/factors.glsl)
+//   RGL_THETAS, ...      an RGL file in place of the table (preview/rgl.glsl)
 //   MODEL_ALONE          the model and no table, with EVALUATE_MODEL and MODEL_PARAMETERS
 //   BLEND_TABLES         several tables mixed (preview/blend.glsl), and nothing else
 #include "math.glsl"

@@ -87,9 +87,9 @@ class Session {
   void run() {
     const PreviewSubject ggx = modelAlone("ggx", 0.3);
     const auto table = bakeTable(*widgets::subjectBrdf(ggx));
-    const SamplingLobe lobe = estimateSamplingLobe(*table);
+    const auto lobe = std::make_shared<const TabulatedLobe>(*table);
     measure("nothing: the empty window", [](int) {});
-    measure("open a material", [&](int) { preview_.setMaterial(table, lobe); });
+    measure("open a material", [&](int) { preview_.setSubject(widgets::measuredSubject(table, lobe)); });
     measure(
         "exposure", [&](int step) { preview_.setExposure(0.05 * step); }, 20);
     measure("choose a model (new shader)", [&](int) { preview_.setSubject(ggx); });
@@ -101,7 +101,7 @@ class Session {
     const Scene spheres = openScene("two-spheres"), bowl = openScene("bowl");
     measure("another scene (new shader)", [&](int) { preview_.showScene(spheres); });
     measure("orbit", orbit, 60);
-    preview_.setOther(widgets::tableSubject(table, lobe), "Other");
+    preview_.setOther(widgets::measuredSubject(table, lobe), "Other");
     for (const auto& [mode, name] : {std::pair{CompareMode::split, "compare: split"},
                                      {CompareMode::difference, "compare: difference"},
                                      {CompareMode::twoUp, "compare: side by side"},

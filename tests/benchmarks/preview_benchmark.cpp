@@ -34,7 +34,9 @@ class PreviewFixture {
   editing::DifferentialEdit edit;
   std::shared_ptr<const TabulatedBrdf> table;
 
-  void show(const editing::EditList& edits = {}) { renderer.setSubject({widgets::EditedTable{table, edits}, lobe_}); }
+  void show(const editing::EditList& edits = {}) {
+    renderer.setSubject({widgets::EditedMaterial{table, edits}, lobe_});
+  }
 
  private:
   PreviewFixture() : application_(argumentCount_, arguments_) {
@@ -45,7 +47,7 @@ class PreviewFixture {
     edit.model = &model;
     edit.fitted = models::defaultParameters(model.spec());
     table = bakeTable(*model.instantiate(edit.fitted));
-    lobe_ = estimateSamplingLobe(*table);
+    lobe_ = std::make_shared<const TabulatedLobe>(*table);
     show();
     renderer.setSize({512, 512});
   }
@@ -55,7 +57,7 @@ class PreviewFixture {
   char* arguments_[2] = {name_, nullptr};
   QGuiApplication application_;
   std::unique_ptr<test::OffscreenContext> context_;
-  SamplingLobe lobe_;
+  std::shared_ptr<const TabulatedLobe> lobe_;
 };
 
 void runFrames(benchmark::State& state, bool environment, bool edited) {
@@ -119,7 +121,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
   const auto count = std::size_t(state.range(0));
   const auto blend = widgets::prepareBlend(space, {materials.begin(), materials.begin() + std::ptrdiff_t(count)});
   test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
-  const SamplingLobe lobe = fixture.renderer.subject().lobe;
+  const auto lobe = fixture.renderer.subject().lobe;
   std::vector<double> weights(count);
   // Textures and shaders are there when the hand begins.
   const auto first = std::vector<double>(count, 1.0 / double(count));
@@ -135,7 +137,7 @@ void runBlendDrag(benchmark::State& state, bool environment, editing::Interpolat
     fixture.renderer.setSubject(subject);
     fixture.renderer.accumulate(1);
   }
-  fixture.renderer.setSubject(widgets::tableSubject(materials[0].table, lobe));
+  fixture.renderer.setSubject(widgets::measuredSubject(materials[0].table, lobe));
 }
 void directionalLinearBlend(benchmark::State& state) {
   runBlendDrag(state, false, editing::InterpolationSpace::linear);

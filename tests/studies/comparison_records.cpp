@@ -16,7 +16,7 @@ namespace gonio::study {
 
 namespace {
 
-constexpr char header[] = "material,collection,model,terms,bytes,rendered_snr,rendered_psnr,brdf_snr,seconds";
+constexpr char columnNames[] = "material,collection,model,terms,bytes,rendered_snr,rendered_psnr,brdf_snr,seconds";
 
 std::string lineOf(const ComparisonRecord& r) {
   char numbers[160];
@@ -142,7 +142,7 @@ ComparisonRecords::ComparisonRecords(std::filesystem::path path) : path_(std::mo
   std::ifstream file(path_);
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
-    if (line.empty() || line == header) continue;
+    if (line.empty() || line == columnNames) continue;
     try {
       records_.push_back(parse(line));
     } catch (const std::exception& error) {
@@ -163,7 +163,7 @@ void ComparisonRecords::add(const ComparisonRecord& record) {
   if (!path_.empty()) {
     const bool isNew = !std::filesystem::exists(path_);
     std::ofstream file(path_, std::ios::app);
-    if (isNew) file << header << '\n';
+    if (isNew) file << columnNames << '\n';
     file << lineOf(record) << '\n';
     if (!file.flush()) throw Error(path_.string() + ": cannot be written");
   }

@@ -37,17 +37,19 @@ struct HemisphereCell {
 std::vector<HemisphereCell> cellsOfDraws(const Brdf& brdf, const Direction& wo);
 
 /// Integral of the density over a cell: adaptive Gauss-Legendre.
-double integralOfPdf(const Brdf& brdf, const Direction& wo, const HemisphereCell& cell);
+double integralOfPdf(const Brdf& brdf, const Direction& wo, const HemisphereCell& cell, double tolerance = 5e-7);
 
 /// The probability that Pearson's chi-squared is as large as found, were counts of draws by chance about what is
 /// expected; cells next to each other are pooled until ten are expected.
 double pearsonPValue(const std::vector<double>& expected, const std::vector<double>& observed);
 
 struct SamplingCheck {
-  double integral = 0;  ///< of the density over the hemisphere: 1
+  double integral = 0;  ///< of the density over the hemisphere: 1 - lost
+  double lost = 0;      ///< share of the draws that have the density 0
   double pValue = 1;    ///< of Pearson's chi-squared test of the draws against the integrals of the cells
-  bool valid = true;    ///< every draw is a unit vector above the horizon with the positive density that pdf() states
+  bool valid = true;    ///< every other draw is a unit vector above the horizon with the positive density of pdf()
 };
-SamplingCheck checkSampling(const Brdf& brdf, const Direction& wo);
+/// @param draws of the test; more find smaller errors. @param tolerance of the integral over a cell.
+SamplingCheck checkSampling(const Brdf& brdf, const Direction& wo, int draws = 1 << 15, double tolerance = 5e-7);
 
 }  // namespace gonio::test

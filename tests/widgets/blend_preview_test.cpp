@@ -55,8 +55,7 @@ class BlendPreviewTest : public QObject {
   /// SNR of the shader's picture against that of `brdf` on the CPU, dB.
   double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const Scene& scene) {
     constexpr int samples = 512;
-    const Image reference = renderPicture(
-        brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
+    const Image reference = renderPicture(brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7});
     return metrics::signalToNoiseRatio(reference, drawn(subject, scene, samples));
   }
 
@@ -113,7 +112,7 @@ class BlendPreviewTest : public QObject {
 
   /// All of the weight on one material: the same bits as that material alone, in every space.
   void aCornerIsTheMaterial() {
-    const Image alone = drawn(widgets::tableSubject(ends(1)[0].table), sphereScene(), 64);
+    const Image alone = drawn(widgets::measuredSubject(ends(1)[0].table), sphereScene(), 64);
     for (const auto space : {InterpolationSpace::linear, InterpolationSpace::factors}) {
       auto subject = widgets::blendSubject(*widgets::prepareBlend(space, ends(2)), {1, 0});
       subject.lobe = {};
@@ -147,7 +146,7 @@ class BlendPreviewTest : public QObject {
     const auto blend = widgets::prepareBlend(InterpolationSpace::linear, {{full}, {empty}});
     const auto subject = widgets::blendSubject(*blend, {0.5, 0.5});
     const Image picture = drawn(subject, sphereScene(), 64);
-    const Image expected = drawn(widgets::tableSubject(full), sphereScene(), 64);
+    const Image expected = drawn(widgets::measuredSubject(full), sphereScene(), 64);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
       QVERIFY(glm::length(picture.pixels[i] - 0.5f * expected.pixels[i]) < 1e-6f);
   }
@@ -158,7 +157,7 @@ class BlendPreviewTest : public QObject {
     const auto half = widgets::blendSubject(*blend, {0.5, 0.5});
     QVERIFY(widgets::sameSubject(half, widgets::blendSubject(*blend, {0.5, 0.5})));
     QVERIFY(!widgets::sameSubject(half, widgets::blendSubject(*blend, {0.4, 0.6})));
-    QVERIFY(!widgets::sameSubject(half, widgets::tableSubject(ends(1)[0].table, half.lobe)));
+    QVERIFY(!widgets::sameSubject(half, widgets::measuredSubject(ends(1)[0].table, half.lobe)));
     QVERIFY(!half.isEmpty() && !half.isMeasured());
   }
 };

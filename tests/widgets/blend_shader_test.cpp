@@ -9,6 +9,7 @@
 #include "core/models/registry.h"
 #include "offscreen_context.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/rounded.h"
 #include "tests/support/test_program.h"
 #include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
@@ -30,8 +31,7 @@ std::shared_ptr<const TabulatedBrdf> material(double roughness, const Rgb& colou
   return bakeTable(*model.instantiate(values), grid);
 }
 
-Direction rounded(const Direction& w) { return Direction(glm::vec3(w)); }
-DirectionPair rounded(const DirectionPair& pair) { return {rounded(pair.wi), rounded(pair.wo)}; }
+DirectionPair rounded(const DirectionPair& pair) { return {test::rounded(pair.wi), test::rounded(pair.wo)}; }
 
 /// The nodes that stand for directions of their own (phi_d means nothing at theta_d = 0), as many as there are pixels.
 std::vector<std::size_t> someNodes() {

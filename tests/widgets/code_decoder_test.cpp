@@ -263,7 +263,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
       resources->setDecodesCodes(onTheCard);
       widgets::PreviewRenderer renderer(resources);
       renderer.initialize();
-      renderer.setSubject({widgets::EditedTable{dictionary::decode(*ensemble, code->code), {}, code}});
+      renderer.setSubject({widgets::EditedMaterial{dictionary::decode(*ensemble, code->code), {}, code}});
       test::showSphere(renderer, sphereScene());
       renderer.setSize({32, 32});
       renderer.accumulate(4);

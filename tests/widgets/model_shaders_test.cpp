@@ -12,6 +12,7 @@
 #include <random>
 
 #include "tests/core/models/model_test_support.h"
+#include "tests/support/rounded.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/preview/gl/shader_library.h"
@@ -20,11 +21,9 @@ namespace model_shaders_test {
 using namespace gonio;
 using namespace gonio::models;
 using namespace gonio::models::test_support;
+using gonio::test::rounded;
 
 constexpr int width = 64, height = 64, pairCount = width * height;
-
-/// A unit vector as the shader gets it: rounded to float.
-Direction rounded(const Direction& w) { return Direction(glm::vec3(w)); }
 
 /// Pairs with an answer of their own: below the horizon, without a half vector, exact mirrors, back to the light.
 std::vector<DirectionPair> specialPairs() {

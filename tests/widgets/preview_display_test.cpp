@@ -38,7 +38,7 @@ class PreviewDisplayTest : public QObject {
     for (auto* picture : {&bright_, &dark_}) {
       *picture = std::make_unique<widgets::PreviewRenderer>(resources_);
       (*picture)->initialize();
-      (*picture)->setSubject(widgets::tableSubject(lambert(picture == &bright_ ? 0.8 : 0.2)));
+      (*picture)->setSubject(widgets::measuredSubject(lambert(picture == &bright_ ? 0.8 : 0.2)));
       (*picture)->setSize({side, side});
       (*picture)->accumulate(16);
     }

@@ -31,21 +31,20 @@ std::shared_ptr<const TabulatedBrdf> bakedModel(const char* id,
 /// SNR of the shader's converged picture against the CPU's, dB.
 double agreement(widgets::PreviewRenderer& renderer, widgets::PreviewSubject subject, const Scene& scene) {
   const std::shared_ptr<const Brdf> brdf = widgets::subjectBrdf(subject);
-  const auto table = subject.table();
-  subject.lobe = estimateSamplingLobe(table ? *table : *brdf);
+  const auto base = subject.base();
+  subject.lobe = std::make_shared<const TabulatedLobe>(base ? *base : *brdf);
   renderer.setSubject(subject);
   test::showSphere(renderer, scene);
   renderer.setSize({side, side});
   const int samples = 512;
   for (int i = 0; i < samples / 64; ++i) renderer.accumulate(64);
-  const Image reference =
-      renderPicture(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7, .lobe = subject.lobe});
+  const Image reference = renderPicture(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7});
   return metrics::signalToNoiseRatio(reference, renderer.readPicture());
 }
 
 double agreement(widgets::PreviewRenderer& renderer, const std::shared_ptr<const TabulatedBrdf>& table,
                  const editing::EditList& edits, const Scene& scene) {
-  return agreement(renderer, {widgets::EditedTable{table, edits}}, scene);
+  return agreement(renderer, {widgets::EditedMaterial{table, edits}}, scene);
 }
 
 /// A model's edit that changes its linear parameters.
@@ -119,7 +118,7 @@ class PreviewRendererTest : public QObject {
       if (!widgets::SceneUniforms::canDraw(scene)) continue;
       EffectPlan plan = widgets::previewPlan(scene, material);
       plan.reflections = std::min(plan.reflections, widgets::SceneUniforms::mostReflections);
-      renderer_->setSubject(widgets::tableSubject(table, estimateSamplingLobe(*table)));
+      renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table)));
       renderer_->setScene(scene, plan);
       renderer_->setSize({side / 2, side / 2});  // so that each target is a new one: none may unbind a texture
       renderer_->setSize({side, side});
@@ -254,7 +253,7 @@ class PreviewRendererTest : public QObject {
       editing::EditList edits = before;
       edits.push_back({edit});
       edits.insert(edits.end(), behind.begin(), behind.end());
-      renderer_->setSubject({widgets::EditedTable{table, edits}});
+      renderer_->setSubject({widgets::EditedMaterial{table, edits}});
       renderer_->accumulate(4);
       return renderer_->readPicture().pixels;
     };
@@ -317,7 +316,7 @@ class PreviewRendererTest : public QObject {
     renderer_->setSubject(subject);
     renderer_->accumulate(8);
     const Image alone = renderer_->readPicture();
-    renderer_->setSubject(widgets::tableSubject(bakedModel("lambert", {})));
+    renderer_->setSubject(widgets::measuredSubject(bakedModel("lambert", {})));
     renderer_->accumulate(8);
     QVERIFY(renderer_->readPicture().pixels != alone.pixels);
     renderer_->setSubject(subject);
@@ -335,7 +334,7 @@ class PreviewRendererTest : public QObject {
     const auto texture = resources->table(table);
     QCOMPARE(resources->table(table), texture);
     for (widgets::PreviewRenderer* picture : {&first, &second}) {
-      picture->setSubject(widgets::tableSubject(table));
+      picture->setSubject(widgets::measuredSubject(table));
       test::showSphere(*picture, sphereScene());
       picture->setSize({side, side});
     }
@@ -357,12 +356,12 @@ class PreviewRendererTest : public QObject {
     const models::Model& model = models::findModel("ggx");
     editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
     edit.edited = edit.fitted;
-    renderer_->setSubject(widgets::tableSubject(table));
+    renderer_->setSubject(widgets::measuredSubject(table));
     test::showSphere(*renderer_, sphereScene());
     renderer_->setSize({side, side});
     renderer_->accumulate(8);
     const Image plain = renderer_->readPicture();
-    renderer_->setSubject({widgets::EditedTable{table, {{edit}}}});
+    renderer_->setSubject({widgets::EditedMaterial{table, {{edit}}}});
     renderer_->accumulate(8);
     QVERIFY(renderer_->readPicture().pixels == plain.pixels);
   }
@@ -378,10 +377,10 @@ class PreviewRendererTest : public QObject {
     const auto sparse = std::make_shared<const TabulatedBrdf>(grid, values, holes);
     test::showSphere(*renderer_, sphereScene());
     renderer_->setSize({side, side});
-    renderer_->setSubject(widgets::tableSubject(full));
+    renderer_->setSubject(widgets::measuredSubject(full));
     renderer_->accumulate(4);
     const Image expected = renderer_->readPicture();
-    renderer_->setSubject(widgets::tableSubject(sparse));
+    renderer_->setSubject(widgets::measuredSubject(sparse));
     renderer_->accumulate(4);
     const Image actual = renderer_->readPicture();
     for (std::size_t i = 0; i < expected.pixels.size(); ++i)

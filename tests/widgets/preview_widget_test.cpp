@@ -57,7 +57,7 @@ class PreviewWidgetTest : public QObject {
     widget_->showScene(openScene("bowl"));
     QVERIFY(widget_->isTraced() && planned.count() > 0);
     QVERIFY(widget_->plan().simulates(Effect::selfShadowing) && !widget_->plan().simulates(Effect::castShadows));
-    widget_->setMaterial(table_, {});
+    widget_->setSubject(widgets::measuredSubject(table_));
     QSignalSpy rendered(widget_.get(), &PreviewWidget::frameRendered);
     QTRY_VERIFY_WITH_TIMEOUT(!rendered.isEmpty() && rendered.last()[1].toInt() >= 16, 20000);
     const Image picture = widget_->linearPicture();
@@ -88,7 +88,7 @@ class PreviewWidgetTest : public QObject {
   /// What the user forces off is gone from the picture and the plan; resetting brings it back.
   void aForcedEffectChangesThePicture() {
     widget_->showScene(openScene("sphere-point-light"));
-    widget_->setMaterial(table_, {});
+    widget_->setSubject(widgets::measuredSubject(table_));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
     const auto shadowed = [&] { return luminance(Rgb(widget_->linearPicture().at(180, 170))); };
     const double inShadow = shadowed();
@@ -119,7 +119,7 @@ class PreviewWidgetTest : public QObject {
   }
 
   void convergesAndThenRests() {
-    widget_->setMaterial(table_, {});
+    widget_->setSubject(widgets::measuredSubject(table_));
     QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     const auto count = frames.count();
@@ -131,7 +131,7 @@ class PreviewWidgetTest : public QObject {
   }
 
   void dragMovesTheDirectionalLight() {
-    widget_->setMaterial(table_, {});
+    widget_->setSubject(widgets::measuredSubject(table_));
     QSignalSpy changes(widget_.get(), &PreviewWidget::sceneChanged);
     const Direction before = widget_->scene().directionalLights.front().toLight;
     QTest::mousePress(widget_.get(), Qt::LeftButton, {}, {60, 110});
@@ -142,7 +142,7 @@ class PreviewWidgetTest : public QObject {
   }
 
   void keyboardOrbitsZoomsAndResets() {
-    widget_->setMaterial(table_, {});
+    widget_->setSubject(widgets::measuredSubject(table_));
     const double distance = widget_->scene().camera.distance;
     QTest::keyClick(widget_.get(), Qt::Key_Left);
     QTest::keyClick(widget_.get(), Qt::Key_Up);
@@ -164,7 +164,7 @@ class PreviewWidgetTest : public QObject {
     const auto rough = bakeTable(*model.instantiate(edit.fitted));
     const Scene scene = comparisonScene();
     widget_->setScene(scene);
-    widget_->setSubject({widgets::EditedTable{rough, {{edit}}}, estimateSamplingLobe(*rough)});
+    widget_->setSubject({widgets::EditedMaterial{rough, {{edit}}}, std::make_shared<const TabulatedLobe>(*rough)});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const Image shown = widget_->linearPicture();
     const auto edited = editing::applyEdits(rough, editing::EditList{{edit}});
@@ -178,8 +178,8 @@ class PreviewWidgetTest : public QObject {
   /// more.
   void comparisonOfTwoSubjects() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
-    widget_->setSubject(widgets::tableSubject(table_), "Grey");
-    widget_->setOther(widgets::tableSubject(black), "Black");
+    widget_->setSubject(widgets::measuredSubject(table_), "Grey");
+    widget_->setOther(widgets::measuredSubject(black), "Black");
     widget_->setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
     QVERIFY(widget_->isComparing());
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
@@ -199,8 +199,8 @@ class PreviewWidgetTest : public QObject {
 
   /// The bar follows the mouse and the keys, and tells its place.
   void splitBarMoves() {
-    widget_->setSubject(widgets::tableSubject(table_), "A");
-    widget_->setOther(widgets::tableSubject(table_), "B");
+    widget_->setSubject(widgets::measuredSubject(table_), "A");
+    widget_->setOther(widgets::measuredSubject(table_), "B");
     widget_->setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
     QSignalSpy moves(widget_.get(), &PreviewWidget::splitMoved);
     widgets::SplitBar* bar = widget_->overlay()->splitBar();
@@ -220,8 +220,8 @@ class PreviewWidgetTest : public QObject {
   /// The legend tells the range that the colours have: 0.18 against black is a difference of at most 0.18 here.
   void differenceFindsItsRange() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
-    widget_->setSubject(widgets::tableSubject(table_), "Grey");
-    widget_->setOther(widgets::tableSubject(black), "Black");
+    widget_->setSubject(widgets::measuredSubject(table_), "Grey");
+    widget_->setOther(widgets::measuredSubject(black), "Black");
     widget_->setComparison({.mode = widgets::CompareMode::difference});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     const double found = widget_->differenceRange();
@@ -240,7 +240,7 @@ class PreviewWidgetTest : public QObject {
       for (const QLabel* label : widget_->findChildren<QLabel*>()) texts << label->text();
       return texts.join('\n');
     };
-    widget_->setMaterial(table_, {});
+    widget_->setSubject(widgets::measuredSubject(table_));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);
     const models::Model& model = models::findModel("cook-torrance");
@@ -272,7 +272,7 @@ class PreviewWidgetTest : public QObject {
 
   /// A dock that floats gives the widget another window, and with it another context.
   void anotherWindowShowsThePictureAgain() {
-    widget_->setMaterial(table_, {});
+    widget_->setSubject(widgets::measuredSubject(table_));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     QWidget window;
     window.resize(260, 260);
@@ -286,9 +286,9 @@ class PreviewWidgetTest : public QObject {
 
   /// Taking the material away shows the empty state again, never a stale picture.
   void materialCanBeTakenAway() {
-    widget_->setMaterial(table_, {});
+    widget_->setSubject(widgets::measuredSubject(table_));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
-    widget_->setMaterial(nullptr, {});
+    widget_->setSubject({});
     QTest::qWait(50);
     const QImage picture = widget_->grabPicture();
     QCOMPARE(picture.pixel(110, 110), picture.pixel(2, 2));

@@ -35,7 +35,8 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
   blend->space = space;
   blend->ends = ends;
   blend->model = options.model ? options.model : &models::ggx();
-  for (const editing::InterpolationEnd& end : ends) blend->lobes.push_back(estimateSamplingLobe(*end.table));
+  for (const editing::InterpolationEnd& end : ends)
+    blend->lobes.push_back(std::make_shared<const TabulatedLobe>(*end.table));
   blend->interpolation = editing::prepareInterpolation(space, ends, options, control.between(0, preparedShare));
   control.throwIfStopped();
   if (auto mixture = blend->interpolation->mixture())
@@ -46,15 +47,15 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
 
 PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights) {
   const auto heaviest = std::size_t(std::max_element(weights.begin(), weights.end()) - weights.begin());
-  EditedTable table{blend.ends[heaviest].table};
-  const SamplingLobe& lobe = blend.lobes[heaviest];
-  if (weights[heaviest] == 1) return {table, lobe};
+  EditedMaterial material{blend.ends[heaviest].table};
+  const auto& lobe = blend.lobes[heaviest];
+  if (weights[heaviest] == 1) return {material, lobe};
   if (blend.mixture)
     return {PreviewBlend{blend.interpolation, blend.mixture, weights, blend.interpolation->moves(weights)}, lobe};
   if (const auto parameters = blend.interpolation->parameters(weights))
-    return {ModelAlone{blend.model, *parameters, table.table->grid()}, lobe};
-  if (auto factors = blend.interpolation->factors(weights)) table.edits = {{curvesAlone(std::move(*factors))}};
-  return {table, lobe};
+    return {ModelAlone{blend.model, *parameters, blend.ends[heaviest].table->grid()}, lobe};
+  if (auto factors = blend.interpolation->factors(weights)) material.edits = {{curvesAlone(std::move(*factors))}};
+  return {material, lobe};
 }
 
 QString spaceName(InterpolationSpace space) {

@@ -13,8 +13,8 @@ namespace gonio::widgets {
 struct PreparedBlend {
   editing::InterpolationSpace space;
   std::vector<editing::InterpolationEnd> ends;
-  std::vector<SamplingLobe> lobes;       ///< of the materials
-  const models::Model* model = nullptr;  ///< of `parameters` and `differential`
+  std::vector<std::shared_ptr<const TabulatedLobe>> lobes;  ///< of the materials
+  const models::Model* model = nullptr;                     ///< of `parameters` and `differential`
   std::shared_ptr<const editing::Interpolation> interpolation;
   /// What the shader mixes, in spaces where it mixes tables.
   std::shared_ptr<const editing::TransformedMixture> mixture;

@@ -3,7 +3,6 @@
 #include "widgets/preview/material_estimator.h"
 
 #include <QtConcurrentRun>
-#include <cmath>
 
 #include "widgets/preview/task_failure.h"
 
@@ -35,8 +34,8 @@ void MaterialEstimator::start(const PreviewSubject& subject) {
     Outcome outcome;
     outcome.failure = TaskFailure::of([&] {
       const std::shared_ptr<const Brdf> brdf = subjectBrdf(subject);
-      // The lobe of a table as it is has come with it.
-      const SamplingLobe lobe = subject.isMeasured() ? subject.lobe : estimateSamplingLobe(*brdf);
+      // The lobe of a measurement as it is may have come with it.
+      auto lobe = subject.isMeasured() && subject.lobe ? subject.lobe : std::make_shared<const TabulatedLobe>(*brdf);
       outcome.estimate = {lobe, std::make_shared<const RenderMaterial>(brdf, lobe)};
     });
     return outcome;
@@ -56,12 +55,6 @@ void MaterialEstimator::finish() {
     Q_EMIT estimated(outcome.estimate);
   else
     Q_EMIT failed(outcome.failure);
-}
-
-bool similarLobes(const SamplingLobe& a, const SamplingLobe& b) {
-  constexpr double largestRatio = 1.2, largestDifference = 0.1;
-  return std::abs(std::log(a.roughness / b.roughness)) < std::log(largestRatio) &&
-         std::abs(a.specularShare - b.specularShare) < largestDifference;
 }
 
 }  // namespace gonio::widgets

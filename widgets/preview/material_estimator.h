@@ -13,7 +13,7 @@ namespace gonio::widgets {
 
 /// What rendering wants to know of a subject.
 struct MaterialEstimate {
-  SamplingLobe lobe;
+  std::shared_ptr<const TabulatedLobe> lobe;
   std::shared_ptr<const RenderMaterial> material;
 };
 
@@ -48,8 +48,5 @@ class MaterialEstimator : public QObject {
   std::optional<PreviewSubject> m_next;
   bool m_busy = false, m_wanted = false;
 };
-
-/// Whether two lobes sample about as well as each other: no picture needs to start anew for the difference.
-bool similarLobes(const SamplingLobe& a, const SamplingLobe& b);
 
 }  // namespace gonio::widgets

@@ -14,7 +14,7 @@ bool PreviewSide::setSubject(const PreviewSubject& subject) {
   if (sameSubject(subject, m_given)) return false;
   // The lobe of the step before serves until the new one is known.
   const bool keepsLobe = !subject.isMeasured() && !m_given.isMeasured();
-  const SamplingLobe lobe = keepsLobe ? m_subject.lobe : subject.lobe;
+  const auto lobe = keepsLobe ? m_subject.lobe : subject.lobe;
   m_given = m_subject = subject;
   m_subject.lobe = lobe;
   ++m_number;
@@ -26,7 +26,7 @@ bool PreviewSide::setSubject(const PreviewSubject& subject) {
 
 void PreviewSide::adopt(const MaterialEstimate& estimate) {
   m_material = estimate.material;
-  if (!similarLobes(estimate.lobe, m_subject.lobe)) {
+  if (!m_subject.lobe || !areSimilar(*estimate.lobe, *m_subject.lobe)) {
     m_subject.lobe = estimate.lobe;
     ++m_number;
   }

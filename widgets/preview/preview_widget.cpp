@@ -61,10 +61,6 @@ void PreviewWidget::connectContent() {
   connect(&m_content, &PreviewContent::failed, this, &PreviewWidget::showFailure);
 }
 
-void PreviewWidget::setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe) {
-  setSubject(tableSubject(std::move(table), lobe));
-}
-
 void PreviewWidget::setFlickering(bool flickering) {
   m_flickering = flickering && isComparing() && comparison().mode != CompareMode::twoUp;
   showOverlay();

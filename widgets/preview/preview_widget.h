@@ -30,7 +30,6 @@ class PreviewWidget : public QOpenGLWidget {
   PreviewOverlay* overlay() const { return m_overlay; }
 
   /// The first subject: a table without an edit. A null table shows the empty state with a hint.
-  void setMaterial(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe);
   void setSubject(const PreviewSubject& subject, const QString& name = {}) { m_content.setSubject(subject, name); }
   void setOther(const PreviewSubject& subject, const QString& name) { m_content.setOther(subject, name); }
   void setComparison(const PreviewComparison& comparison) { m_content.setComparison(comparison); }

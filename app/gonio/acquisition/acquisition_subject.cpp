@@ -18,14 +18,14 @@ void AcquisitionSubject::takeOpenMaterial() {
   if (m_controls.subject().subject() != Subject::openMaterial || !m_controls.isVisible()) return;
   const LoadedMaterialPtr material = m_document.material();
   const std::vector<editing::Edit> edits = m_document.edits();
-  if (material == m_taken && edits == m_takenEdits && m_session.referenceName() == m_document.name()) return;
-  m_taken = material;
+  const auto base = m_document.base();
+  if (base == m_taken && edits == m_takenEdits && m_session.referenceName() == m_document.name()) return;
+  m_taken = base;
   m_takenEdits = edits;
   if (!material) return m_session.clearReference();
-  m_session.setReference(QString::fromStdString(material->material.source.path.string()), m_document.name(),
-                         [table = material->table, edits](const TaskControl& control) {
-                           return editing::bakeEdits(table, edits, control);
-                         });
+  m_session.setReference(
+      QString::fromStdString(material->material.source.path.string()), m_document.name(),
+      [base, edits](const TaskControl& control) { return editing::bakeEdits(base, edits, control); });
 }
 
 void AcquisitionSubject::edited() {

@@ -30,7 +30,7 @@ class AcquisitionSubject : public QObject {
   const Document& m_document;
   AcquisitionSession& m_session;
   AcquisitionControls& m_controls;
-  LoadedMaterialPtr m_taken;  ///< its table is the reference
+  std::shared_ptr<const Brdf> m_taken;  ///< the base of the reference
   std::vector<editing::Edit> m_takenEdits;
 };
 

@@ -18,6 +18,8 @@ namespace {
 const QString referenceKey = QStringLiteral("reference");
 constexpr std::array allSides{ComparedSubject::measured, ComparedSubject::fit, ComparedSubject::edited,
                               ComparedSubject::reference};
+
+HalfDifferenceGrid gridOf(const Brdf& brdf) { return brdf.asTable() ? brdf.asTable()->grid() : HalfDifferenceGrid(); }
 }  // namespace
 
 ComparisonController::ComparisonController(Document& document, BackgroundTasks& tasks, widgets::PreviewWidget& preview,
@@ -122,13 +124,14 @@ widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) cons
   const LoadedMaterialPtr& material = side == ComparedSubject::reference ? m_reference : m_document.material();
   if (!material) return {};
   if (side == ComparedSubject::edited && code())
-    return {widgets::EditedTable{code()->table, m_document.edits(), code()->stored}, code()->lobe};
+    return {widgets::EditedMaterial{code()->table, m_document.edits(), code()->stored}, code()->lobe};
   if (side == ComparedSubject::edited)
-    return {widgets::EditedTable{material->table, m_document.edits()}, material->lobe};
-  if (side != ComparedSubject::fit) return widgets::tableSubject(material->table, material->lobe);
+    return {widgets::EditedMaterial{m_document.base(), m_document.edits()}, material->lobe};
+  if (side == ComparedSubject::measured) return widgets::measuredSubject(m_document.base(), material->lobe);
+  if (side != ComparedSubject::fit) return widgets::measuredSubject(material->base, material->lobe);
   const auto* edit = m_document.active<editing::DifferentialEdit>();
   if (!edit) return {};
-  return {widgets::ModelAlone{edit->model, edit->fitted, material->table->grid()}, material->lobe};
+  return {widgets::ModelAlone{edit->model, edit->fitted, gridOf(*material->base)}, material->lobe};
 }
 
 QString ComparisonController::name(ComparedSubject side) const {

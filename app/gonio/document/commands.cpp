@@ -16,7 +16,7 @@ bool ReplaceEditsCommand::mergeWith(const QUndoCommand* other) {
   if (isForgotten() || next->m_interaction != m_interaction) return false;
   m_after = next->m_after;
   setText(next->text());
-  if (m_after.edits == m_before.edits) setObsolete(true);
+  if (m_after.edits == m_before.edits && m_after.incident == m_before.incident) setObsolete(true);
   return true;
 }
 
@@ -54,9 +54,7 @@ void ReplaceMaterialCommand::revert() {
 }
 
 std::size_t ReplaceMaterialCommand::bytes() const {
-  const auto of = [](const Document::Content& content) {
-    return content.material ? content.material->table->bytes() : 0;
-  };
+  const auto of = [](const Document::Content& content) { return content.material ? content.material->bytes() : 0; };
   return sizeof(*this) + of(m_before) + of(m_after);
 }
 

@@ -70,7 +70,7 @@ void Document::replaceMaterial(LoadedMaterialPtr material, const QString& text) 
 void Document::setMaterial(LoadedMaterialPtr material) { startAnew({std::move(material), {}, {}, {}}); }
 
 void Document::setMaterial(LoadedMaterialPtr material, const editing::EditDocument& stored, const QString& path) {
-  startAnew({std::move(material), {stored.edits, int(stored.edits.size()) - 1}, path, {}});
+  startAnew({std::move(material), {stored.edits, int(stored.edits.size()) - 1, stored.incident}, path, {}});
 }
 
 void Document::beginInteraction() {
@@ -80,22 +80,40 @@ void Document::beginInteraction() {
 }
 
 void Document::addStep(EditState after, const QString& text) {
-  if (after.edits == edits()) return;
+  if (after.edits == edits() && after.incident == state().incident) return;
   after.selected = std::min(after.selected, int(after.edits.size()) - 1);
   m_history.add(new ReplaceEditsCommand(*this, std::move(after), text, m_interaction));
 }
 
 void Document::replaceEdits(EditList edits, const QString& text, std::optional<int> selected) {
   if (!m_interacting) ++m_interaction;
-  addStep({std::move(edits), selected.value_or(state().selected)}, text);
+  addStep({std::move(edits), selected.value_or(state().selected), state().incident}, text);
 }
 
 void Document::installEdits(EditList edits, const QString& text, std::optional<int> selected) {
   ++m_interaction;
-  addStep({std::move(edits), selected.value_or(state().selected)}, text);
+  addStep({std::move(edits), selected.value_or(state().selected), state().incident}, text);
   // What is dragged goes on as another step.
   ++m_interaction;
   m_atBegin = state();
+}
+
+void Document::setIncident(IncidentSlot slot) {
+  ++m_interaction;
+  EditState after = state();
+  after.incident = slot;
+  addStep(std::move(after), tr("Order of directions"));
+  ++m_interaction;
+}
+
+std::shared_ptr<const Brdf> Document::base() const {
+  if (!material()) return nullptr;
+  const std::shared_ptr<const Brdf>& own = material()->base;
+  const RglBrdf *rgl = own->asRgl(), *known = m_base ? m_base->asRgl() : nullptr;
+  if (!rgl) return own;
+  if (!known || known->tables() != rgl->tables() || known->incidentSlot() != state().incident)
+    m_base = withIncident(own, state().incident);
+  return m_base;
 }
 
 void Document::rememberFit(fitting::FitResult fit) {
@@ -156,6 +174,7 @@ editing::EditDocument Document::toEditDocument() const {
     document.sourceSha256 = material()->material.source.sha256;
     document.blend = material()->blend;
   }
+  document.incident = state().incident;
   document.edits = edits();
   return document;
 }

@@ -16,6 +16,8 @@ namespace gonio::app {
 struct EditState {
   editing::EditList edits;
   int selected = -1;  ///< the edit that the panels change; -1: none
+  /// Which direction takes the place of the incident one where the measurement is not reciprocal (RGL files).
+  IncidentSlot incident = IncidentSlot::viewer;
 };
 
 /// The edit that the panel of a kind of content shows and changes: the selected one where it is of that kind, else the
@@ -46,6 +48,9 @@ class Document : public QObject {
   explicit Document(QObject* parent = nullptr);
 
   const LoadedMaterialPtr& material() const { return m_content.material; }
+  /// What is shown and edited: the material's base with the directions in the order that the state asks for. Null
+  /// without a material.
+  std::shared_ptr<const Brdf> base() const;
   const EditState& state() const { return m_content.state; }
   /// In the order in which they are applied.
   const editing::EditList& edits() const { return m_content.state.edits; }
@@ -78,6 +83,8 @@ class Document : public QObject {
   /// endInteraction() are one.
   /// @param selected which of them is selected then; kept where it is left out.
   void replaceEdits(editing::EditList edits, const QString& text, std::optional<int> selected = {});
+  /// One undo step.
+  void setIncident(IncidentSlot slot);
   void beginInteraction();
   void endInteraction() { m_interacting = false; }
   bool isInteracting() const { return m_interacting; }
@@ -128,6 +135,7 @@ class Document : public QObject {
   Content m_content;
   History m_history;
   EditState m_atBegin;
+  mutable std::shared_ptr<const Brdf> m_base;  ///< of the state before, kept while it serves
   int m_interaction = 0;
   bool m_interacting = false;
 };

@@ -130,7 +130,7 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
   m_tasks.run<fitting::FitResult>(
       {tr("Fitting %1").arg(name), fitKey},
       [material, &model, choices](const TaskControl& control) {
-        return fitting::fit(*material->table, model, {}, control, choices);
+        return fitting::fit(*material->table(control), model, {}, control, choices);
       },
       [this, name, done = std::move(done)](const fitting::FitResult& fit) {
         if (!fit.cancelled) {
@@ -195,12 +195,12 @@ void DocumentController::exportMerl(const QString& path) {
   const editing::EditList edits = m_document.edits();
   m_tasks.run<bool>(
       {tr("Exporting %1").arg(shortName(path)), exportKey},
-      [material, edits, path](const TaskControl& control) {
+      [material, base = m_document.base(), edits, path](const TaskControl& control) {
         const std::filesystem::path target = path.toStdString();
         if (isIdentity(edits))
           materials::writeMaterial(material->material, target, control);
         else
-          materials::writeMaterial(*editing::bakeEdits(material->table, edits, control), target);
+          materials::writeMaterial(*editing::bakeEdits(base, edits, control), target);
         return true;
       },
       [this, path, edits](bool) {
@@ -219,8 +219,8 @@ void DocumentController::exportExr(const QString& path, const Scene& scene, cons
   const editing::EditList edits = m_document.edits();
   m_tasks.run<bool>(
       {tr("Rendering %1").arg(shortName(path)), exportKey},
-      [material, edits, scene, overrides, others, path](const TaskControl& control) {
-        const auto edited = std::make_shared<const RenderMaterial>(editing::applyEdits(material->table, edits));
+      [material, base = m_document.base(), edits, scene, overrides, others, path](const TaskControl& control) {
+        const auto edited = std::make_shared<const RenderMaterial>(editing::applyEdits(base, edits));
         const RenderMaterials materials = bindMaterials(scene, materialsInSlots(scene, edited, others));
         constexpr std::uint64_t seed = 1;
         const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides), seed);
@@ -258,9 +258,9 @@ void DocumentController::paste(const editing::EditList& edits) {
         Pasted carried{edits, {}};
         for (editing::Edit& edit : carried.edits)
           if (auto* curves = std::get_if<editing::FactorEdit>(&edit.content))
-            *curves = carriedOver(*curves, *material->table, control);
+            *curves = carriedOver(*curves, *material->table(control), control);
         for (const models::Model* model : missing) {
-          carried.fits.push_back(fitting::fit(*material->table, *model, {}, control));
+          carried.fits.push_back(fitting::fit(*material->table(control), *model, {}, control));
           if (carried.fits.back().cancelled) throw Cancelled();
         }
         return carried;

@@ -8,6 +8,28 @@
 
 namespace gonio::app {
 
+namespace {
+
+/// Of a measurement without nodes of its own on the half-difference grid.
+constexpr HalfDifferenceGrid coarseGrid{.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 60, .reciprocal = false};
+
+bool isShownNatively(const std::shared_ptr<const Brdf>& brdf) { return brdf && (brdf->asTable() || brdf->asRgl()); }
+
+}  // namespace
+
+std::shared_ptr<const TabulatedBrdf> LoadedMaterial::table(const TaskControl& control) const {
+  if (const TabulatedBrdf* own = base->asTable()) return {base, own};
+  const std::scoped_lock lock(m_sampled->mutex);
+  if (!m_sampled->table) m_sampled->table = material.tabulated(control);
+  return m_sampled->table;
+}
+
+std::size_t LoadedMaterial::bytes() const {
+  if (const TabulatedBrdf* own = base->asTable()) return own->bytes();
+  const std::scoped_lock lock(m_sampled->mutex);
+  return m_sampled->table ? m_sampled->table->bytes() : 0;
+}
+
 LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr<const editing::BlendSource> blend,
                                    const TaskControl& control) {
   auto loaded = std::make_shared<LoadedMaterial>();
@@ -15,13 +37,16 @@ LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr
   loaded->blend = std::move(blend);
   control.throwIfStopped();
   constexpr double tabulatedShare = 0.7;
-  loaded->table = loaded->material.tabulated(control.between(0, tabulatedShare));
-  loaded->lobe = estimateSamplingLobe(*loaded->table);
-  loaded->statistics = tableStatistics(*loaded->table);
+  loaded->base = loaded->material.brdf;
+  if (!isShownNatively(loaded->base)) loaded->base = loaded->material.tabulated(control.between(0, tabulatedShare));
+  control.throwIfStopped();
+  loaded->lobe = std::make_shared<const TabulatedLobe>(*loaded->base);
+  loaded->statistics =
+      tableStatistics(loaded->isTable() ? *loaded->base->asTable() : *bakeTable(*loaded->base, coarseGrid));
   const double each = (1 - tabulatedShare) / double(loaded->albedo.size());
   for (std::size_t i = 0; i < loaded->albedo.size(); ++i) {
     control.throwIfStopped();
-    loaded->albedo[i] = directionalAlbedo(*loaded->table, radians(LoadedMaterial::albedoDegrees[i]));
+    loaded->albedo[i] = directionalAlbedo(*loaded->base, radians(LoadedMaterial::albedoDegrees[i]));
     control.report(tabulatedShare + each * double(i + 1));
   }
   return loaded;

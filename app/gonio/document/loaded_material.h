@@ -5,9 +5,10 @@
 #include <QString>
 #include <array>
 #include <memory>
+#include <mutex>
 
-#include "core/brdf/sampling_lobe.h"
 #include "core/brdf/statistics.h"
+#include "core/brdf/tabulated_lobe.h"
 #include "core/editing/blend_source.h"
 #include "core/materials/material.h"
 
@@ -20,17 +21,34 @@ struct LoadedMaterial {
 
   materials::Material material;
   std::shared_ptr<const editing::BlendSource> blend = nullptr;  ///< of a material without a file of its own
-  std::shared_ptr<const TabulatedBrdf> table;
-  SamplingLobe lobe;
-  TableStatistics statistics;
+  /// What is shown, edited and exported: the measurement in its own form, a table or an RGL file. Of the forms that the
+  /// preview does not know (factors, models) a table stands for it.
+  std::shared_ptr<const Brdf> base;
+  std::shared_ptr<const TabulatedLobe> lobe = nullptr;  ///< of the base
+  TableStatistics statistics;                           ///< of an RGL file on a coarse grid
   std::array<Rgb, 4> albedo;
 
-  /// Whether the table was sampled from another form: it has an error of its own.
-  bool isSampled() const { return material.brdf && material.brdf != table; }
+  /// Whether the base was sampled from another form: it has an error of its own.
+  bool isSampled() const { return material.brdf && material.brdf != base; }
+  /// Whether table() is the base itself.
+  bool isTable() const { return base->asTable() != nullptr; }
+  /// The table that fits, factors and codes are made of: the base, or sampled from it at the first call (up to a
+  /// second, in which others wait). Not for the GUI thread. @throws Cancelled.
+  std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control = {}) const;
+  /// In memory: of the tables that there are now.
+  std::size_t bytes() const;
+
+ private:
+  struct Sampled {
+    std::mutex mutex;
+    std::shared_ptr<const TabulatedBrdf> table;
+  };
+  std::shared_ptr<Sampled> m_sampled = std::make_shared<Sampled>();
 };
 using LoadedMaterialPtr = std::shared_ptr<const LoadedMaterial>;
 
-/// Reads and tabulates a material and measures what the source panel shows. Up to some seconds (RGL files).
+/// Reads a material and measures what the source panel shows: some tenths of a second; up to some seconds for forms
+/// that are tabulated.
 /// @throws Error, Cancelled.
 LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control = {});
 /// What a document of resolved paths is about, without its edits. @throws Error, Cancelled.

@@ -76,7 +76,7 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   code.coefficients = coefficients;
   dictionary::EncodeOptions options;
   options.coefficients = coefficients;
-  code.encoded = coder().encoder.encode(*material->table, options, control);
+  code.encoded = coder().encoder.encode(*material->table(control), options, control);
   control.throwIfStopped();
   const std::vector<std::byte> file = materials::encodeCode(code.encoded.code, code.dictionary->id);
   code.bytes = file.size();
@@ -87,15 +87,15 @@ MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coeff
   code.table = dictionary::decode(*ensemble, code.stored->code);
   code.decodeSeconds = std::chrono::duration<double>(Clock::now() - start).count();
   control.throwIfStopped();
-  code.lobe = estimateSamplingLobe(*code.table);
-  code.logError = metrics::brdfError(metrics::BrdfMetric::log, *material->table, *code.table);
-  code.snr = metrics::brdfSignalToNoiseRatio(*material->table, *code.table);
+  code.lobe = std::make_shared<const TabulatedLobe>(*code.table);
+  code.logError = metrics::brdfError(metrics::BrdfMetric::log, *material->table(control), *code.table);
+  code.snr = metrics::brdfSignalToNoiseRatio(*material->table(control), *code.table);
   code.nanoseconds = study::measureEvaluation(*dictionary::makeCodeBrdf(*ensemble, code.stored->code)).median;
   return code;
 }
 
 std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
-  const double tableBytes = double(code.material->table->bytes());
+  const double tableBytes = double(code.material->bytes());
   const QString snr = std::isfinite(code.snr) ? MaterialCodeText::tr("BRDF SNR %1 dB").arg(code.snr, 0, 'f', 1)
                                               : MaterialCodeText::tr("none: equal values");
   return {

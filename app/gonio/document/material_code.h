@@ -19,7 +19,7 @@ struct MaterialCode {
   dictionary::Encoded encoded;
   std::shared_ptr<const widgets::EnsembleCode> stored;  ///< what the file holds, which is rounded
   std::shared_ptr<const TabulatedBrdf> table;           ///< decoded from `stored`
-  SamplingLobe lobe;                                    ///< of the decoded table
+  std::shared_ptr<const TabulatedLobe> lobe;            ///< of the decoded table
   std::size_t bytes = 0;                                ///< of the file
   double logError = 0;                                  ///< metrics::BrdfMetric::log against the measurement
   double snr = 0;                                       ///< dB, of the reflectances

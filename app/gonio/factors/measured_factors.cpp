@@ -11,9 +11,10 @@ MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const Measured
                                const TaskControl& control) {
   MeasuredFactors measured;
   measured.material = material;
+  const auto table = material->table(control);
   measured.factorization = factorization::factorizePdv(
-      *material->table, {.form = kind.form, .transform = kind.transform, .terms = mostEditedTerms}, control);
-  measured.along = factorization::residualsAlong(*material->table, measured.factorization.factors,
+      *table, {.form = kind.form, .transform = kind.transform, .terms = mostEditedTerms}, control);
+  measured.along = factorization::residualsAlong(*table, measured.factorization.factors,
                                                  factorization::PdvOptions().weights, control);
   for (int terms = 1; terms <= measured.factorization.factors.terms(); ++terms) {
     control.throwIfStopped();

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/gonio/document/edit_steps.h"
+#include "app/gonio/inspector/direction_order.h"
 #include "app/gonio/inspector/plausibility_monitor.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/inspector/source_facts.h"
@@ -56,7 +57,12 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
     m_sections << new widgets::CollapsibleSection(title, padded);
     layout->addWidget(m_sections.back());
   };
-  addSection(tr("Source"), m_source);
+  auto* source = new QWidget;
+  auto* sourceRows = new QVBoxLayout(source);
+  sourceRows->setContentsMargins(0, 0, 0, 0);
+  sourceRows->addWidget(m_source);
+  sourceRows->addWidget(new DirectionOrder(document));
+  addSection(tr("Source"), source);
   addSection(tr("Representation"), m_representation);
   m_sections[representationSection]->setExpanded(false);
   addSection(tr("Model"), m_model);

@@ -38,8 +38,8 @@ void PlausibilityMonitor::check() {
   const std::vector<editing::Edit> edits = m_document.edits();
   m_tasks.run<std::vector<metrics::PlausibilityCheck>>(
       {tr("Checking"), plausibilityKey, false, true},
-      [table = m_document.material()->table, edits](const TaskControl& control) {
-        return editing::checkEditPlausibility(table, edits, control);
+      [base = m_document.base(), edits](const TaskControl& control) {
+        return editing::checkEditPlausibility(base, edits, control);
       },
       [this](const std::vector<metrics::PlausibilityCheck>& checks) {
         m_current = true;

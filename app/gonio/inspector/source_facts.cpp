@@ -36,28 +36,46 @@ QString rangeText(const std::array<ChannelRange, 3>& channels) {
 
 QString snrText(double snr) { return std::isfinite(snr) ? QString::number(snr, 'f', 1) : comparisonValue(snr); }
 
+QString sourceText(const LoadedMaterial& loaded) {
+  return loaded.material.source.format == materials::sgdFormat ? SourceFactsText::tr("the fit")
+                                                               : SourceFactsText::tr("the file");
+}
+
+QString errorText(const LoadedMaterial& loaded, std::optional<double> snr, bool measuring) {
+  return snr         ? SourceFactsText::tr("%1 dB against %2").arg(snrText(*snr), sourceText(loaded))
+         : measuring ? SourceFactsText::tr("measuring its error")
+                     : SourceFactsText::tr("its error was not measured");
+}
+
+/// The table that is shown, or that stands for what is shown where a method needs one.
 widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr, bool measuring) {
-  const HalfDifferenceGrid& grid = loaded.table->grid();
+  const TabulatedBrdf* own = loaded.base->asTable();
+  const HalfDifferenceGrid grid = own ? own->grid() : HalfDifferenceGrid();
+  const QString size = gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount});
+  const QString gridExplanation = SourceFactsText::tr("Half-difference grid: theta_h, theta_d, phi_d.");
+  const QString errorExplanation =
+      SourceFactsText::tr(
+          "The rendered signal-to-noise ratio of the table against %1 in the scene %2:\nat 30 dB a thirtieth of the "
+          "picture differs.")
+          .arg(sourceText(loaded), QString::fromLatin1(comparisonSceneName));
+  if (!own)
+    return {SourceFactsText::tr("Table for fits"),
+            SourceFactsText::tr("%1\n%2").arg(size, errorText(loaded, snr, measuring)),
+            SourceFactsText::tr("Fits, factors and codes are made from a table sampled from the file; the picture and "
+                                "its edits are not.") +
+                '\n' + gridExplanation + '\n' + errorExplanation};
   widgets::Fact fact{
       SourceFactsText::tr("Table"),
-      SourceFactsText::tr("%1, %2 MB")
-          .arg(gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount}))
-          .arg(double(loaded.table->bytes()) * 1e-6, 0, 'f', 1),
-      SourceFactsText::tr("What is shown and edited. Half-difference grid: theta_h, theta_d, phi_d; bytes in memory.")};
+      SourceFactsText::tr("%1, %2 MB").arg(size).arg(double(own->bytes()) * 1e-6, 0, 'f', 1),
+      SourceFactsText::tr("What is shown and edited, with its bytes in memory.") + ' ' + gridExplanation};
   if (!loaded.isSampled()) {
     fact.toolTip += '\n' + SourceFactsText::tr("The material is this table: nothing was sampled.");
     return fact;
   }
-  const QString source = loaded.material.source.format == materials::sgdFormat ? SourceFactsText::tr("the fit")
-                                                                               : SourceFactsText::tr("the file");
-  fact.value += '\n' + (snr         ? SourceFactsText::tr("%1 dB against %2").arg(snrText(*snr), source)
-                        : measuring ? SourceFactsText::tr("measuring its error")
-                                    : SourceFactsText::tr("its error was not measured"));
-  fact.toolTip += '\n' + SourceFactsText::tr(
-                             "The material was sampled from %1, which has another form. The rendered signal to noise "
-                             "ratio of the table\nagainst it, in the scene %2, tells what that costs before any edit: "
-                             "at 30 dB a thirtieth of the picture differs.")
-                             .arg(source, QString::fromLatin1(comparisonSceneName));
+  fact.value += '\n' + errorText(loaded, snr, measuring);
+  fact.toolTip += '\n' +
+                  SourceFactsText::tr("It was sampled from %1, which has another form.").arg(sourceText(loaded)) + ' ' +
+                  errorExplanation;
   return fact;
 }
 
@@ -74,10 +92,15 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::option
     facts.push_back({SourceFactsText::tr("File"), path.section('/', -1), path});
   facts.push_back({SourceFactsText::tr("Format"), QString::fromStdString(source.format)});
   if (!source.grid.empty()) facts.push_back({SourceFactsText::tr("Data"), gridText(source.grid)});
+  if (loaded.base->asRgl())
+    facts.push_back({SourceFactsText::tr("Shown as"), SourceFactsText::tr("measured, without a table"),
+                     SourceFactsText::tr("The file's own adaptive parameterisation (Dupuy and Jakob 2018) is evaluated "
+                                         "and edited directly.")});
   facts.push_back(tableFact(loaded, tableSnr, measuring));
   facts.push_back({SourceFactsText::tr("Range, 1/sr"), rangeText(loaded.statistics.channels)});
-  facts.push_back({SourceFactsText::tr("Invalid"), percent(loaded.statistics.invalidShare),
-                   SourceFactsText::tr("Cells below the horizon or not measured")});
+  if (loaded.isTable())
+    facts.push_back({SourceFactsText::tr("Invalid"), percent(loaded.statistics.invalidShare),
+                     SourceFactsText::tr("Cells below the horizon or not measured")});
   QStringList angles, albedo;
   for (std::size_t i = 0; i < loaded.albedo.size(); ++i) {
     angles << SourceFactsText::tr("%1°").arg(LoadedMaterial::albedoDegrees[i]);

@@ -20,13 +20,13 @@ void TableErrorMonitor::measure() {
   m_tasks.drop(tableErrorKey);
   m_snr.reset();
   const LoadedMaterialPtr material = m_document.material();
-  m_measuring = material && material->isSampled();
+  m_measuring = material && (material->isSampled() || !material->isTable());
   if (!m_measuring) return;
   m_tasks.run<double>(
       {tr("Measuring the table of %1").arg(QString::fromStdString(material->material.name)), tableErrorKey, true},
       [material, picture = m_picture](const TaskControl& control) {
         const RenderedComparison comparison(*material->material.brdf, picture, control.between(0, 0.5));
-        return comparison.signalToNoiseRatio(comparison.render(*material->table, control.between(0.5, 1)));
+        return comparison.signalToNoiseRatio(comparison.render(*material->table(control), control.between(0.5, 1)));
       },
       [this](double snr) { finish(snr); }, [this](const QString&) { finish({}); }, [this] { finish({}); });
 }

@@ -25,8 +25,9 @@ BlendEnd takeBlendEnd(const LoadedMaterial& material, const QString& name, editi
   end.name = name;
   const std::string& description = material.material.source.description;
   end.description = QString::fromStdString(description.empty() ? material.material.name : description);
-  end.material = editing::blendedEnd(material.material, material.table,
-                                     editing::bakeEdits(material.table, source.edits, control.between(0, editShare)));
+  const auto table = material.table(control);
+  end.material = editing::blendedEnd(material.material, table,
+                                     editing::bakeEdits(table, source.edits, control.between(0, editShare)));
   end.picture = spherePicture(*end.material.table, endSide, endSamples, control.between(editShare, 1));
   source.view = {};
   end.source = std::move(source);

@@ -7,6 +7,8 @@
 #include <QVBoxLayout>
 
 #include "app/gonio/document/material_files.h"
+#include "widgets/interpolation/blend_pad.h"
+#include "widgets/interpolation/blend_place.h"
 #include "widgets/interpolation/material_well.h"
 #include "widgets/interpolation/prepared_blend.h"
 

@@ -26,23 +26,24 @@ struct Source {
 };
 
 std::vector<Source> sourcesOf(const PlotRequest& request) {
-  const auto& table = request.material->table;
-  std::vector<Source> sources{{SeriesRole::measured, sourceKind(*request.material).toLower(), table, table.get()}};
+  const auto& base = request.base ? request.base : request.material->base;
+  const TabulatedBrdf* table = base->asTable();
+  std::vector<Source> sources{{SeriesRole::measured, sourceKind(*request.material).toLower(), base, table}};
   if (request.fit) {
     const models::Model& model = *request.fit->model;
     sources.push_back({SeriesRole::fit, QObject::tr("fit (%1)").arg(widgets::fromView(model.spec().name)),
                        model.instantiate(request.fit->fitted), nullptr});
   }
   if (!editing::isIdentity(request.edits))
-    sources.push_back(
-        {SeriesRole::edited, QObject::tr("edited"), editing::applyEdits(table, request.edits), table.get()});
+    sources.push_back({SeriesRole::edited, QObject::tr("edited"), editing::applyEdits(base, request.edits), table});
   return sources;
 }
 
 bool isKnown(const PlotRequest& request) {
   const KnownAlbedo* known = request.known.get();
-  return known && known->material == request.material && known->coarse == request.coarse && request.fit &&
-         known->model == request.fit->model && known->fitted == request.fit->fitted;
+  return known && known->material == request.material && known->base == request.base &&
+         known->coarse == request.coarse && request.fit && known->model == request.fit->model &&
+         known->fitted == request.fit->fitted;
 }
 
 void computeAlbedo(const PlotRequest& request, const std::vector<Source>& sources, PlotData& data,
@@ -62,6 +63,7 @@ void computeAlbedo(const PlotRequest& request, const std::vector<Source>& source
     data.curves.push_back({source.role, source.name, std::move(curve)});
   }
   kept->material = request.material;
+  kept->base = request.base;
   kept->coarse = request.coarse;
   if (request.fit) {
     kept->model = request.fit->model;

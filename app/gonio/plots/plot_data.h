@@ -22,6 +22,7 @@ inline constexpr PlotKind allPlotKinds[] = {PlotKind::polar, PlotKind::cartesian
 /// The albedo curves that an edit leaves as they are: they take longest and are kept while a slider moves.
 struct KnownAlbedo {
   LoadedMaterialPtr material;
+  std::shared_ptr<const Brdf> base;
   const models::Model* model = nullptr;
   models::ParameterValues fitted;
   bool coarse = false;
@@ -38,10 +39,11 @@ struct PlotRequest {
   plots::ThetaHSpacing spacing = plots::ThetaHSpacing::squareRoot;
   bool coarse = false;  ///< albedo: few samples, while something moves
   std::shared_ptr<const KnownAlbedo> known;
+  std::shared_ptr<const Brdf> base = nullptr;  ///< Document::base(); null: that of the material
 };
 
-/// Series of the kind that was asked for: measured (the table), fit (the model at the fitted parameters), edited (where
-/// the edit changes something).
+/// Series of the kind that was asked for: measured (in its own form), fit (the model at the fitted parameters), edited
+/// (where the edit changes something).
 struct PlotData {
   widgets::PlotSeriesList<plots::Curve> curves;
   widgets::PlotSeriesList<plots::Slice> slices;

@@ -131,6 +131,7 @@ void PlotsPanel::start() {
   PlotRequest request{choices.kind,      m_document.material(), m_document.edits(), {},
                       choices.section(), choices.spacing,       m_rest.isActive(),  m_known};
   if (const auto* edit = m_document.active<editing::DifferentialEdit>()) request.fit = *edit;
+  request.base = m_document.base();
   m_running = true;
   m_again = false;
   m_tasks.run<PlotData>(
@@ -146,7 +147,7 @@ void PlotsPanel::start() {
 
 void PlotsPanel::finished(const PlotRequest& request, const PlotData& plotted) {
   m_running = false;
-  if (request.material == m_document.material()) {
+  if (request.material == m_document.material() && request.base == m_document.base()) {
     m_known = plotted.known;
     if (request.kind == PlotKind::polar) m_polar->setSeries(plotted.curves);
     if (request.kind == PlotKind::cartesian) m_cartesian->setSection(request.section, plotted.curves);

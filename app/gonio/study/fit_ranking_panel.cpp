@@ -99,7 +99,7 @@ void FitRankingPanel::fitAll() {
       [material, tell](const TaskControl& control) {
         study::RankingOptions options;
         options.modelDone = tell;
-        study::rankFits({material->table, material->material.brdf}, options, control);
+        study::rankFits({material->table(control), material->material.brdf}, options, control);
         return true;
       },
       [this](bool) { refresh(); }, [this](const QString& error) { Q_EMIT failed(tr("Cannot fit all models"), error); });

@@ -116,7 +116,7 @@ void StudyPanel::show(int row) {
       {tr("Preparing %1").arg(QString::fromStdString(m_model.representation(row).fullLabel())), showKey},
       [studied = m_model.studied(row)](const TaskControl& control) {
         const auto table = studied->tabulated(control);
-        return widgets::tableSubject(table, estimateSamplingLobe(*table));
+        return widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table));
       },
       [this, row](const widgets::PreviewSubject& subject) { adopt(row, subject); },
       [this](const QString& error) {

@@ -65,7 +65,7 @@ void StudyRun::start(const LoadedMaterialPtr& material) {
   m_tasks.run<bool>(
       {tr("Measuring representations"), studyKey},
       [material, options, missing = m_model.missing()](const TaskControl& control) {
-        study::runStudy({material->table, material->material.brdf}, missing, options, control);
+        study::runStudy({material->table(control), material->material.brdf}, missing, options, control);
         return true;
       },
       [](bool) {}, [this](const QString& error) { Q_EMIT failed(tr("Cannot measure all representations"), error); });

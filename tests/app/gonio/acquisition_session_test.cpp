@@ -224,7 +224,7 @@ class AcquisitionSessionTest : public QObject {
     session.open(document, folder);
     QVERIFY(acquisition.waitForAll());
     QVERIFY(document.material());
-    QCOMPARE(document.material()->table->values()[100], session.result()->reconstruction->table->values()[100]);
+    QCOMPARE(document.material()->table()->values()[100], session.result()->reconstruction->table->values()[100]);
     const QString path = QString::fromStdString(document.material()->material.source.path.string());
     QCOMPARE(path, folder + "/subject from 6 samples.binary");
     QVERIFY(document.history().canUndo());

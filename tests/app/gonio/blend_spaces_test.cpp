@@ -20,7 +20,7 @@ class BlendSpacesTest : public QObject {
   Q_OBJECT
  private:
   const std::vector<editing::InterpolationEnd> m_ends{
-      {greyMaterial("a", 0.2)->table}, {greyMaterial("b", 0.4)->table}, {greyMaterial("c", 0.9)->table}};
+      {greyMaterial("a", 0.2)->table()}, {greyMaterial("b", 0.4)->table()}, {greyMaterial("c", 0.9)->table()}};
 
   std::vector<editing::InterpolationEnd> ends(std::initializer_list<std::size_t> which) const {
     std::vector<editing::InterpolationEnd> result;

@@ -28,8 +28,8 @@ LoadedMaterialPtr lambertMaterial(const char* name, double albedo) {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = name;
   const HalfDifferenceGrid grid{24, 24, 24};
-  loaded->table = bakeTable(*models::findModel("lambert").instantiate({{Rgb(albedo)}}), grid);
-  loaded->material.brdf = loaded->table;
+  loaded->base = bakeTable(*models::findModel("lambert").instantiate({{Rgb(albedo)}}), grid);
+  loaded->material.brdf = loaded->base;
   return loaded;
 }
 
@@ -63,26 +63,26 @@ class ComparisonTest : public QObject {
     editor.document.adoptFit(lambertFit(0.5));
     auto code = std::make_shared<MaterialCode>();
     code->material = editor.document.material();
-    code->table = lambertMaterial("decoded", 0.45)->table;
+    code->table = lambertMaterial("decoded", 0.45)->table();
     editor.comparison.toggle();
     QCOMPARE(editor.comparison.sides()[0], ComparedSubject::fit);
     editor.comparison.setCode(code);  // while it is compared: what the user asked to see
     QVERIFY(editor.comparison.code() == code.get());
-    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table() == code->table);
-    QVERIFY(editor.comparison.subject(ComparedSubject::measured).table() == editor.document.material()->table);
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).base() == code->table);
+    QVERIFY(editor.comparison.subject(ComparedSubject::measured).base() == editor.document.material()->table());
     QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded"));
     QCOMPARE(editor.comparison.sides()[0], ComparedSubject::edited);
     QCOMPARE(editor.comparison.sides()[1], ComparedSubject::measured);
     setParameter(editor.document, 0, Rgb(0.2));
     QCOMPARE(editor.comparison.name(ComparedSubject::edited), QStringLiteral("Encoded, edited"));
     const auto edited = editor.comparison.subject(ComparedSubject::edited);
-    QVERIFY(std::get<widgets::EditedTable>(edited.shown).edits == editor.document.edits());
+    QVERIFY(std::get<widgets::EditedMaterial>(edited.shown).edits == editor.document.edits());
     editor.comparison.setCode(nullptr);
-    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table() == editor.document.material()->table);
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).base() == editor.document.material()->table());
     editor.comparison.setCode(code);
     editor.document.setMaterial(lambertMaterial("other", 0.3));
     QVERIFY(!editor.comparison.code());
-    QVERIFY(editor.comparison.subject(ComparedSubject::edited).table() == editor.document.material()->table);
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).base() == editor.document.material()->table());
   }
 
   /// Without an edit the fit is judged, with one the edit; C goes back to the mode of the last time.
@@ -112,7 +112,7 @@ class ComparisonTest : public QObject {
     editor.document.adoptFit(lambertFit(0.5));
     editor.comparison.toggle();
     QCOMPARE(editor.comparison.sides()[0], ComparedSubject::fit);
-    const widgets::PreviewSubject other = widgets::tableSubject(lambertMaterial("other", 0.2)->table);
+    const widgets::PreviewSubject other = widgets::measuredSubject(lambertMaterial("other", 0.2)->table());
     editor.comparison.setStandIn(StandIn::blend, other, "blend");
     QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::edited, ComparedSubject::measured}));
     QCOMPARE(editor.preview.overlay()->name(0)->text(), QString("Blend"));
@@ -192,7 +192,7 @@ class ComparisonTest : public QObject {
     // 0.4 against 0.5 everywhere: |r|^2 / |r - t|^2 = 25.
     QVERIFY(std::abs(panel.numbers()->renderedSnr - 10 * std::log10(25)) < 1e-3);
     QVERIFY(std::abs(panel.numbers()->brdfSnr - 10 * std::log10(25)) < 1e-3);
-    const auto& table = editor.document.material()->table;
+    const auto& table = editor.document.material()->table();
     const auto expected = metrics::brdfErrors(*table, *editing::applyEdits(table, editor.document.edits()));
     QVERIFY(panel.numbers()->errors == expected);
   }
@@ -201,8 +201,8 @@ class ComparisonTest : public QObject {
   void aFitAsTheReference() {
     const auto material = lambertMaterial("grey", 0.5);
     const auto reference = comparisonReference(
-        {widgets::ModelAlone{&models::findModel("lambert"), {{Rgb(0.5)}}, material->table->grid()}});
-    const ComparisonNumbers numbers = compareSubjects(widgets::tableSubject(material->table), *reference);
+        {widgets::ModelAlone{&models::findModel("lambert"), {{Rgb(0.5)}}, material->table()->grid()}});
+    const ComparisonNumbers numbers = compareSubjects(widgets::measuredSubject(material->table()), *reference);
     for (const double error : numbers.errors) QVERIFY(std::abs(error) < 1e-6);
     QVERIFY(numbers.brdfSnr > 100);
   }

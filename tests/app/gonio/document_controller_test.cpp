@@ -80,12 +80,12 @@ class DocumentControllerTest : public QObject {
     again.controller.exportMerl(exported);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
     const LoadedMaterialPtr reopened = loadMaterial(exported.toStdString());
-    const auto baked = editing::bakeEdits(editor.document.material()->table, editor.document.edits());
-    QCOMPARE(reopened->table->validCount(), baked->validCount());
+    const auto baked = editing::bakeEdits(editor.document.material()->table(), editor.document.edits());
+    QCOMPARE(reopened->table()->validCount(), baked->validCount());
     double worst = 0;
     for (std::size_t i = 0; i < baked->values().size(); i += 97)
       for (int c = 0; c < 3; ++c) {
-        const double a = baked->values()[i][c], b = reopened->table->values()[i][c];
+        const double a = baked->values()[i][c], b = reopened->table()->values()[i][c];
         worst = std::max(worst, std::abs(a - b) / std::max(a, 1e-6));
       }
     QVERIFY(worst < 1e-6);
@@ -98,7 +98,7 @@ class DocumentControllerTest : public QObject {
     Editor editor;
     editor.controller.open(material);
     QTRY_VERIFY_WITH_TIMEOUT(editor.document.material(), patienceMilliseconds);
-    const auto factors = factorization::factorizePdv(*editor.document.material()->table, {.terms = 2}).factors;
+    const auto factors = factorization::factorizePdv(*editor.document.material()->table(), {.terms = 2}).factors;
     editing::FactorEdit edit;
     edit.original = std::make_shared<const factorization::PdvFactors>(factors);
     edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
@@ -120,8 +120,8 @@ class DocumentControllerTest : public QObject {
     QSignalSpy done(&again.controller, &DocumentController::exported);
     again.controller.exportMerl(exported);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
-    const auto reopened = loadMaterial(exported.toStdString())->table;
-    const TabulatedBrdf& measured = *editor.document.material()->table;
+    const auto reopened = loadMaterial(exported.toStdString())->table();
+    const TabulatedBrdf& measured = *editor.document.material()->table();
     const auto pdv = factorization::makePdvBrdf(*edit.edited);
     double worst = 0, largestChange = 0;
     for (std::size_t cell = 0; cell < measured.values().size(); cell += 4999) {
@@ -141,7 +141,7 @@ class DocumentControllerTest : public QObject {
     Editor editor;
     editor.controller.open(material);
     QTRY_VERIFY_WITH_TIMEOUT(editor.document.material(), patienceMilliseconds);
-    const auto factors = factorization::factorizePdv(*editor.document.material()->table, {.terms = 2}).factors;
+    const auto factors = factorization::factorizePdv(*editor.document.material()->table(), {.terms = 2}).factors;
     editing::FactorEdit edit;
     edit.original = std::make_shared<const factorization::PdvFactors>(factors);
     edit.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));
@@ -170,7 +170,7 @@ class DocumentControllerTest : public QObject {
     Editor editor;
     editor.controller.open(material);
     QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
-    const auto factors = factorization::factorizePdv(*editor.document.material()->table, {.terms = 1}).factors;
+    const auto factors = factorization::factorizePdv(*editor.document.material()->table(), {.terms = 1}).factors;
     editing::FactorEdit curves;
     curves.original = std::make_shared<const factorization::PdvFactors>(factors);
     curves.edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(factors, 1.7));

@@ -22,7 +22,7 @@ LoadedMaterialPtr smallMaterial() {
   loaded->material.source.path = "/materials/grey.binary";
   loaded->material.source.sha256 = "00ff";
   const HalfDifferenceGrid grid{2, 2, 2};
-  loaded->table =
+  loaded->base =
       std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), {0.1f, 0.2f, 0.3f}),
                                       std::vector<std::uint8_t>(grid.size(), 1));
   return loaded;

@@ -169,7 +169,7 @@ class FactorCurvesEditsTest : public QObject, private OpenFactorCurves {
     const QTemporaryDir folder;
     const QString path = folder.filePath("other.pdv");
     const auto other = glossyMaterial(0.6, {24, 24, 24});
-    materials::writePdv(factorization::factorizePdv(*other->table, {.terms = 1}).factors, path.toStdString());
+    materials::writePdv(factorization::factorizePdv(*other->table(), {.terms = 1}).factors, path.toStdString());
     for (const FactorAxis axis : {FactorAxis::theta, FactorAxis::deviation}) {
       undoAll();
       drop(axis, path);

@@ -31,7 +31,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
   /// Looking at the curves is no edit; they are those of the factorisation.
   void showsTheFirstTerm() {
     QCOMPARE(m_document.history().count(), 0);
-    const auto expected = factorization::factorizePdv(*m_document.material()->table,
+    const auto expected = factorization::factorizePdv(*m_document.material()->table(),
                                                       {.form = factorization::PdvForm::twoFactors, .terms = 1});
     for (const FactorAxis axis : {FactorAxis::theta, FactorAxis::deviation}) {
       QVERIFY(editor(axis).nodes() == nodesOf(expected.factors, axis));
@@ -47,7 +47,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
     editing::FactorEdit other;
     const factorization::PdvOptions options{
         .form = factorization::PdvForm::twoFactors, .transform = DataTransform::root, .terms = 3};
-    const auto found = factorization::factorizePdv(*m_document.material()->table, options);
+    const auto found = factorization::factorizePdv(*m_document.material()->table(), options);
     other.original = std::make_shared<const PdvFactors>(found.factors);
     other.edited = std::make_shared<const PdvFactors>(factorization::widenF2(found.factors, 1.5));
     replaceFactors(m_document, other, "other transform");
@@ -110,7 +110,7 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
       for (const QLabel* label : m_panel->termsView().findChildren<QLabel*>())
         if (label->text().contains("kB")) texts[terms > 1] = label->text();
       const PdvFactors factors =
-          factorization::factorizePdv(*m_document.material()->table,
+          factorization::factorizePdv(*m_document.material()->table(),
                                       {.form = factorization::PdvForm::twoFactors, .terms = terms})
               .factors;
       QVERIFY(
@@ -123,9 +123,9 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
   void whatIsUnexplainedIsShown() {
     for (const int terms : {1, 6}) {
       m_panel->termsView().findChild<QSlider*>()->setValue(terms);
-      const auto found = factorization::factorizePdv(*m_document.material()->table,
+      const auto found = factorization::factorizePdv(*m_document.material()->table(),
                                                      {.form = factorization::PdvForm::twoFactors, .terms = terms});
-      const auto along = factorization::residualsAlong(*m_document.material()->table, found.factors);
+      const auto along = factorization::residualsAlong(*m_document.material()->table(), found.factors);
       for (const FactorAxis axis : {FactorAxis::theta, FactorAxis::deviation}) {
         const auto& strip = m_panel->column(axis).residuals();
         QVERIFY(strip.shares() == along[std::size_t(terms - 1)][std::size_t(axis)]);

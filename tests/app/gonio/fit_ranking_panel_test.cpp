@@ -27,8 +27,8 @@ LoadedMaterialPtr greyMaterial() {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = "grey";
   const HalfDifferenceGrid grid{12, 12, 12};
-  loaded->table = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0.3)}}), grid);
-  loaded->material.brdf = loaded->table;
+  loaded->base = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0.3)}}), grid);
+  loaded->material.brdf = loaded->base;
   return loaded;
 }
 

@@ -16,8 +16,8 @@ inline LoadedMaterialPtr glossyMaterial(double roughness, const HalfDifferenceGr
   values.values[*ggx.spec().find("specular")] = Rgb(0.9, 0.6, 0.3);
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = "glossy";
-  loaded->table = bakeTable(*ggx.instantiate(values), grid);
-  loaded->material.brdf = loaded->table;
+  loaded->base = bakeTable(*ggx.instantiate(values), grid);
+  loaded->material.brdf = loaded->base;
   return loaded;
 }
 

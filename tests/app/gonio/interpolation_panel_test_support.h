@@ -23,10 +23,10 @@ inline LoadedMaterialPtr greyMaterial(const char* name, double albedo) {
   loaded->material.source.path = std::string("/nowhere/") + name + ".binary";
   loaded->material.source.sha256 = std::string(64, 'a');
   const HalfDifferenceGrid grid{12, 12, 12};
-  loaded->table = std::make_shared<const TabulatedBrdf>(
+  loaded->base = std::make_shared<const TabulatedBrdf>(
       grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(float(albedo / pi))),
       std::vector<std::uint8_t>(grid.size(), 1));
-  loaded->material.brdf = loaded->table;
+  loaded->material.brdf = loaded->base;
   return loaded;
 }
 

@@ -35,7 +35,7 @@ class KeptBlendTest : public QObject {
     editor.panel.moveTo({0.25, 0});
     editor.panel.keepButton().click();
     QTRY_COMPARE_WITH_TIMEOUT(editor.document.history().count(), 2, patienceMilliseconds);
-    QVERIFY(std::abs(normalValue(*editor.document.material()->table) - 0.3) < 1e-6);
+    QVERIFY(std::abs(normalValue(*editor.document.material()->table()) - 0.3) < 1e-6);
     QVERIFY(editor.document.isModified() && editor.document.path().isEmpty());
     QVERIFY(editor.document.history().text(1).contains("75 % dark"));
     QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);  // fitted as if it had been opened
@@ -49,7 +49,7 @@ class KeptBlendTest : public QObject {
     QVERIFY(!editor.document.isModified());
     QVERIFY(modelEdit(editor.document)->edited.values[0] == Rgb(0.5));
     editor.document.history().redo();
-    QVERIFY(std::abs(normalValue(*editor.document.material()->table) - 0.3) < 1e-6);
+    QVERIFY(std::abs(normalValue(*editor.document.material()->table()) - 0.3) < 1e-6);
     QVERIFY(modelEdit(editor.document) && modelEdit(editor.document)->isIdentity());
     // What is saved names the materials and their weights.
     const editing::EditDocument stored = editor.document.toEditDocument();
@@ -97,7 +97,7 @@ class KeptBlendTest : public QObject {
     editor.panel.moveTo({0.25, 0});
     editor.panel.keepButton().click();
     QTRY_COMPARE_WITH_TIMEOUT(editor.document.history().count(), 1, patienceMilliseconds);
-    QVERIFY(std::abs(normalValue(*editor.document.material()->table) - 0.5) < 1e-6);
+    QVERIFY(std::abs(normalValue(*editor.document.material()->table()) - 0.5) < 1e-6);
     const editing::EditDocument stored = editor.document.toEditDocument();
     for (std::size_t i = 0; i < 2; ++i) {
       const bool dark = stored.blend->materials[i].sourcePath == "/nowhere/dark.binary";

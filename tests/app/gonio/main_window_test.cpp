@@ -33,8 +33,8 @@ LoadedMaterialPtr greyMaterial() {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = "grey";
   const HalfDifferenceGrid grid{4, 4, 4};
-  loaded->table = std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.2f)),
-                                                  std::vector<std::uint8_t>(grid.size(), 1));
+  loaded->base = std::make_shared<TabulatedBrdf>(grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(0.2f)),
+                                                 std::vector<std::uint8_t>(grid.size(), 1));
   return loaded;
 }
 

@@ -27,7 +27,7 @@ using widgets::SeriesRole;
 LoadedMaterialPtr chalk() {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = "chalk";
-  loaded->table = bakeTable(test::lambert(Rgb(0.5)), {30, 30, 30});
+  loaded->base = bakeTable(test::lambert(Rgb(0.5)), {30, 30, 30});
   return loaded;
 }
 fitting::FitResult lambertFit() {

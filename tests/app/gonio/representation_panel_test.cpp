@@ -56,13 +56,13 @@ class RepresentationPanelTest : public QObject {
     QVERIFY(code);
     const auto dictionary = materials::bundledDictionary();
     const dictionary::Encoder encoder(dictionary->ensemble);
-    const auto expected = encoder.encode(*m_document.material()->table, {.coefficients = 32});
+    const auto expected = encoder.encode(*m_document.material()->table(), {.coefficients = 32});
     const auto file = materials::encodeCode(expected.code, dictionary->id);
     const auto table = dictionary::decode(dictionary->ensemble, materials::readCode(io::MemorySource(file)).code);
     QCOMPARE(code->bytes, file.size());
     QVERIFY(std::ranges::equal(code->table->values(), table->values()));
     QCOMPARE(code->encoded.code.transform, expected.code.transform);
-    QCOMPARE(code->logError, metrics::brdfError(metrics::BrdfMetric::log, *m_document.material()->table, *table));
+    QCOMPARE(code->logError, metrics::brdfError(metrics::BrdfMetric::log, *m_document.material()->table(), *table));
     const QString told = texts();
     QVERIFY(told.contains(QString::number(code->logError, 'g', 3)));
     QVERIFY(told.contains(QString::number(double(file.size()) * 1e-3, 'f', 1) + " kB"));

@@ -66,8 +66,8 @@ class ScenePanelTest : public QObject {
   /// Nothing can be measured without a material; with one every effect gets its cost, until another scene comes.
   void costsAreMeasured() {
     QVERIFY(!panel_->measureButton().isEnabled() && !panel_->compareButton().isEnabled());
-    preview_->setMaterial(
-        app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->table, {});
+    preview_->setSubject(widgets::measuredSubject(
+        app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->base));
     QTRY_VERIFY(panel_->measureButton().isEnabled());
     panel_->measureButton().click();
     QTRY_VERIFY_WITH_TIMEOUT(panel_->costs(), 60000);
@@ -94,7 +94,7 @@ class ScenePanelTest : public QObject {
     const auto material =
         app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36});
     document_->replaceMaterial(material, {});
-    preview_->setMaterial(material->table, {});
+    preview_->setSubject(widgets::measuredSubject(material->base));
     QTRY_VERIFY(preview_->material() && !preview_->isTraced());
     panel_->neighbours().well(0).currentButton()->click();
     QTRY_VERIFY(preview_->isTraced());

@@ -22,8 +22,8 @@ using namespace gonio::app::test_support;
 LoadedMaterialPtr material(const char* name, const Brdf& brdf) {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = name;
-  loaded->table = bakeTable(brdf, HalfDifferenceGrid{12, 12, 12});
-  loaded->material.brdf = loaded->table;
+  loaded->base = bakeTable(brdf, HalfDifferenceGrid{12, 12, 12});
+  loaded->material.brdf = loaded->base;
   return loaded;
 }
 
@@ -136,7 +136,7 @@ class StudyPanelTest : public QObject {
     QCOMPARE(changed.count(), 1);
     QCOMPARE(editor.panel.shownName(), "GGX, 8 numbers");
     QVERIFY(editor.text(ggxFit, 0).startsWith("GGX, 8 numbers (shown"));
-    QVERIFY(editor.panel.subject()->table()->grid() == editor.document.material()->table->grid());
+    QVERIFY(editor.panel.subject()->base()->asTable()->grid() == editor.document.material()->table()->grid());
     editor.panel.show(ggxFit);
     QVERIFY(!editor.panel.subject());
     QCOMPARE(changed.count(), 2);
@@ -148,7 +148,7 @@ class StudyPanelTest : public QObject {
     QTest::keyClick(&editor.panel.view().table(), Qt::Key_Escape);
     QVERIFY(!editor.panel.subject());
     QVERIFY(shows(trilinearTable));
-    QVERIFY(editor.panel.subject()->table() == editor.document.material()->table);
+    QVERIFY(editor.panel.subject()->base() == editor.document.material()->table());
     editor.document.setMaterial(material("other", 0.5));
     QVERIFY(!editor.panel.subject() && editor.panel.shownName().isEmpty());
     QCOMPARE(editor.panel.model().missing().size(), std::size_t(4));

@@ -22,8 +22,8 @@ LoadedMaterialPtr glossy(double roughness, bool sampled) {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = "glossy";
   const std::shared_ptr<const Brdf> form = test::ggx(Rgb(0.2), Rgb(0.8), roughness, 0.5);
-  loaded->table = bakeTable(*form, {12, 12, 12});
-  loaded->material.brdf = sampled ? form : loaded->table;
+  loaded->base = bakeTable(*form, {12, 12, 12});
+  loaded->material.brdf = sampled ? form : loaded->base;
   return loaded;
 }
 
@@ -47,7 +47,7 @@ class TableErrorMonitorTest : public QObject {
     QVERIFY(tableText(*material, monitor).contains("measuring"));
     QVERIFY(measured.wait(patience));
     const RenderedComparison comparison(*material->material.brdf, picture);
-    QCOMPARE(*monitor.snr(), comparison.signalToNoiseRatio(comparison.render(*material->table)));
+    QCOMPARE(*monitor.snr(), comparison.signalToNoiseRatio(comparison.render(*material->table())));
     QVERIFY(tableText(*material, monitor).contains(QString::number(*monitor.snr(), 'f', 1) + " dB against the file"));
     QVERIFY(monitor.isSettled());
   }

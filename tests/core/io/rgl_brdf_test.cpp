@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/io/rgl_brdf.h"
+#include "core/io/rgl_file.h"
 
 #include <QTest>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -20,7 +21,12 @@ using namespace gonio;
 using namespace gonio::test;
 namespace fs = std::filesystem;
 
-io::RglFile read(const Bytes& bytes) { return io::readRgl(io::MemorySource(bytes)); }
+/// With the directions in the file's own order.
+io::RglFile read(const Bytes& bytes) {
+  io::RglFile file = io::readRgl(io::MemorySource(bytes));
+  file.brdf = file.brdf->withIncident(IncidentSlot::light);
+  return file;
+}
 Rgb value(const SyntheticRgl& rgl, const Direction& wi, const Direction& wo) {
   return read(rgl.file()).brdf->evaluate(wi, wo);
 }
@@ -210,13 +216,73 @@ class RglBrdfTest : public QObject {
             const Direction wo = mirror(wi, fromSpherical(u * u * halfPi, phi + 0.4));
             if (wo.z < 0.05) continue;
             ++compared;
-            const Rgb expected = tensors.atNode(k, a, b), found = material.brdf->evaluate(wi, wo) * wo.z;
+            const Rgb expected = tensors.atNode(k, a, b), found = material.brdf->evaluate(wo, wi) * wo.z;
             for (int channel = 0; channel < 3; ++channel)
               QVERIFY2(std::abs(found[channel] - expected[channel]) < 1e-4 * maxChannel(expected) + 1e-7,
                        (name + " " + std::to_string(k) + " " + std::to_string(a) + " " + std::to_string(b)).c_str());
           }
       QVERIFY(compared > 30);
     }
+  }
+
+  /// The viewer takes the place of the incident direction, as in Mitsuba and pbrt, unless another order is asked for.
+  void slotsOfTheIncidentDirection() {
+    SyntheticRgl rgl;
+    for (std::size_t i = 0; i < rgl.rgb.size(); ++i) rgl.rgb[i] = float(1 + i % 5);
+    const auto viewer = io::readRgl(io::MemorySource(rgl.file())).brdf;
+    const auto light = viewer->withIncident(IncidentSlot::light), mean = viewer->withIncident(IncidentSlot::mean);
+    QVERIFY(!viewer->isReciprocal() && !light->isReciprocal() && mean->isReciprocal());
+    const Direction wi = fromSpherical(0.3, 0.2), wo = fromSpherical(1.1, 2.4);
+    QVERIFY(viewer->evaluate(wi, wo) == light->evaluate(wo, wi));
+    QVERIFY(viewer->evaluate(wi, wo) != viewer->evaluate(wo, wi));
+    QVERIFY(mean->evaluate(wi, wo) == mean->evaluate(wo, wi));
+    QVERIFY(mean->evaluate(wi, wo) == (viewer->evaluate(wi, wo) + light->evaluate(wi, wo)) / 2.0);
+  }
+
+  /// A luminance that is absent, 0 or not finite changes no value, and drawing goes on.
+  void luminanceIsForSamplingAlone() {
+    SyntheticRgl rgl;
+    const Direction wi = fromSpherical(0.3, 0.2), wo = fromSpherical(1.1, 2.4);
+    const Rgb expected = value(rgl, wi, wo);
+    for (const float odd : {0.f, -1.f, std::numeric_limits<float>::quiet_NaN()}) {
+      std::vector<TensorField> fields = rgl.fields();
+      fields.push_back(floatField("luminance", {1, 2, 2, 2}, {odd, odd, odd, odd, 1, odd, 1, 2}));
+      const auto brdf = read(tensorFile(fields)).brdf;
+      QVERIFY(brdf->evaluate(wi, wo) == expected);
+      for (const double theta : {0.0, 0.7, 1.5}) {
+        const DirectionSample drawn = brdf->sample(fromSpherical(theta, 1), {0.6, 0.2, 0.9});
+        QVERIFY(std::isfinite(drawn.pdf) && drawn.pdf >= 0);
+      }
+    }
+    std::vector<TensorField> fields = rgl.fields();
+    fields.push_back(floatField("luminance", {1, 1, 2, 2}, {1, 1, 1, 1}));
+    QVERIFY(contains(errorOf([&] { read(tensorFile(fields)); }), "luminance"));
+  }
+
+  /// 1, 2 and 8 polar angles of incidence: values at the nodes are the nodes'.
+  void anyNumberOfPolarAngles() {
+    for (const std::size_t count : {1, 2, 8}) {
+      SyntheticRgl rgl;
+      rgl.thetas.clear();
+      rgl.rgb.clear();
+      rgl.vndf.assign(9 * count, 1);
+      for (std::size_t t = 0; t < count; ++t) {
+        rgl.thetas.push_back(float(0.1 + 1.4 * double(t) / 8));
+        rgl.rgb.insert(rgl.rgb.end(), 12, float(t + 1));
+      }
+      const Direction wo = fromSpherical(0.4, 2);
+      for (std::size_t t = 0; t < count; ++t)
+        QVERIFY(close(value(rgl, fromSpherical(rgl.thetas[t], 1), wo).x * wo.z, double(t + 1), 1e-5));
+      QVERIFY(close(value(rgl, {0, 0, 1}, wo).x * wo.z, 1, 1e-5));
+      QVERIFY(close(value(rgl, fromSpherical(1.57, 1), wo).x * wo.z, double(count), 1e-5));
+    }
+  }
+
+  /// Where the projected area is 0 nothing is reflected, rather than infinitely much.
+  void zeroSigma() {
+    SyntheticRgl rgl;
+    rgl.sigma = 0;
+    QVERIFY(value(rgl, fromSpherical(0.3, 0), fromSpherical(0.5, 1)) == Rgb(0));
   }
 
   /// The file's own luminance is that of its colours in linear sRGB: the channels are in the right places.

@@ -40,7 +40,10 @@ void PreviewRenderer::initialize() {
 void PreviewRenderer::release() {
   accumulation_.reset();
   tableTexture_.reset();
-  uploadedTable_.reset();
+  rglTextures_.reset();
+  lobeTextures_.reset();
+  uploadedBase_.reset();
+  uploadedLobe_.reset();
   blendTextures_.release();
   if (resources_->isInitialized()) editChain_.release(*this);
   if (resources_.use_count() == 1) resources_->release();
@@ -52,8 +55,8 @@ void PreviewRenderer::setSubject(const PreviewSubject& subject) {
   restart();
 }
 
-void PreviewRenderer::setLobe(const SamplingLobe& lobe) {
-  subject_.lobe = lobe;
+void PreviewRenderer::setLobe(std::shared_ptr<const TabulatedLobe> lobe) {
+  subject_.lobe = std::move(lobe);
   restart();
 }
 
@@ -75,7 +78,8 @@ void PreviewRenderer::setSize(const QSize& size) {
 
 QOpenGLShaderProgram& PreviewRenderer::sceneProgram() {
   QStringList definitions = sceneUniforms_.definitions(), preamble;
-  if (const auto* edited = std::get_if<EditedTable>(&subject_.shown)) {
+  if (const auto* edited = std::get_if<EditedMaterial>(&subject_.shown)) {
+    if (const RglBrdf* rgl = edited->base->asRgl()) definitions << RglTextures::definitions(*rgl);
     EditChain::addVariant(edited->edits, definitions, preamble);
   } else if (const auto* alone = std::get_if<ModelAlone>(&subject_.shown)) {
     definitions << "MODEL_ALONE";
@@ -105,15 +109,15 @@ void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
 
 /// Uniforms and textures of what is shown.
 void PreviewRenderer::bindMaterial(QOpenGLShaderProgram& program) {
-  bindTable(program);
-  if (const auto* edited = std::get_if<EditedTable>(&subject_.shown))
+  if (const auto* edited = std::get_if<EditedMaterial>(&subject_.shown)) {
+    bindBase(program, *edited);
     editChain_.bind(*this, program, edited->edits, factorUnit);
-  else if (const auto* alone = std::get_if<ModelAlone>(&subject_.shown))
+  } else if (const auto* alone = std::get_if<ModelAlone>(&subject_.shown)) {
     setModelParameters(program, "modelParameters", *alone->model, alone->parameters);
-  else if (const auto* blend = std::get_if<PreviewBlend>(&subject_.shown))
+  } else if (const auto* blend = std::get_if<PreviewBlend>(&subject_.shown)) {
     blendTextures_.bind(*this, program, *resources_, *blend);
-  program.setUniformValue("lobeRoughness", float(subject_.lobe.roughness));
-  program.setUniformValue("lobeSpecularShare", float(subject_.lobe.specularShare));
+  }
+  if (sceneUniforms_.drawsDirections()) bindLobe(program);
 }
 
 void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count) {
@@ -131,19 +135,41 @@ void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count
   program.setUniformValueArray("pixelOffsets", offsets, count);
 }
 
-void PreviewRenderer::bindTable(QOpenGLShaderProgram& program) {
-  const auto* edited = std::get_if<EditedTable>(&subject_.shown);
-  const std::shared_ptr<const TabulatedBrdf> table = subject_.table();
-  if (table != uploadedTable_ || (table && !tableTexture_)) {
-    glActiveTexture(GL_TEXTURE0 + tableUnit);
-    tableTexture_ = resources_->table(table, edited ? edited->code : nullptr);
-    uploadedTable_ = table;
+void PreviewRenderer::bindBase(QOpenGLShaderProgram& program, const EditedMaterial& material) {
+  const RglBrdf* rgl = material.base->asRgl();
+  if (!rgl) return bindTable(program, material);
+  if (material.base != uploadedBase_ || !rglTextures_) {
+    rglTextures_ = resources_->rgl(rgl->tables());
+    uploadedBase_ = material.base;
   }
-  if (!tableTexture_) return;
+  rglTextures_->bind(*this, program, *rgl->tables());
+}
+
+void PreviewRenderer::bindTable(QOpenGLShaderProgram& program, const EditedMaterial& material) {
+  glActiveTexture(GL_TEXTURE0 + tableUnit);
+  if (material.base != uploadedBase_ || !tableTexture_) {
+    tableTexture_ = resources_->table({material.base, material.base->asTable()}, material.code);
+    uploadedBase_ = material.base;
+  }
   glActiveTexture(GL_TEXTURE0 + tableUnit);
   glBindTexture(GL_TEXTURE_3D, tableTexture_->name);
   program.setUniformValue("table", tableUnit);
   program.setUniformValue("phiPeriod", float(tableTexture_->phiPeriod));
+}
+
+/// The density of the drawn directions; cosine-weighted while it is not known.
+void PreviewRenderer::bindLobe(QOpenGLShaderProgram& program) {
+  constexpr float cosineShare = 0.1f;
+  program.setUniformValue("lobeCells", lobeCellUnit);
+  program.setUniformValue("lobeRows", lobeRowUnit);
+  program.setUniformValue("lobeCosineShare", subject_.lobe ? cosineShare : 1.f);
+  if (!lobeTextures_) lobeTextures_ = std::make_unique<TextureSet>();
+  if (subject_.lobe && subject_.lobe != uploadedLobe_) {
+    uploadWarp(*this, *lobeTextures_, subject_.lobe->warp(), lobeCellUnit, lobeRowUnit);
+    uploadedLobe_ = subject_.lobe;
+  }
+  lobeTextures_->bind(*this, 0, GL_TEXTURE_3D, lobeCellUnit);
+  lobeTextures_->bind(*this, 1, GL_TEXTURE_2D, lobeRowUnit);
 }
 
 void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {

@@ -36,7 +36,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   const PreviewSubject& subject() const { return subject_; }
   /// Density of the reflected samples under an environment. An edit that sharpens a highlight needs a new one, else the
   /// mirror is dark with sparkles.
-  void setLobe(const SamplingLobe& lobe);
+  void setLobe(std::shared_ptr<const TabulatedLobe> lobe);
   /// A scene of which SceneUniforms::canDraw() says yes, and the plan of its effects.
   void setScene(const Scene& scene, const EffectPlan& plan);
   /// Size of the accumulated picture in pixels.
@@ -65,7 +65,9 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   void setCameraUniforms(QOpenGLShaderProgram& program);
   void bindMaterial(QOpenGLShaderProgram& program);
   void setSampleUniforms(QOpenGLShaderProgram& program, int count);
-  void bindTable(QOpenGLShaderProgram& program);
+  void bindBase(QOpenGLShaderProgram& program, const EditedMaterial& material);
+  void bindTable(QOpenGLShaderProgram& program, const EditedMaterial& material);
+  void bindLobe(QOpenGLShaderProgram& program);
   void bindTextures(QOpenGLShaderProgram& program);
   void createTarget();
   void prepareTarget();
@@ -73,11 +75,14 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
 
   std::shared_ptr<PreviewResources> resources_;
   std::shared_ptr<const TableTexture> tableTexture_;
+  std::shared_ptr<RglTextures> rglTextures_;
+  std::unique_ptr<TextureSet> lobeTextures_;
   EditChain editChain_;
   BlendTextures blendTextures_;
   std::unique_ptr<QOpenGLFramebufferObject> accumulation_;
   PreviewSubject subject_;
-  std::shared_ptr<const TabulatedBrdf> uploadedTable_;
+  std::shared_ptr<const Brdf> uploadedBase_;
+  std::shared_ptr<const TabulatedLobe> uploadedLobe_;
   Scene scene_;
   SceneUniforms sceneUniforms_;
   QSize size_{1, 1};

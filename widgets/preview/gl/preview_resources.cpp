@@ -48,6 +48,7 @@ void PreviewResources::release() {
   decoder_.release(*this);
   programs_.clear();
   tables_.clear();
+  rgls_.clear();
   mixtures_.clear();
   uploadedEnvironment_.reset();
   initialized_ = false;
@@ -93,6 +94,15 @@ std::shared_ptr<const TableTexture> PreviewResources::table(const std::shared_pt
     uploadTable(*this, texture->name, table->grid(), table->values(), table->valid());
   known = texture;
   return texture;
+}
+
+std::shared_ptr<RglTextures> PreviewResources::rgl(const std::shared_ptr<const RglBrdf::Tables>& tables) {
+  std::erase_if(rgls_, [](const auto& entry) { return entry.second.expired(); });
+  auto& known = rgls_[tables];
+  auto textures = known.lock();
+  if (!textures)
+    known = textures = std::make_shared<RglTextures>(static_cast<QOpenGLFunctions_4_1_Core&>(*this), *tables);
+  return textures;
 }
 
 std::shared_ptr<const MixtureTextures> PreviewResources::mixture(

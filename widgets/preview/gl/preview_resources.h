@@ -12,6 +12,7 @@
 #include "core/editing/interpolation/interpolation.h"
 #include "core/rendering/environment.h"
 #include "widgets/preview/gl/code_decoder.h"
+#include "widgets/preview/gl/rgl_textures.h"
 
 namespace gonio::widgets {
 
@@ -27,6 +28,14 @@ enum TextureUnit {
   firstBlendUnit,  ///< and those after it, one a material
   endOfBlendUnits = firstBlendUnit + 4,
   firstDecoderUnit = endOfBlendUnits,  ///< and three after it: the last of the 16 that every card has
+  // An RGL file is shown without a mixture of tables; its visible normals are in the place of the table.
+  rglRowUnit = firstBlendUnit,
+  rglColourUnit,
+  rglDistributionUnit,
+  rglAreaUnit,
+  // While a picture is drawn nothing is decoded.
+  lobeCellUnit = firstDecoderUnit,
+  lobeRowUnit,
 };
 
 /// A table on the graphics card; freed with its last user, in whose hands the context must be current.
@@ -68,6 +77,8 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   /// decodes for itself where it does so and its textures are large enough.
   std::shared_ptr<const TableTexture> table(const std::shared_ptr<const TabulatedBrdf>& table,
                                             const std::shared_ptr<const EnsembleCode>& code = nullptr);
+  /// Uploads at the first use, whatever the order of the directions (some ms).
+  std::shared_ptr<RglTextures> rgl(const std::shared_ptr<const RglBrdf::Tables>& tables);
   /// The same of each table of a mixture.
   std::shared_ptr<const MixtureTextures> mixture(const std::shared_ptr<const editing::TransformedMixture>& mixture);
   /// Whether codes are decoded on the card. At first it is so but under software OpenGL (CodeDecoder::isSoftware()).
@@ -89,6 +100,7 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   GLuint colourMaps_[2] = {0, 0};
   std::map<QString, std::unique_ptr<QOpenGLShaderProgram>> programs_;
   std::map<std::weak_ptr<const TabulatedBrdf>, std::weak_ptr<const TableTexture>, std::owner_less<>> tables_;
+  std::map<std::weak_ptr<const RglBrdf::Tables>, std::weak_ptr<RglTextures>, std::owner_less<>> rgls_;
   std::map<std::weak_ptr<const editing::TransformedMixture>, std::weak_ptr<const MixtureTextures>, std::owner_less<>>
       mixtures_;
   std::shared_ptr<const EnvironmentMap> uploadedEnvironment_;

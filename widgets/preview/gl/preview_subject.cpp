@@ -15,8 +15,8 @@ editing::EditList activeEdits(const editing::EditList& edits) {
 }
 
 bool same(std::monostate, std::monostate) { return true; }
-bool same(const EditedTable& a, const EditedTable& b) {
-  return a.table == b.table && activeEdits(a.edits) == activeEdits(b.edits);
+bool same(const EditedMaterial& a, const EditedMaterial& b) {
+  return a.base == b.base && activeEdits(a.edits) == activeEdits(b.edits);
 }
 bool same(const ModelAlone& a, const ModelAlone& b) {
   return a.model == b.model && a.parameters == b.parameters && a.grid == b.grid;
@@ -27,14 +27,16 @@ bool same(const PreviewBlend& a, const PreviewBlend& b) {
 
 using BrdfPointer = std::shared_ptr<const Brdf>;
 BrdfPointer brdfOf(std::monostate) { return nullptr; }
-BrdfPointer brdfOf(const EditedTable& shown) { return editing::applyEdits(shown.table, shown.edits); }
+BrdfPointer brdfOf(const EditedMaterial& shown) { return editing::applyEdits(shown.base, shown.edits); }
 BrdfPointer brdfOf(const ModelAlone& shown) { return shown.model->instantiate(shown.parameters); }
 BrdfPointer brdfOf(const PreviewBlend& shown) { return shown.interpolation->brdf(shown.weights); }
 
 using TablePointer = std::shared_ptr<const TabulatedBrdf>;
+TablePointer tableOf(const BrdfPointer& brdf) { return {brdf, brdf->asTable()}; }
 TablePointer tableOf(std::monostate, const TaskControl&) { return nullptr; }
-TablePointer tableOf(const EditedTable& shown, const TaskControl& control) {
-  return editing::bakeEdits(shown.table, shown.edits, control);
+TablePointer tableOf(const EditedMaterial& shown, const TaskControl& control) {
+  if (shown.base->asTable()) return editing::bakeEdits(tableOf(shown.base), shown.edits, control);
+  return bakeTable(*brdfOf(shown), {}, control);
 }
 TablePointer tableOf(const ModelAlone& shown, const TaskControl& control) {
   return bakeTable(*brdfOf(shown), shown.grid, control);
@@ -45,25 +47,24 @@ TablePointer tableOf(const PreviewBlend& shown, const TaskControl& control) {
 
 }  // namespace
 
-TablePointer PreviewSubject::table() const {
-  const auto* edited = std::get_if<EditedTable>(&shown);
-  return edited ? edited->table : nullptr;
+BrdfPointer PreviewSubject::base() const {
+  const auto* edited = std::get_if<EditedMaterial>(&shown);
+  return edited ? edited->base : nullptr;
 }
 
 bool PreviewSubject::isMeasured() const {
-  const auto* edited = std::get_if<EditedTable>(&shown);
+  const auto* edited = std::get_if<EditedMaterial>(&shown);
   return edited ? editing::isIdentity(edited->edits) : isEmpty();
 }
 
-PreviewSubject tableSubject(TablePointer table, const SamplingLobe& lobe) {
-  if (!table) return {};
-  return {EditedTable{std::move(table)}, lobe};
+PreviewSubject measuredSubject(BrdfPointer base, std::shared_ptr<const TabulatedLobe> lobe) {
+  if (!base) return {};
+  return {EditedMaterial{std::move(base)}, std::move(lobe)};
 }
 
 bool sameSubject(const PreviewSubject& a, const PreviewSubject& b) {
   if (a.shown.index() != b.shown.index()) return false;
-  const bool tables = std::holds_alternative<EditedTable>(a.shown);
-  if (tables && (a.lobe.roughness != b.lobe.roughness || a.lobe.specularShare != b.lobe.specularShare)) return false;
+  if (std::holds_alternative<EditedMaterial>(a.shown) && a.lobe != b.lobe) return false;
   return std::visit([&](const auto& shown) { return same(shown, std::get<std::decay_t<decltype(shown)>>(b.shown)); },
                     a.shown);
 }

@@ -4,19 +4,19 @@
 
 #include <variant>
 
-#include "core/brdf/sampling_lobe.h"
 #include "core/brdf/tabulated_brdf.h"
+#include "core/brdf/tabulated_lobe.h"
 #include "core/editing/edit.h"
 #include "core/editing/interpolation/interpolation.h"
 #include "widgets/preview/gl/code_texels.h"
 
 namespace gonio::widgets {
 
-/// A measured table, with or without edits.
-struct EditedTable {
-  std::shared_ptr<const TabulatedBrdf> table;  ///< never null
+/// A measurement in its own form, with or without edits: a table or an RGL file, the forms that the shader knows.
+struct EditedMaterial {
+  std::shared_ptr<const Brdf> base;  ///< never null; asTable() or asRgl() is not null
   editing::EditList edits = {};
-  std::shared_ptr<const EnsembleCode> code = {};  ///< that `table` was decoded from, where there is one
+  std::shared_ptr<const EnsembleCode> code = {};  ///< that a table was decoded from, where there is one
 };
 
 /// A model without a measurement.
@@ -37,20 +37,20 @@ struct PreviewBlend {
 
 /// What a picture shows; nothing at first.
 struct PreviewSubject {
-  std::variant<std::monostate, EditedTable, ModelAlone, PreviewBlend> shown = {};
-  SamplingLobe lobe = {};  ///< density of the reflected samples
+  std::variant<std::monostate, EditedMaterial, ModelAlone, PreviewBlend> shown = {};
+  std::shared_ptr<const TabulatedLobe> lobe = {};  ///< density of the reflected samples; null: not known yet
 
   bool isEmpty() const { return std::holds_alternative<std::monostate>(shown); }
-  /// Null where no table is shown.
-  std::shared_ptr<const TabulatedBrdf> table() const;
-  /// Whether it is a table as it is, without edits that change something; or nothing.
+  /// Null where no measurement is shown.
+  std::shared_ptr<const Brdf> base() const;
+  /// Whether it is a measurement as it is, without edits that change something; or nothing.
   bool isMeasured() const;
 };
 
-/// A table without edits; null: nothing.
-PreviewSubject tableSubject(std::shared_ptr<const TabulatedBrdf> table, const SamplingLobe& lobe = {});
+/// A measurement without edits; null: nothing.
+PreviewSubject measuredSubject(std::shared_ptr<const Brdf> base, std::shared_ptr<const TabulatedLobe> lobe = {});
 
-/// Whether two subjects look the same for certain: equal values on the same table.
+/// Whether two subjects look the same for certain: equal values over the same measurement.
 bool sameSubject(const PreviewSubject& a, const PreviewSubject& b);
 
 /// The same as a function: what core/rendering draws for comparison, what metrics judge. Null when it is empty.

@@ -28,6 +28,8 @@ class SceneUniforms {
   void set(QOpenGLShaderProgram& program) const;
   /// Whether the shader looks the environment up.
   bool usesEnvironment() const { return lightEnvironment_ || showEnvironment_; }
+  /// Whether the shader draws directions of reflection.
+  bool drawsDirections() const { return lightEnvironment_ || lightLamps_ || reflections_ > 1; }
   int reflections() const { return reflections_; }
   bool operator==(const SceneUniforms&) const = default;
 

@@ -13,7 +13,7 @@
 /// Two-dimensional functions on the unit square that depend on two parameters (the azimuth and the polar angle of a
 /// direction), as the EPFL RGL database stores them: bilinear between the nodes of a grid, and bilinear in the
 /// parameters. Dupuy and Jakob, "An Adaptive Parameterization for Efficient Material Acquisition and Rendering" (2018).
-namespace gonio::io {
+namespace gonio {
 
 /// The up to four slices (pairs of parameter nodes) that a pair of parameter values lies between.
 struct SliceBlend {
@@ -29,6 +29,7 @@ class ParameterGrid {
   ParameterGrid(std::vector<float> phis, std::vector<float> thetas);
   std::size_t slices() const { return phis_.size() * thetas_.size(); }
   const std::vector<float>& phis() const { return phis_; }
+  const std::vector<float>& thetas() const { return thetas_; }
   /// Values outside the nodes are clamped to them.
   SliceBlend blend(double phi, double theta) const;
 
@@ -72,17 +73,40 @@ Sum interpolate(const SliceStack<Value>& stack, const SliceBlend& blend, const g
 /// its conditional one inside a row (x). The density is a bilinear interpolant, each slice scaled to the integral 1.
 class MarginalWarp {
  public:
-  /// @throws Error naming `name` where a value is negative or a slice has no positive one.
-  MarginalWarp(SliceStack<float> density, const std::string& name);
+  /// What a slice without a positive value becomes.
+  enum class EmptySlice { refused, uniform };
+
+  /// @throws Error naming `name` where a value is negative, or a slice without a positive one is refused.
+  MarginalWarp(SliceStack<float> density, const std::string& name, EmptySlice empty = EmptySlice::refused);
+
+  struct Sample {
+    glm::dvec2 point{0};
+    double density = 0;  ///< at the point, of the unit square
+  };
 
   /// Where the map takes a point: x = conditional distribution at point.x, y = marginal distribution at point.y.
-  /// This is the inverse of drawing samples of the density.
-  glm::dvec2 invert(const SliceBlend& blend, const glm::dvec2& point) const;
+  /// With the density there.
+  Sample invert(const SliceBlend& blend, const glm::dvec2& point) const;
+  /// The inverse: a point drawn from the density by two uniform numbers in [0, 1], and its density. Two binary
+  /// searches.
+  Sample sample(const SliceBlend& blend, const glm::dvec2& u) const;
+  /// Of the unit square: integrates to 1.
+  double density(const SliceBlend& blend, const glm::dvec2& point) const;
+
+  /// The density of each slice in units of a cell: what density() returns is this times the number of cells.
+  const SliceStack<float>& cellDensity() const { return density_; }
+  /// Integral of each row up to a node, in cells; the last of a row is the row's total.
+  const SliceStack<float>& conditional() const { return conditional_; }
+  /// Integral over the rows up to a row; [slice][row], the last of a slice 1.
+  const std::vector<float>& marginal() const { return marginal_; }
 
  private:
-  SliceStack<float> density_;
-  SliceStack<float> conditional_;  ///< integral of each row up to a node, in columns; unnormalised over the row
-  std::vector<float> marginal_;    ///< integral over the rows up to a node, in rows; [slice][row], the last 1
+  struct Strip;
+  Strip strip(const SliceBlend& blend, std::size_t row) const;
+  double cells() const { return double(density_.width - 1) * double(density_.height - 1); }
+
+  SliceStack<float> density_, conditional_;
+  std::vector<float> marginal_;
 };
 
-}  // namespace gonio::io
+}  // namespace gonio

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/io/marginal_warp.h"
+#include "core/math/marginal_warp.h"
 
 #include <QTest>
 #include <cmath>
@@ -10,7 +10,6 @@
 
 namespace marginal_warp_test {
 using namespace gonio;
-using namespace gonio::io;
 
 constexpr SliceBlend firstSlice{1, {0}, {1}};
 
@@ -45,7 +44,7 @@ class MarginalWarpTest : public QObject {
   void uniformDensityIsTheIdentity() {
     const MarginalWarp warp({4, 3, std::vector<float>(12, 7)}, "d");
     for (const glm::dvec2 point : {glm::dvec2(0, 0), {0.3, 0.8}, {1, 1}, {0.5, 0}, {1.0 / 3, 0.5}})
-      QVERIFY(glm::length(warp.invert(firstSlice, point) - point) < 1e-6);
+      QVERIFY(glm::length(warp.invert(firstSlice, point).point - point) < 1e-6);
   }
 
   /// Density x y, closed form: both distributions are squares.
@@ -56,8 +55,8 @@ class MarginalWarpTest : public QObject {
     const MarginalWarp warp(density, "d");
     for (double x = 0; x <= 1; x += 0.0625)
       for (double y = 0.0625; y <= 1; y += 0.0625)
-        QVERIFY(glm::length(warp.invert(firstSlice, {x, y}) - glm::dvec2(x * x, y * y)) < 1e-6);
-    QVERIFY(warp.invert(firstSlice, {0.4, 0}) == glm::dvec2(0.4, 0));  // a row without density
+        QVERIFY(glm::length(warp.invert(firstSlice, {x, y}).point - glm::dvec2(x * x, y * y)) < 1e-6);
+    QVERIFY(warp.invert(firstSlice, {0.4, 0}).point == glm::dvec2(0.4, 0));  // a row without density
   }
 
   void blendOfSlicesAgainstBruteForce() {
@@ -76,8 +75,44 @@ class MarginalWarpTest : public QObject {
     const SliceBlend blend{2, {0, 1}, {0.3, 0.7}};
     for (const glm::dvec2 point : {glm::dvec2(0.2, 0.1), {0.5, 0.5}, {0.9, 0.33}, {0.7, 0.95}}) {
       const glm::dvec2 expected = bruteForce(density, blend, totals, point);
-      QVERIFY2(glm::length(warp.invert(blend, point) - expected) < 1e-4, std::to_string(point.x).c_str());
+      QVERIFY2(glm::length(warp.invert(blend, point).point - expected) < 1e-4, std::to_string(point.x).c_str());
     }
+  }
+
+  /// Drawing is the inverse of invert(), with the same density; also where rows, columns and cells are empty.
+  void samplesAreTheInverse() {
+    const MarginalWarp warp({3, 4, {0.1f, 2, 0, 0,    3,    1, 0, 0.2f, 4, 1, 1,    2,    // slice 0
+                                    5,    1, 0, 0.3f, 0.3f, 2, 0, 0,    0, 0, 0.5f, 1}},  // slice 1: an empty row
+                            "d");
+    for (const SliceBlend& blend : {SliceBlend{2, {0, 1}, {0.3, 0.7}}, firstSlice, SliceBlend{1, {1}, {1}}})
+      for (double y = 0; y <= 1; y += 1.0 / 64)
+        for (double x = 0; x <= 1; x += 1.0 / 64) {
+          const auto drawn = warp.sample(blend, {x, y});
+          QVERIFY(drawn.point.x >= 0 && drawn.point.x <= 1 && drawn.point.y >= 0 && drawn.point.y <= 1);
+          const auto back = warp.invert(blend, drawn.point);
+          QVERIFY(std::abs(back.density - drawn.density) < 1e-6 * (1 + drawn.density));
+          QVERIFY(std::abs(back.density - warp.density(blend, drawn.point)) < 1e-9 * (1 + back.density));
+          // The integrals are kept in float: where the density is small, many places have the same one.
+          QVERIFY(drawn.density * glm::length(back.point - glm::dvec2(x, y)) < 1e-5);
+        }
+  }
+
+  /// The density that invert() states is what the map stretches: brute-force difference quotients of it.
+  void densityIsTheJacobian() {
+    const MarginalWarp warp({3, 3, {0.1f, 2, 0.4f, 1, 3, 1, 2, 0.2f, 4}}, "d");
+    const double h = 1e-5;
+    for (const glm::dvec2 p : {glm::dvec2(0.2, 0.1), {0.7, 0.4}, {0.9, 0.8}}) {
+      const glm::dvec2 dx = warp.invert(firstSlice, p + glm::dvec2(h, 0)).point - warp.invert(firstSlice, p).point;
+      const glm::dvec2 dy = warp.invert(firstSlice, p + glm::dvec2(0, h)).point - warp.invert(firstSlice, p).point;
+      const double area = std::abs(dx.x * dy.y - dx.y * dy.x) / (h * h);
+      QVERIFY(std::abs(area / warp.invert(firstSlice, p).density - 1) < 1e-3);
+    }
+  }
+
+  void emptySlicesMayBeUniform() {
+    const MarginalWarp warp({2, 2, {0, 0, 0, 0, 1, 3, 1, 3}}, "d", MarginalWarp::EmptySlice::uniform);
+    QVERIFY(glm::length(warp.sample(firstSlice, {0.3, 0.8}).point - glm::dvec2(0.3, 0.8)) < 1e-6);
+    QVERIFY(std::abs(warp.density(firstSlice, {0.3, 0.8}) - 1) < 1e-6);
   }
 
   void parameterGridWeights() {

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/inspector/direction_order.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+
+namespace gonio::app {
+
+DirectionOrder::DirectionOrder(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_choice(new QComboBox) {
+  m_choice->addItem(tr("Viewer, as in Mitsuba and pbrt"));
+  m_choice->addItem(tr("Light, as stored in the file"));
+  m_choice->addItem(tr("Mean of both (reciprocal)"));
+  m_choice->setToolTip(
+      tr("The measurement is not reciprocal: it changes when light and viewer are exchanged.\n"
+         "This is the direction that is read as the file's incident direction."));
+  m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* layout = new QFormLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addRow(tr("&Incident"), m_choice);
+  connect(m_choice, &QComboBox::activated, this, [this](int index) { m_document.setIncident(IncidentSlot(index)); });
+  for (const auto signal : {&Document::materialChanged, &Document::editChanged, &Document::stateChanged})
+    connect(&m_document, signal, this, &DirectionOrder::refresh);
+  refresh();
+}
+
+void DirectionOrder::refresh() {
+  const auto base = m_document.base();
+  setVisible(base && base->asRgl());
+  m_choice->setCurrentIndex(int(m_document.state().incident));
+}
+
+}  // namespace gonio::app
+
+#include "moc_direction_order.cpp"

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+#include "app/gonio/document/document.h"
+
+class QComboBox;
+
+namespace gonio::app {
+
+/// Chooses which direction takes the place of the incident one in a measurement that is not reciprocal; hidden for all
+/// others.
+class DirectionOrder : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DirectionOrder(Document& document, QWidget* parent = nullptr);
+  QComboBox& choice() { return *m_choice; }
+
+ private:
+  void refresh();
+
+  Document& m_document;
+  QComboBox* m_choice;
+};
+
+}  // namespace gonio::app

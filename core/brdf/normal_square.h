@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/types.h"
+
+/// The unit square of half vectors (microfacet normals) in which densities of reflected directions are tabulated: x is
+/// sqrt(theta 2/pi), so that the highlight is finely resolved, y the azimuth over a whole turn, (phi + pi) / 2 pi.
+/// Dupuy and Jakob 2018, section 4.
+namespace gonio {
+
+/// @param half any length; @param turn azimuth that is subtracted, rad.
+inline glm::dvec2 toNormalSquare(const Direction& half, double turn) {
+  const double y = (azimuth(half) - turn + pi) / (2 * pi);
+  return {std::sqrt(polarAngle(half) * (2 / pi)), y - std::floor(y)};
+}
+
+inline Direction fromNormalSquare(const glm::dvec2& square, double turn) {
+  return fromSpherical(square.x * square.x * halfPi, 2 * pi * square.y - pi + turn);
+}
+
+/// Whether a sum of two unit vectors points to a normal above the surface.
+inline bool isHalfVector(const Direction& sum) {
+  constexpr double minSquaredLength = 1e-24;
+  return sum.z > 0 && glm::dot(sum, sum) > minSquaredLength;
+}
+
+/// The mirror image of a direction; the zero vector where it does not see the front of the normal.
+inline Direction reflected(const Direction& w, const Direction& normal) {
+  const double cosine = glm::dot(w, normal);
+  return cosine > 0 ? 2 * cosine * normal - w : Direction(0);
+}
+
+/// Area of the square that a solid angle of reflected directions covers, 1/sr.
+/// @param sum of the two directions; @param w one of them.
+inline double squarePerSolidAngle(const glm::dvec2& square, const Direction& sum, const Direction& w) {
+  // Within some nano-radians of the pole the map stretches without bound; nothing is drawn there.
+  constexpr double smallestStretch = 1e-12;
+  const double length = glm::length(sum);
+  const double sinTheta = std::sqrt(sum.x * sum.x + sum.y * sum.y) / length;
+  const double stretch = 2 * pi * pi * square.x * sinTheta;
+  const double cosD = std::abs(glm::dot(sum, w)) / length;
+  return 1 / (std::max(stretch, smallestStretch) * 4 * std::max(cosD, smallestStretch));
+}
+
+}  // namespace gonio

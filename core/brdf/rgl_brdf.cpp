@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/rgl_brdf.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/lobe_mixture.h"
+#include "core/brdf/normal_square.h"
+
+namespace gonio {
+
+namespace {
+
+using Tables = RglBrdf::Tables;
+
+/// Closer to the horizon (89.94 degrees) the stored product, which the instrument does not reach, is not divided
+/// further: quotients stay bounded.
+constexpr double minCosine = 1e-3;
+
+/// One slice, whatever the incident direction.
+constexpr SliceBlend onlySlice{1, {0}, {1}};
+
+/// The signs that bring an incident direction into the measured range of azimuths: half a turn, or a mirror image in
+/// one or both axes.
+glm::dvec2 intoRange(const RglData& data, const Direction& incident) {
+  if (data.azimuthReduction < 2) return {1, 1};
+  const double flipY = std::signbit(incident.y) ? 1 : -1;
+  return {data.azimuthReduction == 4 ? (std::signbit(incident.x) ? 1 : -1) : flipY, flipY};
+}
+
+Direction flipped(const Direction& w, const glm::dvec2& signs) { return {w.x * signs.x, w.y * signs.y, w.z}; }
+
+double turnOf(const RglData& data, double phiI) { return data.isotropic ? phiI : 0; }
+
+/// The value at the file's own incident and outgoing directions, without the cosine.
+Rgb stored(const Tables& tables, Direction incident, Direction outgoing) {
+  if (!(incident.z > horizonTolerance) || !(outgoing.z > horizonTolerance)) return Rgb(0);
+  const RglData& data = tables.data;
+  const glm::dvec2 signs = intoRange(data, incident);
+  incident = flipped(incident, signs);
+  outgoing = flipped(outgoing, signs);
+  const double thetaI = polarAngle(incident), phiI = azimuth(incident);
+  const glm::dvec2 normal = toNormalSquare(incident + outgoing, turnOf(data, phiI));
+
+  const SliceBlend blend = data.incident.blend(phiI, thetaI);
+  Rgb value = interpolate<Rgb>(data.rgb, blend, tables.visibleNormals.invert(blend, normal).point);
+  if (data.jacobian) {
+    const double sigma = interpolate<double>(data.sigma, onlySlice, toNormalSquare(incident, 0));
+    if (!(sigma > 0)) return Rgb(0);
+    value *= interpolate<double>(data.ndf, onlySlice, normal) / (4 * sigma);
+  }
+  return glm::max(value / std::max(outgoing.z, minCosine), Rgb(0));
+}
+
+/// Draws half vectors from the luminance over the square that the visible normals warp to.
+struct RglLobe {
+  const Tables& tables;
+
+  Direction sample(const Direction& wo, const glm::dvec2& u) const {
+    const glm::dvec2 signs = intoRange(tables.data, wo);
+    const Direction incident = flipped(wo, signs);
+    const double phiI = azimuth(incident);
+    const SliceBlend blend = tables.data.incident.blend(phiI, polarAngle(incident));
+    const glm::dvec2 warped = tables.luminance.sample(blend, u).point;
+    const glm::dvec2 square = tables.visibleNormals.sample(blend, warped).point;
+    return flipped(reflected(incident, fromNormalSquare(square, turnOf(tables.data, phiI))), signs);
+  }
+
+  double density(const Direction& w, const Direction& wo) const {
+    const glm::dvec2 signs = intoRange(tables.data, wo);
+    const Direction incident = flipped(wo, signs), sum = incident + flipped(w, signs);
+    if (!isHalfVector(sum)) return 0;
+    const double phiI = azimuth(incident);
+    const SliceBlend blend = tables.data.incident.blend(phiI, polarAngle(incident));
+    const glm::dvec2 square = toNormalSquare(sum, turnOf(tables.data, phiI));
+    const MarginalWarp::Sample normal = tables.visibleNormals.invert(blend, square);
+    return normal.density * tables.luminance.density(blend, normal.point) * squarePerSolidAngle(square, sum, incident);
+  }
+};
+
+LobeMixture<CosineLobe, RglLobe> lobesOf(const Tables& tables) {
+  constexpr double cosineShare = 0.1;
+  return {{cosineShare, 1 - cosineShare}, CosineLobe{}, RglLobe{tables}};
+}
+
+/// A file without a luminance of its own, and values that are none, leave the choice to the visible normals.
+SliceStack<float> luminanceOf(RglData& data) {
+  SliceStack<float> luminance = std::move(data.luminance);
+  for (float& value : luminance.values)
+    if (!(value >= 0) || !std::isfinite(value)) value = 0;
+  return luminance;
+}
+
+}  // namespace
+
+const char* incidentSlotId(IncidentSlot slot) {
+  switch (slot) {
+    case IncidentSlot::light:
+      return "light";
+    case IncidentSlot::mean:
+      return "mean";
+    default:
+      return "viewer";
+  }
+}
+
+std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentSlot slot) {
+  const RglBrdf* rgl = brdf->asRgl();
+  return rgl && rgl->incidentSlot() != slot ? rgl->withIncident(slot) : brdf;
+}
+
+RglBrdf::RglBrdf(RglData data, IncidentSlot slot) : slot_(slot) {
+  MarginalWarp normals(std::move(data.vndf), "vndf");
+  MarginalWarp luminance(luminanceOf(data), "luminance", MarginalWarp::EmptySlice::uniform);
+  tables_ = std::make_shared<const Tables>(Tables{std::move(data), std::move(normals), std::move(luminance)});
+}
+
+std::shared_ptr<const RglBrdf> RglBrdf::withIncident(IncidentSlot slot) const {
+  return std::shared_ptr<const RglBrdf>(new RglBrdf(tables_, slot));
+}
+
+void RglBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto& [wi, wo] = pairs[i];
+    switch (slot_) {
+      case IncidentSlot::viewer:
+        values[i] = stored(*tables_, wo, wi);
+        break;
+      case IncidentSlot::light:
+        values[i] = stored(*tables_, wi, wo);
+        break;
+      case IncidentSlot::mean:
+        values[i] = (stored(*tables_, wo, wi) + stored(*tables_, wi, wo)) / 2.0;
+        break;
+    }
+  }
+}
+
+DirectionSample RglBrdf::sample(const Direction& wo, const glm::dvec3& u) const {
+  return lobesOf(*tables_).sample(wo, u);
+}
+
+double RglBrdf::pdf(const Direction& wi, const Direction& wo) const { return lobesOf(*tables_).pdf(wi, wo); }
+
+}  // namespace gonio

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/io/image_io.h"
+#include "core/io/rgl_file.h"
+#include "core/rendering/environment_file.h"
+#include "core/rendering/render_picture.h"
+#include "core/rendering/scene_file.h"
+
+/// Pictures of RGL materials by Mitsuba 3 (data/renderings of the development data, where the README has the scene).
+namespace gonio::test {
+
+inline std::vector<std::string> mitsubaMaterials() {
+  return {"acrylic_felt_green", "aurora_white", "cc_iris_purple_gem", "chm_mint",
+          "leaf_maple",         "paper_blue",   "satin_purple",       "vch_golden_yellow"};
+}
+
+/// Energy of the difference over that of the picture, free of the noise of both by two seeds of each; a chance result
+/// may be negative.
+struct Parity {
+  double error = 0, standardError = 0;
+  static double decibels(double share) {
+    return share > 0 ? -10 * std::log10(share) : std::numeric_limits<double>::infinity();
+  }
+};
+
+/// Our pictures against Mitsuba's. A pixel of theirs that is no number (chm_mint has one) is left out.
+/// @param samples a pixel of ours, 256 x 256.
+inline Parity parityWithMitsuba(const std::filesystem::path& shared, const std::string& material, int samples,
+                                IncidentSlot slot = IncidentSlot::viewer) {
+  const auto brdf =
+      io::readRgl(io::FileSource(shared / "data/rgl" / (material + "_rgb.bsdf"))).brdf->withIncident(slot);
+  Scene scene = openScene("sphere", 1);
+  scene.environment = openEnvironment((shared / "data/environments/studio.hdr").string());
+  Image theirs[2], ours[2];
+  for (const int seed : {1, 2}) {
+    const std::string name = material + "." + std::to_string(seed) + ".exr";
+    theirs[seed - 1] = io::readImage(shared / "data/renderings" / name);
+    const Image& size = theirs[seed - 1];
+    ours[seed - 1] = renderPicture(
+        *brdf, scene, {.width = size.width, .height = size.height, .samples = samples, .seed = std::uint64_t(seed)});
+  }
+  double signal = 0, error = 0, squares = 0;
+  for (std::size_t i = 0; i < theirs[0].pixels.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double m1 = theirs[0].pixels[i][c], m2 = theirs[1].pixels[i][c];
+      if (!std::isfinite(m1 * m2)) continue;
+      signal += m1 * m2;
+      const double product = (m1 - ours[0].pixels[i][c]) * (m2 - ours[1].pixels[i][c]);
+      error += product;
+      squares += product * product;
+    }
+  return {error / signal, std::sqrt(squares) / signal};
+}
+
+}  // namespace gonio::test

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+#include <cmath>
+#include <random>
+
+#include "core/io/rgl_file.h"
+#include "core/metrics/image_metrics.h"
+#include "core/models/registry.h"
+#include "core/rendering/render_picture.h"
+#include "offscreen_context.h"
+#include "tests/core/io/synthetic_tensors.h"
+#include "tests/support/sphere_preview.h"
+#include "tests/support/test_program.h"
+#include "widgets/preview/gl/preview_renderer.h"
+
+namespace rgl_preview_test {
+using namespace gonio;
+namespace fs = std::filesystem;
+
+constexpr int side = 64, samples = 512;
+
+/// Smooth random tensors over a few azimuths and polar angles of incidence.
+std::shared_ptr<const RglBrdf> synthetic(const std::vector<float>& phis) {
+  test::SyntheticRgl rgl;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(0.3f, 1);
+  rgl.phis = phis;
+  rgl.thetas = {0, 0.5f, 1.1f, float(halfPi)};
+  const std::uint64_t slices = phis.size() * 4;
+  rgl.rgb.resize(slices * 12);
+  rgl.vndf.resize(slices * 9);
+  for (float& value : rgl.rgb) value = 0.1f * uniform(random);
+  for (float& value : rgl.vndf) value = uniform(random);
+  return io::readRgl(io::MemorySource(rgl.file())).brdf;
+}
+
+editing::Edit rougher() {
+  const models::Model& model = models::findModel("ggx");
+  editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
+  edit.edited = edit.fitted;
+  edit.edited.values[*model.spec().find("roughness")] = Rgb(0.5);
+  return {edit};
+}
+
+/// The shader's RGL files are those of core/brdf/rgl_brdf.h.
+class RglPreviewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    context_ = std::make_unique<test::OffscreenContext>();
+    if (!context_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
+    renderer_ = std::make_unique<widgets::PreviewRenderer>();
+    renderer_->initialize();
+  }
+  void cleanupTestCase() {
+    if (renderer_) renderer_->release();
+  }
+
+  void syntheticFiles_data() {
+    QTest::addColumn<std::vector<float>>("phis");
+    QTest::addRow("isotropic") << std::vector<float>{0};
+    QTest::addRow("isotropic, two azimuths") << std::vector<float>{float(-pi), float(pi)};
+    for (const int reduction : {1, 2, 4})
+      QTest::addRow("azimuth reduction %d", reduction)
+          << std::vector<float>{float(-pi), float(-pi + pi / reduction), float(-pi + 2 * pi / reduction)};
+  }
+  void syntheticFiles() {
+    QFETCH(std::vector<float>, phis);
+    const auto brdf = synthetic(phis);
+    verify({widgets::EditedMaterial{brdf}}, sphereScene(), 50);
+    // Divided by the viewer's cosine, so that the silhouette outshines everything: its pixels are sampled by chance.
+    for (const IncidentSlot slot : {IncidentSlot::light, IncidentSlot::mean})
+      verify({widgets::EditedMaterial{brdf->withIncident(slot)}}, sphereScene(), 24);
+    verify({widgets::EditedMaterial{brdf, {rougher()}}}, sphereScene(), 50);
+  }
+
+  /// Under one light, where nothing is drawn, and under the studio, where directions are.
+  void measuredFiles_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"vch_golden_yellow", "acrylic_felt_green", "satin_purple"})
+      QTest::newRow(name) << QString(name);
+  }
+  void measuredFiles() {
+    QFETCH(QString, name);
+    const fs::path path = fs::path(GONIO_SHARED_DIR) / "data/rgl" / (name.toStdString() + "_rgb.bsdf");
+    if (!fs::exists(path)) QSKIP("the development data is absent");
+    const auto brdf = io::readRgl(io::FileSource(path)).brdf;
+    verify({widgets::EditedMaterial{brdf}}, sphereScene(), 40);
+    verify({widgets::EditedMaterial{brdf}}, sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2}), 30);
+    verify({widgets::EditedMaterial{brdf, {rougher()}}}, sphereScene(), 40);
+  }
+
+ private:
+  void verify(widgets::PreviewSubject subject, const Scene& scene, double least) {
+    const auto brdf = widgets::subjectBrdf(subject);
+    subject.lobe = std::make_shared<const TabulatedLobe>(*brdf);
+    renderer_->setSubject(subject);
+    test::showSphere(*renderer_, scene);
+    renderer_->setSize({side, side});
+    for (int i = 0; i < samples / 64; ++i) renderer_->accumulate(64);
+    const Image expected = renderPicture(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7});
+    const double snr = metrics::signalToNoiseRatio(expected, renderer_->readPicture());
+    qInfo("%.1f dB", snr);
+    QVERIFY2(snr > least, qPrintable(QString("%1 dB").arg(snr)));
+  }
+
+  std::unique_ptr<test::OffscreenContext> context_;
+  std::unique_ptr<widgets::PreviewRenderer> renderer_;
+};
+
+GONIO_TEST(RglPreviewTest)
+}  // namespace rgl_preview_test
+
+#include "rgl_preview_test.moc"
