@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/brdf/lobe_square.h"
 #include "core/brdf/normal_square.h"
 #include "core/coordinates/azimuth_rotation.h"
 
@@ -14,22 +15,22 @@ namespace {
 
 /// Over which the values of an anisotropic BRDF are added.
 constexpr int anisotropicAzimuths = 8;
-/// The square of half vectors, finer still towards the normal: x is (theta 2/pi)^(1/4), which resolves mirrors.
-glm::dvec2 toLobeSquare(const glm::dvec2& normalSquare) { return {std::sqrt(normalSquare.x), normalSquare.y}; }
-glm::dvec2 toNormalSquare(const glm::dvec2& lobeSquare) { return {lobeSquare.x * lobeSquare.x, lobeSquare.y}; }
-/// Area of that square a solid angle of reflected directions, 1/sr.
-double lobeSquarePerSolidAngle(const glm::dvec2& lobeSquare, const Direction& sum, const Direction& w) {
-  constexpr double smallest = 1e-6;
-  return squarePerSolidAngle(toNormalSquare(lobeSquare), sum, w) / (2 * std::max(lobeSquare.x, smallest));
+constexpr double lastCosine = 1.6e-3;  // of a viewer: 89.9 degrees
+
+/// The viewers that one lies between: they are in steps of sqrt(1 - sqrt(cosine)), which are even angles near the
+/// normal and smaller ones towards the horizon, where lobes change fastest.
+SliceBlend viewersAbout(double cosine) {
+  constexpr auto last = TabulatedLobe::viewerCount - 1;
+  const double share = (1 - std::sqrt(std::clamp(cosine, lastCosine, 1.0))) / (1 - std::sqrt(lastCosine));
+  const double place = double(last) * std::sqrt(share);
+  const auto low = std::min(std::uint32_t(place), std::uint32_t(last - 1));
+  return {2, {low, low + 1}, {1 - (place - low), place - low}};
 }
 
-constexpr double lastViewer = halfPi * 0.999, spacing = 1.5;
-
-SliceBlend viewersAbout(double theta) {
-  const double place =
-      (TabulatedLobe::viewerCount - 1) * (1 - std::pow(std::max(0.0, 1 - theta / lastViewer), 1 / spacing));
-  const auto low = std::min(std::uint32_t(place), std::uint32_t(TabulatedLobe::viewerCount - 2));
-  return {2, {low, low + 1}, {1 - (place - low), place - low}};
+double viewerAngle(std::size_t viewer) {
+  const double place = double(viewer) / (TabulatedLobe::viewerCount - 1);
+  const double root = 1 - place * place * (1 - std::sqrt(lastCosine));
+  return std::acos(std::min(1.0, root * root));
 }
 
 SliceStack<float> densities(const Brdf& brdf) {
@@ -41,14 +42,14 @@ SliceStack<float> densities(const Brdf& brdf) {
   std::vector<Rgb> values(pairs.size()), sums(pairs.size());
   const int azimuths = brdf.isIsotropic() ? 1 : anisotropicAzimuths;
   for (std::size_t viewer = 0; viewer < viewers; ++viewer) {
-    const Direction wo = fromSpherical(TabulatedLobe::viewerAngle(viewer), 0);
+    const Direction wo = fromSpherical(viewerAngle(viewer), 0);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const glm::dvec2 square(double(i % columns) / (columns - 1), double(i / columns) / (rows - 1));
-      const Direction half = fromNormalSquare(toNormalSquare(square), 0);
+      const Direction half = fromLobeSquare(square, {1, 0});
       const Direction wi = reflected(wo, half);
       pairs[i] = {wi, wo};
       const bool seen = wi.z > 0 && square.x > 0;
-      perSquare[i] = seen ? wi.z / lobeSquarePerSolidAngle(square, wi + wo, wo) : 0;
+      perSquare[i] = seen ? wi.z / lobeSquarePerSolidAngle(square.x, glm::dot(half, wo)) : 0;
     }
     std::fill(sums.begin(), sums.end(), Rgb(0));
     for (int azimuth = 0; azimuth < azimuths; ++azimuth) {
@@ -68,20 +69,16 @@ SliceStack<float> densities(const Brdf& brdf) {
 
 TabulatedLobe::TabulatedLobe(const Brdf& brdf) : warp_(densities(brdf), "density", MarginalWarp::EmptySlice::uniform) {}
 
-double TabulatedLobe::viewerAngle(std::size_t viewer) {
-  return lastViewer * (1 - std::pow(1 - double(viewer) / (viewerCount - 1), spacing));
-}
-
 Direction TabulatedLobe::sample(const Direction& wo, const glm::dvec2& u) const {
-  const glm::dvec2 square = toNormalSquare(warp_.sample(viewersAbout(polarAngle(wo)), u).point);
-  return reflected(wo, fromNormalSquare(square, azimuth(wo)));
+  return reflected(wo, fromLobeSquare(warp_.sample(viewersAbout(wo.z), u).point, lobeAxis(wo)));
 }
 
 double TabulatedLobe::density(const Direction& w, const Direction& wo) const {
   const Direction sum = w + wo;
   if (!isHalfVector(sum)) return 0;
-  const glm::dvec2 square = toLobeSquare(gonio::toNormalSquare(sum, azimuth(wo)));
-  return warp_.density(viewersAbout(polarAngle(wo)), square) * lobeSquarePerSolidAngle(square, sum, wo);
+  const Direction half = sum / std::sqrt(glm::dot(sum, sum));
+  const glm::dvec2 square = toLobeSquare(half, lobeAxis(wo));
+  return warp_.density(viewersAbout(wo.z), square) * lobeSquarePerSolidAngle(square.x, glm::dot(half, wo));
 }
 
 bool areSimilar(const TabulatedLobe& a, const TabulatedLobe& b) {

@@ -11,7 +11,7 @@
 namespace gonio {
 
 /// A density for importance sampling any BRDF that has none of its own: its value times the cosine, tabulated
-/// for some viewers over a square of half vectors (as core/brdf/normal_square.h, finer near the normal) with the
+/// for some viewers over the unit square of half vectors (core/brdf/lobe_square.h) with the
 /// azimuth relative to the viewer's; of an anisotropic BRDF the mean over some azimuths. A lobe for LobeMixture; the
 /// preview's shader reads the same numbers. Draws whose half vector the viewer cannot see are lost (some per mille, at
 /// grazing viewers).
@@ -24,8 +24,6 @@ class TabulatedLobe {
   double density(const Direction& w, const Direction& wo) const;
 
   static constexpr std::size_t columns = 96, rows = 21, viewerCount = 24;
-  /// Polar angle of a viewer that is tabulated, rad: closer together towards the horizon, where lobes change fastest.
-  static double viewerAngle(std::size_t viewer);
   /// Slices are the viewers.
   const MarginalWarp& warp() const { return warp_; }
 

@@ -25,12 +25,6 @@ vec2 warpRow(sampler2D rows, float row, Slices at) {
   return value;
 }
 
-// The density of the unit square.
-float warpDensity(sampler3D cells, vec2 point, Slices at) {
-  vec2 size = vec2(textureSize(cells, 0).xy);
-  return warpNode(cells, clamp(point, 0.0, 1.0) * (size - 1.0), at).x * (size.x - 1.0) * (size.y - 1.0);
-}
-
 // Where the map takes a point.
 vec2 warpInverse(sampler3D cells, sampler2D rows, vec2 point, Slices at, out float density) {
   vec2 size = vec2(textureSize(cells, 0).xy);
@@ -52,29 +46,4 @@ vec2 warpInverse(sampler3D cells, sampler2D rows, vec2 point, Slices at, out flo
 float inverseOfRamp(float low, float high, float area) {
   float sum = low + sqrt(max(0.0, low * low + 2.0 * area * (high - low)));
   return sum > 0.0 ? clamp(2.0 * area / sum, 0.0, 1.0) : 0.0;
-}
-
-// A point drawn from the density.
-vec2 warpSample(sampler3D cells, sampler2D rows, vec2 u, Slices at) {
-  vec2 size = vec2(textureSize(cells, 0).xy);
-  float row = 0.0;
-  float beyond = size.y - 1.0;
-  while (beyond - row > 1.0) {
-    float middle = floor(0.5 * (row + beyond));
-    if (warpRow(rows, middle, at).y <= u.y) row = middle; else beyond = middle;
-  }
-  vec2 low = warpRow(rows, row, at);
-  float high = warpRow(rows, row + 1.0, at).x;
-  float y = inverseOfRamp(low.x, high, u.y - low.y);
-  float sought = u.x * mix(low.x, high, y);
-  float column = 0.0;
-  beyond = size.x - 1.0;
-  while (beyond - column > 1.0) {
-    float middle = floor(0.5 * (column + beyond));
-    if (warpNode(cells, vec2(middle, row + y), at).y <= sought) column = middle; else beyond = middle;
-  }
-  vec2 left = warpNode(cells, vec2(column, row + y), at);
-  float right = warpNode(cells, vec2(column + 1.0, row + y), at).x;
-  float x = inverseOfRamp(left.x, right, sought - left.y);
-  return vec2(column + x, row + y) / (size - 1.0);
 }

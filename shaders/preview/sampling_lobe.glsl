@@ -3,38 +3,95 @@
 // Twin of core/brdf/tabulated_lobe.h: a cosine part and half vectors drawn from the material's own values, tabulated for
 // some viewers.
 #include "preview/marginal_warp.glsl"
-#include "preview/normal_square.glsl"
+#include "math.glsl"
 
 uniform sampler3D lobeCells;
 uniform sampler2D lobeRows;
 uniform float lobeCosineShare;  // 1 while the lobe is not known
 
-Slices lobeSlices(vec3 wo) {
-  float count = float(textureSize(lobeCells, 0).z);
-  float theta = acuteAngle(length(wo.xy), wo.z);
-  float place = (count - 1.0) * (1.0 - pow(max(0.0, 1.0 - theta / (0.4995 * pi)), 1.0 / 1.5));
-  float at = (clamp(place, 0.0, count - 1.0) + 0.5) / count;
-  return Slices(at, at, 0.0);
+// Between which viewers one lies.
+float lobeViewer(float cosine) {
+  const float lastCosine = 1.6e-3;
+  float share = (1.0 - sqrt(clamp(cosine, lastCosine, 1.0))) / (1.0 - sqrt(lastCosine));
+  return sqrt(share) * float(textureSize(lobeCells, 0).z - 1);
+}
+
+vec2 lobeAxis(vec3 wo) {
+  float size = length(wo.xy);
+  return size > 0.0 ? wo.xy / size : vec2(1.0, 0.0);
+}
+
+// The last index whose integral is not above the number sought, of a row of the cells (mixed with the next by `share`).
+int lobeColumn(int slice, int row, float share, float sought) {
+  int low = 0;
+  int high = textureSize(lobeCells, 0).x - 1;
+  while (high - low > 1) {
+    int middle = (low + high) / 2;
+    float integral = mix(texelFetch(lobeCells, ivec3(middle, row, slice), 0).y,
+                         texelFetch(lobeCells, ivec3(middle, row + 1, slice), 0).y, share);
+    if (integral <= sought) low = middle; else high = middle;
+  }
+  return low;
+}
+
+int lobeRow(int slice, float sought) {
+  int low = 0;
+  int high = textureSize(lobeRows, 0).x - 1;
+  while (high - low > 1) {
+    int middle = (low + high) / 2;
+    if (texelFetch(lobeRows, ivec2(middle, slice), 0).y <= sought) low = middle; else high = middle;
+  }
+  return low;
+}
+
+// A point of the square drawn from the density of one viewer.
+vec2 drawnLobePoint(int slice, vec2 u) {
+  int row = lobeRow(slice, u.y);
+  vec2 lowRow = texelFetch(lobeRows, ivec2(row, slice), 0).xy;
+  float highRow = texelFetch(lobeRows, ivec2(row + 1, slice), 0).x;
+  float y = inverseOfRamp(lowRow.x, highRow, u.y - lowRow.y);
+  float sought = u.x * mix(lowRow.x, highRow, y);
+  int column = lobeColumn(slice, row, y, sought);
+  vec2 left = mix(texelFetch(lobeCells, ivec3(column, row, slice), 0).xy,
+                  texelFetch(lobeCells, ivec3(column, row + 1, slice), 0).xy, y);
+  float right = mix(texelFetch(lobeCells, ivec3(column + 1, row, slice), 0).x,
+                    texelFetch(lobeCells, ivec3(column + 1, row + 1, slice), 0).x, y);
+  float x = inverseOfRamp(left.x, right, sought - left.y);
+  return vec2(float(column) + x, float(row) + y) / vec2(textureSize(lobeCells, 0).xy - 1);
 }
 
 // A direction on the wrong side means that nothing was drawn.
 vec3 sampleLobe(vec3 wo, vec3 u) {
-  if (u.x >= lobeCosineShare) {
-    vec2 square = warpSample(lobeCells, lobeRows, u.yz, lobeSlices(wo));
-    square.x *= square.x;
-    vec3 normal = fromNormalSquare(square, azimuthOf(wo));
-    return dot(wo, normal) > 0.0 ? reflect(-wo, normal) : vec3(0.0, 0.0, -1.0);
+  if (u.x < lobeCosineShare) {
+    float r = sqrt(u.y);
+    return vec3(r * cos(2.0 * pi * u.z), r * sin(2.0 * pi * u.z), sqrt(max(0.0, 1.0 - u.y)));
   }
-  float r = sqrt(u.y);
-  return vec3(r * cos(2.0 * pi * u.z), r * sin(2.0 * pi * u.z), sqrt(max(0.0, 1.0 - u.y)));
+  // One of the two viewers about it is chosen: their densities blend all the same.
+  float place = lobeViewer(wo.z);
+  float chosen = (u.x - lobeCosineShare) / (1.0 - lobeCosineShare);
+  int slice = int(place) + (chosen < fract(place) ? 1 : 0);
+  vec2 square = drawnLobePoint(min(slice, textureSize(lobeCells, 0).z - 1), u.yz);
+  float t = square.x * square.x * square.x * square.x;
+  float phi = 2.0 * pi * square.y - pi;
+  vec2 axis = lobeAxis(wo);
+  vec2 around = vec2(axis.x * cos(phi) - axis.y * sin(phi), axis.y * cos(phi) + axis.x * sin(phi));
+  vec3 normal = vec3(2.0 * t * around, 1.0 - t * t) / (1.0 + t * t);
+  return dot(wo, normal) > 0.0 ? reflect(-wo, normal) : vec3(0.0, 0.0, -1.0);
 }
 
 // Density of sampleLobe at wi, 1/sr.
 float lobeDensity(vec3 wi, vec3 wo) {
   if (wi.z <= 0.0) return 0.0;
   vec3 normal = normalize(wi + wo);
-  vec2 square = toNormalSquare(normal, azimuthOf(wo));
-  float x = sqrt(square.x);
-  float tabulated = warpDensity(lobeCells, vec2(x, square.y), lobeSlices(wo)) * squarePerSolidAngle(square, normal, wo) / (2.0 * max(x, 1e-6));
+  vec2 axis = lobeAxis(wo);
+  float phi = atan(axis.x * normal.y - axis.y * normal.x, dot(axis, normal.xy));
+  float x = sqrt(sqrt(length(normal.xy) / (1.0 + normal.z)));
+  vec3 size = vec3(textureSize(lobeCells, 0));
+  vec2 place = vec2(x, (phi + pi) / (2.0 * pi)) * (size.xy - 1.0) + 0.5;
+  float cells = texture(lobeCells, vec3(place / size.xy, (lobeViewer(wo.z) + 0.5) / size.z)).x;
+  float x4 = x * x * x * x;
+  float one = 1.0 + x4 * x4;
+  float stretch = 32.0 * pi * x4 * x * x * x / (one * one);
+  float tabulated = cells * (size.x - 1.0) * (size.y - 1.0) / (max(stretch, 1e-20) * 4.0 * max(dot(normal, wo), 1e-6));
   return mix(tabulated, wi.z / pi, lobeCosineShare);
 }

@@ -8,6 +8,7 @@
 
 #include "core/dictionary/decode.h"
 #include "core/factorization/pdv_operations.h"
+#include "core/io/rgl_file.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/measured_library.h"
 #include "core/models/model.h"
@@ -82,6 +83,27 @@ void directionalFrame(benchmark::State& state) { runFrames(state, false, false);
 void directionalSliderStep(benchmark::State& state) { runFrames(state, false, true); }
 void environmentFrame(benchmark::State& state) { runFrames(state, true, false); }
 void environmentSliderStep(benchmark::State& state) { runFrames(state, true, true); }
+
+/// A measured RGL file in its own form, and as the table that stood for it: the baseline.
+void runRglFrames(benchmark::State& state, bool environment, bool asTable) {
+  const std::filesystem::path path = std::filesystem::path(GONIO_SHARED_DIR) / "data/rgl/satin_purple_rgb.bsdf";
+  if (!std::filesystem::exists(path)) return state.SkipWithError("the development data is absent");
+  PreviewFixture& fixture = PreviewFixture::instance();
+  std::shared_ptr<const Brdf> brdf = io::readRgl(io::FileSource(path)).brdf;
+  if (asTable) brdf = bakeTable(*brdf);
+  test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
+  fixture.renderer.setSubject(widgets::measuredSubject(brdf, std::make_shared<const TabulatedLobe>(*brdf)));
+  fixture.renderer.accumulate(1);
+  for (auto _ : state) {
+    fixture.renderer.restart();
+    fixture.renderer.accumulate(1);
+  }
+  fixture.show();
+}
+void directionalRglTable(benchmark::State& state) { runRglFrames(state, false, true); }
+void directionalRgl(benchmark::State& state) { runRglFrames(state, false, false); }
+void environmentRglTable(benchmark::State& state) { runRglFrames(state, true, true); }
+void environmentRgl(benchmark::State& state) { runRglFrames(state, true, false); }
 
 /// The drag of a factor curve: new curves, their texels, the first frame.
 void runFactorDrag(benchmark::State& state, bool environment) {
@@ -248,6 +270,10 @@ BENCHMARK(environmentFactorDrag)
 BENCHMARK(directionalFrame)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(directionalSliderStep)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(environmentFrame)->Arg(1)->Arg(16)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(directionalRglTable)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(directionalRgl)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(environmentRglTable)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(environmentRgl)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(environmentSliderStep)
     ->Arg(1)
     ->Arg(16)

@@ -14,7 +14,7 @@ class MitsubaParityTest : public QObject {
  private Q_SLOTS:
   void sameFileSamePicture_data() {
     QTest::addColumn<QString>("material");
-    for (const char* name : {"satin_purple", "vch_golden_yellow", "paper_blue"}) QTest::newRow(name) << QString(name);
+    for (const char* name : {"satin_purple", "acrylic_felt_green", "paper_blue"}) QTest::newRow(name) << QString(name);
   }
   void sameFileSamePicture() {
     QFETCH(QString, material);
