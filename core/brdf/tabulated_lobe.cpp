@@ -44,7 +44,8 @@ SliceStack<float> densities(const Brdf& brdf) {
   for (std::size_t viewer = 0; viewer < viewers; ++viewer) {
     const Direction wo = fromSpherical(viewerAngle(viewer), 0);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const glm::dvec2 square(double(i % columns) / (columns - 1), double(i / columns) / (rows - 1));
+      const std::size_t column = i % columns, row = i / columns;
+      const glm::dvec2 square(double(column) / (columns - 1), double(row) / (rows - 1));
       const Direction half = fromLobeSquare(square, {1, 0});
       const Direction wi = reflected(wo, half);
       pairs[i] = {wi, wo};
