@@ -23,7 +23,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   /// Draws the lone sphere in a distant light until it is told another scene.
   /// @param resources shared by the pictures of one context.
   explicit PreviewRenderer(std::shared_ptr<PreviewResources> resources = std::make_shared<PreviewResources>());
-  ~PreviewRenderer();
+  ~PreviewRenderer() override;
 
   /// @throws Error when the context has no OpenGL 4.1 core functions.
   void initialize();
