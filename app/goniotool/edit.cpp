@@ -17,6 +17,7 @@ struct EditArguments {
   std::string material, model, out;
   std::vector<std::string> set;
   double strength = 1;
+  std::string composition;
 };
 
 bool writesDocument(const EditArguments& options) { return editing::isDocumentName(options.out); }
@@ -114,7 +115,7 @@ int replayDocument(const EditArguments& options, const Tool& tool) {
 void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
                const std::vector<models::ClampedParameter>& clamped, std::size_t capped, const EditArguments& options,
                const Tool& tool) {
-  const auto& [model, before, after] = std::get<editing::DifferentialEdit>(edit.content);
+  const auto& [model, before, after, composition] = std::get<editing::DifferentialEdit>(edit.content);
   const models::ModelSpec& spec = model->spec();
   std::string text = options.out + ": " + std::string(spec.name) + "\n" + parametersText(spec, after);
   for (const models::ClampedParameter& one : clamped)
@@ -128,12 +129,23 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
          {"edited", parametersJson(spec, after)},
          {"errors", errorsJson(fitted.errors)},
          {"strength", edit.strength},
+         {"composition", editing::compositionIds[std::size_t(composition)]},
          {"clamped", clampedJson(clamped)},
          {"cappedValues", capped},
          {"averagedAzimuths", averaged ? editing::bakedAzimuths : 0},
          {"seconds", fitted.seconds},
          {"out", options.out}},
         text);
+}
+
+editing::Composition compositionOf(const EditArguments& options, const models::Model& model) {
+  if (options.composition.empty()) return editing::defaultComposition(model);
+  const auto found = std::ranges::find(editing::compositionIds, options.composition);
+  const auto composition = editing::Composition(found - editing::compositionIds.begin());
+  if (composition == editing::Composition::lobes && !model.hasLobes())
+    throw UsageError("edit: --compose lobes needs a model that is a sum of lobes (ggx, layered), found " +
+                     std::string(model.spec().id));
+  return composition;
 }
 
 int edit(const EditArguments& options, const Tool& tool) {
@@ -145,11 +157,12 @@ int edit(const EditArguments& options, const Tool& tool) {
   // Wrong assignments are told before the work starts.
   models::ParameterValues probe = models::defaultParameters(model.spec());
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, probe);
+  compositionOf(options, model);
 
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   const fitting::FitResult fitted = fitting::fit(*table, model, {}, tool.control("fitting"));
-  editing::DifferentialEdit change{&model, fitted.parameters, fitted.parameters};
+  editing::DifferentialEdit change{&model, fitted.parameters, fitted.parameters, compositionOf(options, model)};
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, change.edited);
   const auto clamped = models::clampToHardRange(model.spec(), change.edited);
   const editing::Edit edit{change, "", options.strength};
@@ -167,6 +180,10 @@ void addEdit(CLI::App& app, Tool& tool) {
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--model", options->model, "The model that is fitted")->check(CLI::IsMember(modelIds()));
   command->add_option("--set", options->set, "name=value or name=red,green,blue; several may follow");
+  command
+      ->add_option("--compose", options->composition,
+                   "How the change is brought to the material: additive, log-plus or lobes (the default of the model)")
+      ->check(CLI::IsMember(std::vector<std::string>(editing::compositionIds.begin(), editing::compositionIds.end())));
   command->add_option("--strength", options->strength, "Share of the change that is added (1)")
       ->check(CLI::Range(0.0, 1.0));
   command

@@ -54,10 +54,11 @@ int main(int argc, char** argv) {
   app.add_flag("--json", tool.json, "Results as JSON on standard output");
   app.add_flag("--progress", tool.showProgress, "Progress on standard error even where that is no terminal");
   app.add_option("--threads", tool.threads, "Number of threads (all cores)")->check(CLI::Range(1, 4096));
-  app.footer(
-      "A MATERIAL is a file (" + formatsText() + "; found by\ncontent), a " + std::string(editing::documentSuffix) +
-      " document, or a bundled material such as library:sgd/chrome or\nlibrary:rgl/paper_blue. Exit code: 0 success, 1 "
-      "failure, 2 wrong usage.");
+  app.footer("A MATERIAL is a file (" + formatsText() + "; found by\ncontent), a " +
+             std::string(editing::documentSuffix) +
+             " document, or a bundled material such as library:merl-copy/chrome or\nlibrary:rgl/paper_blue. Exit code: "
+             "0 success, 1 "
+             "failure, 2 wrong usage.");
   for (const auto add :
        {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit, tool::addEdit,
         tool::addFactor, tool::addDictionary, tool::addEncode, tool::addDecode, tool::addInterpolate, tool::addPlan,

@@ -8,7 +8,7 @@
 
 namespace gonio::tool {
 
-inline constexpr const char* materialHelp = "A material: a file, a .gonio document, or library:sgd/NAME";
+inline constexpr const char* materialHelp = "A material: a file, a .gonio document, or library:SOURCE/NAME";
 
 /// Whether it is a .gonio document, by its content (JSON). A file that cannot be read is none.
 bool isDocument(const std::string& argument);

@@ -43,8 +43,8 @@ MeasuredValues measure(const Brdf& material, const SamplingPlan& plan, const Mea
   MeasuredValues measured;
   for (const PlannedSample& sample : plan.samples) {
     const glm::dvec2 ofLight = pair(), ofViewer = pair();
-    const Rgb value = material.evaluate(turned(sample.directions.wi, noise.misalignment * ofLight),
-                                        turned(sample.directions.wo, noise.misalignment * ofViewer));
+    const Rgb value = glm::max(Rgb(0), material.evaluate(turned(sample.directions.wi, noise.misalignment * ofLight),
+                                                         turned(sample.directions.wo, noise.misalignment * ofViewer)));
     Rgb reading, deviation;
     for (int channel = 0; channel < 3; ++channel) {
       deviation[channel] = std::hypot(noise.relative * value[channel], noise.absolute);

@@ -18,7 +18,8 @@ class Brdf {
   virtual ~Brdf() = default;
 
   /// Evaluates pairs.size() pairs into `values` (same size). A pair with a direction below the horizon, and one
-  /// without a half vector, gives 0. Never non-finite.
+  /// without a half vector, gives 0. Never non-finite. A channel is negative only where a measurement holds a colour
+  /// outside the sRGB gamut (RglBrdf): what takes a logarithm or a root sets it to 0 first.
   virtual void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const = 0;
 
   /// One pair. For many pairs the batch form is faster.

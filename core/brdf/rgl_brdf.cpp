@@ -50,7 +50,7 @@ Rgb stored(const Tables& tables, Direction incident, Direction outgoing) {
     if (!(sigma > 0)) return Rgb(0);
     value *= interpolate<double>(data.ndf, onlySlice, normal) / (4 * sigma);
   }
-  return glm::max(value / std::max(outgoing.z, minCosine), Rgb(0));
+  return value / std::max(outgoing.z, minCosine);
 }
 
 /// Draws half vectors from the luminance over the square that the visible normals warp to.
@@ -93,6 +93,25 @@ SliceStack<float> luminanceOf(RglData& data) {
 }
 
 }  // namespace
+
+SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGrid& incident, bool isotropic) {
+  const std::size_t columns = ndf.width, rows = isotropic ? ndf.width : ndf.height;
+  SliceStack<float> result{columns, rows, {}};
+  result.values.reserve(incident.slices() * rows * columns);
+  for (const float phi : incident.phis())
+    for (const float theta : incident.thetas()) {
+      const Direction w = fromSpherical(theta, phi);
+      for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < columns; ++column) {
+          const glm::dvec2 square(double(column) / double(columns - 1), double(row) / double(rows - 1));
+          const Direction normal = fromNormalSquare(square, isotropic ? phi : 0);
+          const double stretch = square.x * std::hypot(normal.x, normal.y);
+          const double density = interpolate<double>(ndf, onlySlice, square) * std::max(0.0, glm::dot(w, normal));
+          result.values.push_back(float(density * stretch));
+        }
+    }
+  return result;
+}
 
 const char* incidentSlotId(IncidentSlot slot) {
   switch (slot) {

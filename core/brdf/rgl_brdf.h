@@ -25,6 +25,10 @@ struct RglData {
   bool jacobian = true;  ///< rgb is divided by ndf / (4 sigma)
 };
 
+/// The field `vndf` of a distribution of normals: D(m) max(0, w_i . m) du for each incident direction, of any scale
+/// (Dupuy and Jakob 2018, eq. 8). Of an isotropic file, whose distribution has two rows, as many rows as columns.
+SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGrid& incident, bool isotropic);
+
 /// Which direction takes the place of a file's incident direction. It matters where a measurement is not reciprocal.
 enum class IncidentSlot {
   viewer,  ///< wo, as in Mitsuba and pbrt, which sample the light from the viewer
@@ -39,8 +43,9 @@ std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf
 
 /// A material of the EPFL RGL database in its own adaptive parameterisation: Dupuy and Jakob, "An Adaptive
 /// Parameterization for Efficient Material Acquisition and Rendering" (2018), section 5. What the file stores includes
-/// the cosine of its outgoing direction, so that evaluation divides by it (by 0.001 at least); negative values become
-/// 0, directions on the horizon give 0. Not exactly reciprocal, as measured. About 0.2 us a pair.
+/// the cosine of its outgoing direction, so that evaluation divides by it (by 0.001 at least); directions on the
+/// horizon give 0. A channel may be negative: colours outside the sRGB gamut, kept as Mitsuba keeps them, since cut
+/// values would add up to another colour. Not exactly reciprocal, as measured. About 0.2 us a pair.
 class RglBrdf final : public Brdf {
  public:
   /// @throws Error where the vndf or the luminance is no density.

@@ -2,22 +2,30 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include "core/editing/composition.h"
 #include "core/models/model.h"
 
 namespace gonio::editing {
 
-/// A differential edit (Tongbuasirilai 2023, section 4.4.1, eq. 4.40-4.41, the sign of the residual kept): the change
-/// of a fitted model is added to the measurement,
-///   edited = max(0, measured + strength (model(edited) - model(fitted))),
-/// so that what the model does not explain survives.
+/// A differential edit: the change of a fitted model is brought to the measurement,
+///   edited = max(0, measured + strength change(measured, model(edited), model(fitted))),
+/// so that what the model does not explain survives. Composition has the three changes; the published one
+/// (Tongbuasirilai 2023, section 4.4.1, eq. 4.40-4.41, the sign of the residual kept) is additive.
 struct DifferentialEdit {
   const models::Model* model = nullptr;
   models::ParameterValues fitted;
   models::ParameterValues edited;
+  Composition composition = Composition::additive;
 
   /// Whether the edited model is the fitted one.
   bool isIdentity() const { return edited == fitted; }
   bool operator==(const DifferentialEdit&) const = default;
 };
+
+/// By lobes where the model is a sum of them, else log-plus: both stay believable further from the fit than the
+/// additive edit does (docs/results/compositions.md).
+inline Composition defaultComposition(const models::Model& model) {
+  return model.hasLobes() ? Composition::lobes : Composition::logPlus;
+}
 
 }  // namespace gonio::editing

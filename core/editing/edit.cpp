@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "core/coordinates/azimuth_rotation.h"
+#include "core/editing/lobe_change.h"
 #include "core/math/parallel.h"
 
 namespace gonio::editing {
@@ -21,12 +22,20 @@ constexpr std::size_t chunkSize = 64;
 
 /// An edit that changes something, ready to evaluate.
 struct ActiveEdit {
-  std::shared_ptr<const Brdf> edited;
-  std::shared_ptr<const Brdf> fitted;  ///< null: `edited` takes the place of the base
-  double strength;
+  std::shared_ptr<const Brdf> edited = {};
+  std::shared_ptr<const Brdf> fitted = {};  ///< null: `edited` takes the place of the base
+  double strength = 1;
+  Composition composition = Composition::additive;
+  std::shared_ptr<const LobeChange> lobes = {};  ///< of Composition::lobes, which looks at other directions too
 
-  bool isIsotropic() const { return edited->isIsotropic() && (!fitted || fitted->isIsotropic()); }
-  bool isReciprocal() const { return edited->isReciprocal() && (!fitted || fitted->isReciprocal()); }
+  bool isIsotropic() const {
+    if (lobes) return lobes->isIsotropic();
+    return edited->isIsotropic() && (!fitted || fitted->isIsotropic());
+  }
+  bool isReciprocal() const {
+    if (lobes) return lobes->isReciprocal();
+    return edited->isReciprocal() && (!fitted || fitted->isReciprocal());
+  }
 };
 
 bool allIsotropic(std::span<const ActiveEdit> edits) {
@@ -35,7 +44,9 @@ bool allIsotropic(std::span<const ActiveEdit> edits) {
 
 ActiveEdit activated(const DifferentialEdit& edit, double strength) {
   assert(edit.model);
-  return {edit.model->instantiate(edit.edited), edit.model->instantiate(edit.fitted), strength};
+  if (edit.composition == Composition::lobes)
+    return {.strength = strength, .composition = edit.composition, .lobes = std::make_shared<const LobeChange>(edit)};
+  return {edit.model->instantiate(edit.edited), edit.model->instantiate(edit.fitted), strength, edit.composition};
 }
 
 ActiveEdit activated(const FactorEdit& edit, double strength) {
@@ -53,8 +64,17 @@ std::vector<ActiveEdit> activate(std::span<const Edit> edits) {
   return active;
 }
 
-/// Adds the edits to `values`, which hold the base, for at most chunkSize pairs. The two model values are subtracted
-/// first: where the edit leaves the model as it is, exactly 0 is added and the base survives bit for bit.
+/// `value` changed, not below the floor, save where the base is below it already, which then gets no lower.
+Rgb changed(const Rgb& value, const Rgb& change, const Rgb& floor) {
+  return glm::max(glm::min(floor, value), value + change);
+}
+
+/// What a composition adds: exactly 0 where the edit leaves the model as it is, so that the base survives bit for bit.
+Rgb changeOf(const ActiveEdit& edit, const Rgb& value, const Rgb& edited, const Rgb& fitted) {
+  return edit.composition == Composition::logPlus ? logPlusChange(value, edited, fitted) : edited - fitted;
+}
+
+/// Adds edits that look at no other directions to `values`, which hold the base, for at most chunkSize pairs.
 void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> pairs, std::span<Rgb> values,
               const Rgb& floor = Rgb(0)) {
   std::array<Rgb, chunkSize> edited, fitted;
@@ -62,15 +82,16 @@ void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> 
     edit.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
     if (!edit.fitted) {
       for (std::size_t i = 0; i < pairs.size(); ++i)
-        values[i] = glm::max(floor, (1 - edit.strength) * values[i] + edit.strength * edited[i]);
+        values[i] = glm::max(glm::min(floor, values[i]), (1 - edit.strength) * values[i] + edit.strength * edited[i]);
       continue;
     }
     edit.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
     for (std::size_t i = 0; i < pairs.size(); ++i)
-      values[i] = glm::max(floor, values[i] + edit.strength * (edited[i] - fitted[i]));
+      values[i] = changed(values[i], edit.strength * changeOf(edit, values[i], edited[i], fitted[i]), floor);
   }
 }
 
+/// A base with one edit by lobes, or with any number of others.
 class EditedBrdf final : public Brdf {
  public:
   EditedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> edits, double floor)
@@ -96,9 +117,19 @@ class EditedBrdf final : public Brdf {
     base_->evaluate(pairs, values);
     std::array<bool, chunkSize> known;
     for (std::size_t i = 0; i < pairs.size(); ++i) known[i] = values[i] != Rgb(0) || base_->hasData(pairs[i]);
-    addEdits(edits_, pairs, values, floor_);
+    if (edits_.front().lobes)
+      addLobes(pairs, values);
+    else
+      addEdits(edits_, pairs, values, floor_);
     for (std::size_t i = 0; i < pairs.size(); ++i)
       if (!known[i]) values[i] = Rgb(0);
+  }
+
+  void addLobes(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
+    std::array<Rgb, chunkSize> changes{};
+    const ActiveEdit& edit = edits_.front();
+    edit.lobes->evaluate(*base_, pairs, values, std::span(changes).first(pairs.size()));
+    for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = changed(values[i], edit.strength * changes[i], floor_);
   }
 
   std::shared_ptr<const Brdf> base_;
@@ -122,6 +153,18 @@ void addAveragedEdits(std::span<const ActiveEdit> edits, std::span<const Directi
   for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = sums[i] / double(bakedAzimuths);
 }
 
+/// The mean of a BRDF over the azimuths, for at most chunkSize pairs.
+void evaluateMean(const Brdf& brdf, int azimuths, std::span<const DirectionPair> pairs, std::span<Rgb> values) {
+  std::array<DirectionPair, chunkSize> turned;
+  std::array<Rgb, chunkSize> edited, sums{};
+  for (int n = 0; n < azimuths; ++n) {
+    std::transform(pairs.begin(), pairs.end(), turned.begin(), AzimuthRotation(pi * n / azimuths));
+    brdf.evaluate(std::span(turned).first(pairs.size()), std::span(edited).first(pairs.size()));
+    for (std::size_t i = 0; i < pairs.size(); ++i) sums[i] += edited[i];
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = sums[i] / double(azimuths);
+}
+
 /// The directions of a node as bakeTable() evaluates them: rounding must not push a node on the horizon below it.
 DirectionPair bakeDirections(const HalfDifferenceGrid& grid, std::size_t cell) {
   DirectionPair pair = grid.directions(cell);
@@ -141,9 +184,21 @@ std::size_t store(const Rgb& value, TabulatedBrdf::Value& stored) {
   return capped;
 }
 
-std::shared_ptr<const Brdf> editedBrdf(std::shared_ptr<const Brdf> base, std::vector<ActiveEdit> active, double floor) {
-  if (active.empty()) return base;
-  return std::make_shared<const EditedBrdf>(std::move(base), std::move(active), floor);
+/// One EditedBrdf after another: an edit by lobes asks the ones before it for other directions.
+std::shared_ptr<const Brdf> editedBrdf(std::shared_ptr<const Brdf> base, const std::vector<ActiveEdit>& active,
+                                       double floor) {
+  std::vector<ActiveEdit> together;
+  const auto flush = [&] {
+    if (!together.empty()) base = std::make_shared<const EditedBrdf>(std::move(base), std::move(together), floor);
+    together.clear();
+  };
+  for (const ActiveEdit& edit : active) {
+    if (edit.lobes) flush();
+    together.push_back(edit);
+    if (edit.lobes) flush();
+  }
+  flush();
+  return base;
 }
 
 std::shared_ptr<const TabulatedBrdf> bake(const std::shared_ptr<const TabulatedBrdf>& base,
@@ -156,6 +211,8 @@ std::shared_ptr<const TabulatedBrdf> bake(const std::shared_ptr<const TabulatedB
   std::vector<std::uint8_t> valid(base->valid().begin(), base->valid().end());
   std::atomic<std::size_t> capped = 0;
   const bool isotropic = allIsotropic(active);
+  const bool hasLobes = std::ranges::any_of(active, [](const ActiveEdit& edit) { return edit.lobes != nullptr; });
+  const std::shared_ptr<const Brdf> nested = hasLobes ? editedBrdf(base, active, 0) : nullptr;
   const auto bakeCells = [&](std::span<const std::size_t> cells) {
     std::array<DirectionPair, chunkSize> pairs;
     std::array<Rgb, chunkSize> values;
@@ -165,7 +222,9 @@ std::shared_ptr<const TabulatedBrdf> bake(const std::shared_ptr<const TabulatedB
     }
     const auto chunkPairs = std::span(pairs).first(cells.size());
     const auto chunkValues = std::span(values).first(cells.size());
-    if (isotropic)
+    if (nested)
+      evaluateMean(*nested, isotropic ? 1 : bakedAzimuths, chunkPairs, chunkValues);
+    else if (isotropic)
       addEdits(active, chunkPairs, chunkValues);
     else
       addAveragedEdits(active, chunkPairs, chunkValues);

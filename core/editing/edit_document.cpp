@@ -35,7 +35,8 @@ nlohmann::json toJson(const DifferentialEdit& edit) {
   return {{"type", differentialType},
           {"model", spec.id},
           {"fitted", models::parametersToJson(spec, edit.fitted)},
-          {"edited", models::parametersToJson(spec, edit.edited)}};
+          {"edited", models::parametersToJson(spec, edit.edited)},
+          {"composition", compositionIds[std::size_t(edit.composition)]}};
 }
 
 nlohmann::json toJson(const Edit& edit) {
@@ -54,6 +55,16 @@ const models::Model& modelFromJson(const JsonObject& object) {
   }
 }
 
+Composition compositionFromJson(const JsonObject& object, const models::Model& model) {
+  const std::string id = object.text("composition");
+  const auto found = std::ranges::find(compositionIds, id);
+  if (found == compositionIds.end()) object.fail("composition", "additive, log-plus or lobes");
+  const auto composition = Composition(found - compositionIds.begin());
+  if (composition == Composition::lobes && !model.hasLobes())
+    object.fail("composition", "additive or log-plus: " + std::string(model.spec().id) + " is no sum of lobes");
+  return composition;
+}
+
 DifferentialEdit differentialEditFromJson(const JsonObject& object) {
   DifferentialEdit edit;
   edit.model = &modelFromJson(object);
@@ -62,6 +73,7 @@ DifferentialEdit differentialEditFromJson(const JsonObject& object) {
   };
   edit.fitted = values("fitted");
   edit.edited = values("edited");
+  if (object.contains("composition")) edit.composition = compositionFromJson(object, *edit.model);
   return edit;
 }
 

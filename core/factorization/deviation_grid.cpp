@@ -29,7 +29,8 @@ double energyAt(const Brdf& brdf, double deviation) {
   std::vector<Rgb> values(pairs.size());
   brdf.evaluate(pairs, values);
   double sum = 0;
-  for (const Rgb& value : values) sum += std::log1p(value.x) + std::log1p(value.y) + std::log1p(value.z);
+  for (const Rgb& value : values)
+    for (int channel = 0; channel < 3; ++channel) sum += std::log1p(std::max(0.0, value[channel]));
   return pairs.empty() ? 0 : sum;
 }
 

@@ -78,7 +78,8 @@ FitResult fit(const FitData& data, const models::Model& model, const TaskControl
   result.invalidCells = data.census().invalid;
   result.grazingCells = data.census().grazing;
   result.warnings = data.warnings();
-  result.parameters = fitParameters(data, model, baseParameters(model.spec(), choices), control.stop, progress);
+  result.parameters =
+      model.canonical(fitParameters(data, model, baseParameters(model.spec(), choices), control.stop, progress));
   result.cancelled = control.stop.stop_requested();
   result.errors = metrics::brdfErrors(data.table(), *model.instantiate(result.parameters), data.options().maxPolarAngle,
                                       data.options().gamma);

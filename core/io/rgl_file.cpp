@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "core/io/format_mismatch.h"
 #include "core/io/tensor_file.h"
@@ -16,7 +15,7 @@ namespace {
 using Shape = std::vector<std::uint64_t>;
 
 void requireShape(const TensorFile& file, std::string_view name, const Shape& expected) {
-  const Tensor& tensor = file.field(name, TensorType::float32, expected.size());
+  const Tensor& tensor = file.floatField(name, expected.size());
   if (tensor.shape == expected) return;
   Tensor wanted = tensor;
   wanted.shape = expected;
@@ -25,7 +24,7 @@ void requireShape(const TensorFile& file, std::string_view name, const Shape& ex
 
 /// The sizes of a field's last two dimensions, each at least 2.
 glm::u64vec2 gridSize(const TensorFile& file, std::string_view name, std::size_t dimensions) {
-  const Tensor& tensor = file.field(name, TensorType::float32, dimensions);
+  const Tensor& tensor = file.floatField(name, dimensions);
   const std::uint64_t height = tensor.shape[dimensions - 2], width = tensor.shape[dimensions - 1];
   if (height < 2 || width < 2)
     throw FormatMismatch("'" + std::string(name) + "' " + tensor.describe(), "last sizes of at least 2");
@@ -60,15 +59,29 @@ SliceStack<glm::vec3> colours(const TensorFile& file, std::uint64_t& negativeCou
   return result;
 }
 
-/// The field `luminance`, [phi][theta][row][column], as it is; four nodes of 0 a slice where there is none.
-SliceStack<float> luminance(const TensorFile& file, const Shape& slices) {
-  if (!file.contains("luminance")) return {2, 2, std::vector<float>(slices[0] * slices[1] * 4)};
+/// The field `luminance`, [phi][theta][row][column], as it is; of the colours where there is none.
+SliceStack<float> luminance(const TensorFile& file, const Shape& slices, const SliceStack<glm::vec3>& rgb) {
+  if (!file.contains("luminance")) {
+    SliceStack<float> result{rgb.width, rgb.height, std::vector<float>(rgb.values.size())};
+    std::ranges::transform(rgb.values, result.values.begin(),
+                           [](const glm::vec3& value) { return std::max(0.0f, float(gonio::luminance(Rgb(value)))); });
+    return result;
+  }
   const glm::u64vec2 size = gridSize(file, "luminance", 4);
   requireShape(file, "luminance", {slices[0], slices[1], size.y, size.x});
-  const Tensor& tensor = file.field("luminance", TensorType::float32, 4);
-  SliceStack<float> result{size.x, size.y, std::vector<float>(tensor.count())};
-  std::memcpy(result.values.data(), tensor.bytes.data(), tensor.bytes.size());
-  return result;
+  return {size.x, size.y, file.floatField("luminance", 4).floats()};
+}
+
+/// The field `vndf`, [phi][theta][row][column]; where there is none, the visible normals of the distribution
+/// `visible_ndf`, or of `ndf`.
+SliceStack<float> vndf(const TensorFile& file, const Shape& slices, const RglData& data) {
+  if (!file.contains("vndf")) {
+    const bool differs = file.contains("visible_ndf");
+    return visibleNormals(differs ? stack(file, "visible_ndf", 2) : data.ndf, data.incident, data.isotropic);
+  }
+  const glm::u64vec2 size = gridSize(file, "vndf", 4);
+  requireShape(file, "vndf", {slices[0], slices[1], size.y, size.x});
+  return stack(file, "vndf", 4);
 }
 
 int reductionOf(const std::vector<float>& phis) {
@@ -94,8 +107,7 @@ RglFile readRgl(const ByteSource& source) {
   data.azimuthReduction = reductionOf(phis);
 
   const std::uint64_t phiCount = phis.size(), thetaCount = data.incident.slices() / phis.size();
-  const glm::u64vec2 warpSize = gridSize(file, "vndf", 4), colourSize = gridSize(file, "rgb", 5);
-  requireShape(file, "vndf", {phiCount, thetaCount, warpSize.y, warpSize.x});
+  const glm::u64vec2 colourSize = gridSize(file, "rgb", 5);
   requireShape(file, "rgb", {phiCount, thetaCount, 3, colourSize.y, colourSize.x});
   const Tensor& jacobian = file.field("jacobian", TensorType::uint8, 1);
   if (jacobian.bytes.size() != 1) throw FormatMismatch("'jacobian' " + jacobian.describe(), "one value");
@@ -103,11 +115,11 @@ RglFile readRgl(const ByteSource& source) {
   data.jacobian = jacobian.bytes[0] != std::byte{0};
   data.ndf = stack(file, "ndf", 2);
   data.sigma = stack(file, "sigma", 2);
-  data.vndf = stack(file, "vndf", 4);
-  data.luminance = luminance(file, {phiCount, thetaCount});
+  data.vndf = vndf(file, {phiCount, thetaCount}, data);
   data.rgb = colours(file, result.negativeCount);
+  data.luminance = luminance(file, {phiCount, thetaCount}, data.rgb);
   result.description = file.text("description");
-  for (const std::uint64_t size : file.field("rgb", TensorType::float32, 5).shape) result.grid.push_back(int(size));
+  for (const std::uint64_t size : file.floatField("rgb", 5).shape) result.grid.push_back(int(size));
   result.brdf = std::make_shared<const RglBrdf>(std::move(data));
   return result;
 }

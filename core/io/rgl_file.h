@@ -19,8 +19,9 @@ struct RglFile {
   std::uint64_t negativeCount = 0;  ///< negative values in `rgb`
 };
 
-/// Reads an `_rgb` file of the database, isotropic or anisotropic. A luminance that is missing, 0 or not finite serves
-/// sampling alone and is done without.
+/// Reads an `_rgb` file of the database, isotropic or anisotropic. A luminance serves sampling alone: where it is 0 or
+/// not finite the visible normals are sampled. A file without `luminance` and `vndf`, such as the bundled ones
+/// (scripts/bundle_rgl.py), has them computed from its colours and from `ndf` (or `visible_ndf`, of the same layout).
 /// @throws FormatMismatch; Error naming the first value that is not finite.
 RglFile readRgl(const ByteSource& source);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 
 #include "core/io/format_mismatch.h"
 
@@ -99,6 +100,18 @@ void expectTensorFile(const ByteSource& source) {
 
 std::uint64_t Tensor::count() const { return bytes.size() / typeBytes[std::size_t(type)]; }
 
+std::vector<float> Tensor::floats() const {
+  std::vector<float> values(count());
+  if (type == TensorType::float32 && !values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
+  if (type == TensorType::float16)
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      std::uint16_t half;
+      std::memcpy(&half, bytes.data() + i * sizeof half, sizeof half);
+      values[i] = glm::unpackHalf1x16(half);
+    }
+  return values;
+}
+
 std::string Tensor::describe() const {
   std::string text = typeNames[std::size_t(type)];
   for (std::size_t i = 0; i < shape.size(); ++i) text += (i == 0 ? " " : " x ") + std::to_string(shape[i]);
@@ -132,14 +145,19 @@ const Tensor& TensorFile::field(std::string_view name, TensorType type, std::siz
 }
 
 std::vector<float> TensorFile::floats(std::string_view name, std::size_t dimensions) const {
-  const Tensor& tensor = field(name, TensorType::float32, dimensions);
-  std::vector<float> values(tensor.count());
-  if (!values.empty()) std::memcpy(values.data(), tensor.bytes.data(), tensor.bytes.size());
+  const Tensor& tensor = floatField(name, dimensions);
+  const std::vector<float> values = tensor.floats();
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
       throw Error("value " + std::to_string(i) + " of '" + std::string(name) + "' (" + tensor.describe() + ") is " +
                   std::to_string(values[i]) + ", expected a finite number");
   return values;
+}
+
+const Tensor& TensorFile::floatField(std::string_view name, std::size_t dimensions) const {
+  const auto found = fields_.find(name);
+  const bool isHalf = found != fields_.end() && found->second.type == TensorType::float16;
+  return field(name, isHalf ? TensorType::float16 : TensorType::float32, dimensions);
 }
 
 std::string TensorFile::text(std::string_view name) const {

@@ -36,6 +36,8 @@ struct Tensor {
   std::span<const std::byte> bytes;  ///< inside the TensorFile, which must live on
 
   std::uint64_t count() const;
+  /// The numbers of a float16 or float32 tensor, finite or not; 0 of all other types.
+  std::vector<float> floats() const;
   /// "float32 1 x 8 x 128 x 128"
   std::string describe() const;
 };
@@ -56,7 +58,9 @@ class TensorFile {
   /// The field, with this type and this many dimensions.
   /// @throws FormatMismatch telling what the file has instead.
   const Tensor& field(std::string_view name, TensorType type, std::size_t dimensions) const;
-  /// A float32 field as numbers. @throws FormatMismatch as field(); Error naming the first that is not finite.
+  /// A field of type float32 or float16. @throws FormatMismatch as field().
+  const Tensor& floatField(std::string_view name, std::size_t dimensions) const;
+  /// The same as numbers. @throws Error naming the first that is not finite.
   std::vector<float> floats(std::string_view name, std::size_t dimensions) const;
   /// A uint8 field as text.
   std::string text(std::string_view name) const;

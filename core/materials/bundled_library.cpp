@@ -2,7 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/materials/bundled_library.h"
 
+#include <optional>
+
+#include "core/materials/library_list.h"
 #include "core/materials/measured_library.h"
+#include "core/materials/near_measured_library.h"
 #include "core/materials/sgd_library.h"
 #include "core/support/error.h"
 
@@ -10,47 +14,78 @@ namespace gonio::materials {
 
 namespace {
 
-constexpr std::string_view measuredPrefix = "rgl/", fitPrefix = "sgd/";
+std::string idOf(std::string_view source, std::string_view name) {
+  return std::string(source).append("/").append(name);
+}
+std::string idOf(const MeasuredMaterial& measured) { return idOf(rglSource, measured.name); }
+std::string idOf(const NearMeasuredMaterial& copy) { return idOf(copy.source, copy.name); }
+std::string idOf(const SgdFit& fit) { return idOf(sgdSource, fit.name); }
 
-/// The entry of a path; null where there is none.
-template <class Entry>
-const Entry* findNamed(const std::vector<Entry>& entries, std::string_view prefix, const std::string& path) {
-  for (const Entry& entry : entries)
-    if (path == std::string(libraryScheme).append(prefix).append(entry.name)) return &entry;
-  return nullptr;
+LibraryOrigin originOf(const MeasuredMaterial&) { return LibraryOrigin::measured; }
+LibraryOrigin originOf(const NearMeasuredMaterial&) { return LibraryOrigin::nearMeasured; }
+LibraryOrigin originOf(const SgdFit&) { return LibraryOrigin::publishedFit; }
+
+/// Calls `visit` with each list of bundled materials.
+template <class Visit>
+void visitLists(const Visit& visit) {
+  visit(measuredMaterials());
+  visit(nearMeasuredMaterials());
+  visit(sgdFits());
 }
 
+/// Calls `visit` with the bundled material of a path, if there is one.
+template <class Visit>
+void visitNamed(const std::string& path, const Visit& visit) {
+  if (!path.starts_with(libraryScheme)) return;
+  const std::string_view id = std::string_view(path).substr(libraryScheme.size());
+  visitLists([&](const auto& list) {
+    for (const auto& entry : list)
+      if (idOf(entry) == id) visit(entry);
+  });
+}
+
+Material materialOf(const MeasuredMaterial& measured, const TaskControl&) { return measuredMaterial(measured); }
+Material materialOf(const NearMeasuredMaterial& copy, const TaskControl& control) {
+  return nearMeasuredMaterial(copy, control);
+}
+Material materialOf(const SgdFit& fit, const TaskControl&) { return sgdMaterial(fit); }
+
 }  // namespace
+
+std::string_view libraryOriginName(LibraryOrigin origin) {
+  constexpr std::string_view names[] = {"measured", "near-measured copy", "published fit"};
+  return names[std::size_t(origin)];
+}
 
 const std::vector<LibraryEntry>& bundledLibrary() {
   static const std::vector<LibraryEntry> entries = [] {
     std::vector<LibraryEntry> result;
-    for (const MeasuredMaterial& measured : measuredMaterials())
-      result.push_back({std::string(measuredPrefix) + measured.name, measured.name, measured.description()});
-    for (const SgdFit& fit : sgdFits())
-      result.push_back({std::string(fitPrefix) + fit.name, fit.name, fit.description()});
+    visitLists([&](const auto& list) {
+      for (const auto& entry : list) {
+        const std::string id = idOf(entry);
+        result.push_back({id, entry.name, entry.description(), originOf(entry),
+                          libraryKind(std::string_view(id).substr(0, id.find('/')), entry.name)});
+      }
+    });
     return result;
   }();
   return entries;
 }
 
 std::string librarySha256(const std::string& path) {
-  if (const MeasuredMaterial* measured = findNamed(measuredMaterials(), measuredPrefix, path))
-    return measured->sha256();
-  if (const SgdFit* fit = findNamed(sgdFits(), fitPrefix, path)) return fit->sha256();
-  return {};
+  std::string found;
+  visitNamed(path, [&](const auto& entry) { found = entry.sha256(); });
+  return found;
 }
 
-Material readLibraryMaterial(const std::string& path) {
-  const auto named = [&path](Material material) {
-    material.source.path = path;
-    return material;
-  };
-  if (const MeasuredMaterial* measured = findNamed(measuredMaterials(), measuredPrefix, path))
-    return named(measuredMaterial(*measured));
-  if (const SgdFit* fit = findNamed(sgdFits(), fitPrefix, path)) return named(sgdMaterial(*fit));
-  throw Error(path + ": found no such bundled material, expected one of " + std::to_string(bundledLibrary().size()) +
-              " such as " + std::string(libraryScheme) + bundledLibrary().back().id);
+Material readLibraryMaterial(const std::string& path, const TaskControl& control) {
+  std::optional<Material> found;
+  visitNamed(path, [&](const auto& entry) { found = materialOf(entry, control); });
+  if (!found)
+    throw Error(path + ": found no such bundled material, expected one of " + std::to_string(bundledLibrary().size()) +
+                " such as " + std::string(libraryScheme) + bundledLibrary().back().id);
+  found->source.path = path;
+  return std::move(*found);
 }
 
 }  // namespace gonio::materials

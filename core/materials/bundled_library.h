@@ -15,8 +15,9 @@ inline constexpr std::string_view libraryScheme = "library:";
 /// MaterialSource::sha256 of the material of such a path, which is not read for it; empty where there is none.
 std::string librarySha256(const std::string& path);
 
-/// The material of a path "library:rgl/NAME" (MeasuredMaterial) or "library:sgd/NAME" (SgdFit).
-/// @throws Error when there is none of this name.
-Material readLibraryMaterial(const std::string& path);
+/// The material of a path such as "library:rgl/NAME" (MeasuredMaterial), "library:merl-copy/NAME"
+/// (NearMeasuredMaterial) or "library:sgd/NAME" (SgdFit).
+/// @throws Error when there is none of this name; Cancelled.
+Material readLibraryMaterial(const std::string& path, const TaskControl& control = {});
 
 }  // namespace gonio::materials

@@ -52,7 +52,7 @@ Material readMaterial(const io::ByteSource& source, const TaskControl& control) 
 }
 
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control) {
-  if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string());
+  if (path.native().starts_with(libraryScheme)) return readLibraryMaterial(path.string(), control);
   return namingFile(path, [&] {
     Material material = readMaterial(io::FileSource(path), control);
     material.name = path.stem().string();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
@@ -50,12 +51,19 @@ Material readMaterial(const io::ByteSource& source, const TaskControl& control =
 void writeMaterial(const TabulatedBrdf& table, const std::filesystem::path& path);
 void writeMaterial(const Material& material, const std::filesystem::path& path, const TaskControl& control = {});
 
-/// The bundled materials: measured ones, "rgl/NAME", then published fits, "sgd/NAME", with a label for people.
+/// What a bundled material is.
+enum class LibraryOrigin { measured, nearMeasured, publishedFit };
+/// "measured", "near-measured copy", "published fit".
+std::string_view libraryOriginName(LibraryOrigin origin);
+
 struct LibraryEntry {
-  std::string id;           ///< "sgd/chrome"
+  std::string id;           ///< "sgd/chrome": the source (core/materials/library_list.h) and the name
   std::string name;         ///< "chrome"
-  std::string description;  ///< what it is: "SGD fit of MERL chrome, Bagher et al. 2012"
+  std::string description;  ///< for people: "SGD fit of MERL chrome, Bagher et al. 2012"
+  LibraryOrigin origin = LibraryOrigin::measured;
+  std::string kind;  ///< "metal", "paint", ...
 };
+/// The bundled materials: measured ones, then near-measured copies, then published fits.
 const std::vector<LibraryEntry>& bundledLibrary();
 
 }  // namespace gonio::materials

@@ -37,7 +37,7 @@ void readRglMaterial(const io::ByteSource& source, const TaskControl& control, M
   material.source.grid = std::move(rgl.grid);
   if (rgl.negativeCount > 0)
     material.source.notes.push_back(std::to_string(rgl.negativeCount) +
-                                    " negative values; where they make a BRDF value negative it is set to 0");
+                                    " negative values (colours outside the sRGB gamut)");
 }
 
 void readPdvMaterial(const io::ByteSource& source, const TaskControl&, Material& material) {

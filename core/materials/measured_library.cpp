@@ -2,41 +2,30 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/materials/measured_library.h"
 
-#include <cstdio>
-
-#include "core/io/csv_text.h"
 #include "core/io/sha256.h"
-#include "core/materials/code_file.h"
-#include "core/materials/material_formats.h"
+#include "core/io/tensor_file.h"
+#include "core/materials/library_list.h"
 
 extern "C" {
 // One behind the other, in the order of the list, with the borders between them (bundled_files.S).
-extern const std::byte* const gonioMeasuredCodes[];
+extern const std::byte* const gonioMeasuredFiles[];
 }
 
 namespace gonio::materials {
 
 std::string MeasuredMaterial::description() const {
-  char text[128];
-  std::snprintf(text, sizeof text, "RGL, measured; code of %d coefficients a channel, rendered SNR %.1f dB",
-                coefficients, renderedSnr);
-  return text;
+  return "RGL, measured: " + io::TensorFile(io::MemorySource(file)).text("description");
 }
 
-std::string MeasuredMaterial::sha256() const { return io::sha256Hex(io::MemorySource(code)); }
+std::string MeasuredMaterial::sha256() const { return io::sha256Hex(io::MemorySource(file)); }
 
 const std::vector<MeasuredMaterial>& measuredMaterials() {
   static const std::vector<MeasuredMaterial> materials = [] {
-    const io::CsvText csv = io::readCsvText(measuredFigures());
-    const std::size_t name = csv.neededColumn("name"), coefficients = csv.neededColumn("coefficients"),
-                      snr = csv.neededColumn("rendered_snr");
     std::vector<MeasuredMaterial> result;
-    for (std::size_t i = 0; i < csv.rows.size(); ++i) {
-      const io::CsvText::Row& row = csv.rows[i];
-      result.push_back({.name = row.fields[name],
-                        .coefficients = csv.integer(row, coefficients),
-                        .renderedSnr = csv.number(row, snr),
-                        .code = {gonioMeasuredCodes[i], gonioMeasuredCodes[i + 1]}});
+    for (const LibraryRow& row : libraryRows()) {
+      if (row.source != rglSource) continue;
+      const std::size_t i = result.size();
+      result.push_back({row.name, {gonioMeasuredFiles[i], gonioMeasuredFiles[i + 1]}});
     }
     return result;
   }();
@@ -44,12 +33,8 @@ const std::vector<MeasuredMaterial>& measuredMaterials() {
 }
 
 Material measuredMaterial(const MeasuredMaterial& measured) {
-  const io::MemorySource source(measured.code);
-  Material material;
+  Material material = readMaterial(io::MemorySource(measured.file));
   material.name = measured.name;
-  material.source.format = formatOf(FormatId::code).name;
-  setCode(readCode(source), material);
-  material.source.sha256 = measured.sha256();
   material.source.description = measured.description();
   return material;
 }

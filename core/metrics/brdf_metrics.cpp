@@ -28,7 +28,11 @@ struct Cells {
 void evaluateTest(const TabulatedBrdf& reference, const Brdf& test, Cells& cells) {
   cells.test.assign(cells.pairs.size(), Rgb(0));
   const TabulatedBrdf* table = test.asTable();
-  if (!table) return test.evaluate(cells.pairs, cells.test);
+  if (!table) {
+    test.evaluate(cells.pairs, cells.test);
+    for (Rgb& value : cells.test) value = glm::max(value, Rgb(0));
+    return;
+  }
   const bool sameGrid = table->grid() == reference.grid();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < cells.indices.size(); ++i) {

@@ -125,14 +125,22 @@ std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf, const TaskCon
   brdf.evaluate(pairs, forth);
   control.throwIfStopped();
   brdf.evaluate(exchanged, back);
-  return {reciprocity(pairs, forth, back), energy(brdf, control), negative(pairs, forth, 0), nonFinite(pairs, forth)};
+  std::vector<PlausibilityCheck> checks{
+      reciprocity(pairs, forth, back), energy(brdf, control), {}, nonFinite(pairs, forth)};
+  if (brdf.asRgl())
+    for (Rgb& value : forth) value = Rgb(luminance(value));
+  checks[2] = negative(pairs, forth, 0);
+  return checks;
 }
 
-PlausibilityCheck checkNegative(const Brdf& brdf) {
+PlausibilityCheck checkNegative(const Brdf& edited, const Brdf& base) {
   const std::vector<DirectionPair> pairs = probePairs();
-  std::vector<Rgb> values(pairs.size());
-  brdf.evaluate(pairs, values);
-  return negative(pairs, values, roundingShare * meanValue(values));
+  std::vector<Rgb> values(pairs.size()), unedited(pairs.size());
+  edited.evaluate(pairs, values);
+  base.evaluate(pairs, unedited);
+  const double limit = roundingShare * meanValue(values);
+  for (std::size_t i = 0; i < pairs.size(); ++i) values[i] -= glm::min(unedited[i], Rgb(0));
+  return negative(pairs, values, limit);
 }
 
 PlausibilityCheck checkCoverage(const TabulatedBrdf& table) {

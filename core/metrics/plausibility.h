@@ -28,12 +28,13 @@ struct PlausibilityCheck {
 };
 
 /// Reciprocity |f(i,o) - f(o,i)| <= 2 % of the larger value's scale, albedo <= 1 + 1 % at 0..85 degrees, no negative
-/// and no non-finite values, over a fixed deterministic set of directions. Some 100 ms. @throws Cancelled.
+/// and no non-finite values, over a fixed deterministic set of directions. Of an RGL file, which may hold colours
+/// outside the sRGB gamut, the luminance must not be negative. Some 100 ms. @throws Cancelled.
 std::vector<PlausibilityCheck> checkPlausibility(const Brdf& brdf, const TaskControl& control = {});
 
-/// "negative" alone, for functions that are clamped before they are shown: values below 0 by more than a millionth of
-/// the mean count.
-PlausibilityCheck checkNegative(const Brdf& brdf);
+/// "negative" alone, for edits that are clamped before they are shown: values that are below 0, and below those of the
+/// base, by more than a millionth of the mean count.
+PlausibilityCheck checkNegative(const Brdf& edited, const Brdf& base);
 
 /// "extrapolated": pairs of directions up to 85 degrees, weighed by both cosines, whose nearest cell is invalid: they
 /// are shown black or take the values of neighbours. At most 1 % passes. `at` is the pair nearest to the normal.

@@ -65,10 +65,19 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
                  VisibleNormalLobe{p.values[roughness].x}));
 }
 
+std::vector<ModelLobe> parts(const ParameterValues& p) {
+  ParameterValues body = p, highlight = p;
+  body.values[specular] = highlight.values[diffuse] = Rgb(0);
+  std::vector<ModelLobe> result;
+  result.push_back({create(body), 0, {p.values[diffuse]}});
+  result.push_back({create(highlight), p.values[roughness].x, {p.values.begin() + specular, p.values.end()}});
+  return result;
+}
+
 }  // namespace
 
 const Model& ggx() {
-  static const Model model(ggxSpec, {.create = create});
+  static const Model model(ggxSpec, {.create = create, .lobes = parts});
   return model;
 }
 

@@ -39,6 +39,14 @@ std::vector<glm::vec3> Model::shaderParameters(const ParameterValues& parameters
   return {used.values.begin(), used.values.end()};
 }
 
+std::vector<ModelLobe> Model::lobes(const ParameterValues& parameters) const {
+  return functions_.lobes(clamped(spec_, parameters));
+}
+
+ParameterValues Model::canonical(const ParameterValues& parameters) const {
+  return functions_.canonical ? functions_.canonical(parameters) : parameters;
+}
+
 ParameterValues defaultParameters(const ModelSpec& spec) {
   ParameterValues result;
   for (const ParameterSpec& parameter : spec.parameters) result.values.emplace_back(parameter.defaultValue);

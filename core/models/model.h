@@ -44,6 +44,13 @@ struct ParameterValues {
   bool operator==(const ParameterValues&) const = default;
 };
 
+/// One of the terms that a model is the sum of.
+struct ModelLobe {
+  std::unique_ptr<const Brdf> brdf;
+  double roughness = 0;         ///< scale of the tangent of theta_h in its profile; 0: it has no highlight to widen
+  std::vector<Rgb> parameters;  ///< all that it depends on
+};
+
 /// A parametric reflectance model: a factory of BRDFs. Immutable; the registry owns one of each.
 class Model {
  public:
@@ -54,6 +61,10 @@ class Model {
     std::unique_ptr<const Brdf> (*createUnclamped)(const ParameterValues&) = nullptr;
     /// For Model::shaderParameters(); null for the values as they are.
     std::vector<glm::vec3> (*shaderParameters)(const ParameterValues&) = nullptr;
+    /// For Model::lobes(); null for models that are no sum of lobes.
+    std::vector<ModelLobe> (*lobes)(const ParameterValues&) = nullptr;
+    /// For Model::canonical(); null where parameters have one order.
+    ParameterValues (*canonical)(const ParameterValues&) = nullptr;
   };
   /// @param spec outlives the model.
   Model(const ModelSpec& spec, const Functions& functions) : spec_(spec), functions_(functions) {}
@@ -76,6 +87,15 @@ class Model {
   /// beforehand. The count of entries is the same for all parameters.
   /// @throws Error as instantiate().
   std::vector<glm::vec3> shaderParameters(const ParameterValues& parameters) const;
+
+  /// Whether it is a sum of a body and microfacet lobes, each with a roughness.
+  bool hasLobes() const { return functions_.lobes != nullptr; }
+  /// The terms of the sum, the same number for all parameters: their values add up to instantiate()'s. In the shader
+  /// they are lobe_ID() (shaders/models). Only of a model that hasLobes(). @throws Error as instantiate().
+  std::vector<ModelLobe> lobes(const ParameterValues& parameters) const;
+
+  /// Parameters of the same values in the order that people expect: lobes from wide to sharp.
+  ParameterValues canonical(const ParameterValues& parameters) const;
 
  private:
   const ModelSpec& spec_;

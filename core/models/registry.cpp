@@ -32,6 +32,7 @@ std::span<const Model* const> allModels() {
       &torranceSparrow(),
       &cookTorrance(),
       &ggx(),
+      &layered(),
       &abcSmooth(),
       &abc(),
       &sgd(),

@@ -28,6 +28,7 @@ const Model& orenNayar();
 const Model& torranceSparrow();
 const Model& cookTorrance();
 const Model& ggx();
+const Model& layered();
 const Model& abcSmooth();
 const Model& abc();
 const Model& sgd();

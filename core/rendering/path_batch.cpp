@@ -153,7 +153,7 @@ void PathTracer::PathBatch::addSampledLights() {
   for (const LightQuery& query : lightQueries_) {
     const Path& path = paths_[query.path];
     const Rgb value = queriesOf(path).values[query.query] * query.weight;
-    if (maxChannel(value) > 0 && !isBlocked(query, path)) results_[path.result].radiance += path.throughput * value;
+    if (value != Rgb(0) && !isBlocked(query, path)) results_[path.result].radiance += path.throughput * value;
   }
 }
 
@@ -181,7 +181,7 @@ void PathTracer::PathBatch::follow(int reflection) {
 
 bool PathTracer::PathBatch::followOne(Path& path, int reflection, PathSamples& survival) {
   path.throughput *= queriesOf(path).values[path.query] * (path.sample.wi.z / path.sample.pdf);
-  if (!(maxChannel(path.throughput) > 0)) return false;
+  if (path.throughput == Rgb(0)) return false;
 
   const auto& candidates = tracer_.candidates_[path.object];
   const Ray ray{path.origin, path.toward};
@@ -193,7 +193,7 @@ bool PathTracer::PathBatch::followOne(Path& path, int reflection, PathSamples& s
   if (!goesOn(path, reflection)) return false;
 
   if (reflection > certainReflections) {
-    const double kept = std::min(0.95, maxChannel(path.throughput));
+    const double kept = std::min(0.95, maxChannel(glm::abs(path.throughput)));
     if (survival.number(path.seed) >= kept) return false;
     path.throughput /= kept;
   }

@@ -7,9 +7,7 @@
 
 const int PARAMETER_COUNT_GGX = 7;
 
-vec3 evaluate_ggx(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX]) {
-  SurfaceGeometry g;
-  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+vec3 ggxHighlight(SurfaceGeometry g, vec3 p[PARAMETER_COUNT_GGX]) {
   float alpha2 = p[2].x * p[2].x;
   float slope = g.sin2H + alpha2 * g.h.z * g.h.z;
   float distribution = alpha2 / (pi * slope * slope);
@@ -17,5 +15,18 @@ vec3 evaluate_ggx(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX]) {
   float rootO = sqrt(alpha2 + (1.0 - alpha2) * g.cosO * g.cosO);
   float masking = p[4].x < 0.5 ? 1.0 / ((g.cosI + rootI) * (g.cosO + rootO))
                                : 0.5 / (g.cosO * rootI + g.cosI * rootO);
-  return p[0] / pi + p[1] * (distribution * fresnel(g.cosD, p[3].x, p[6].x, p[5].x) * masking);
+  return p[1] * (distribution * fresnel(g.cosD, p[3].x, p[6].x, p[5].x) * masking);
+}
+
+vec3 evaluate_ggx(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX]) {
+  SurfaceGeometry g;
+  return surfaceGeometry(wi, wo, g) ? p[0] / pi + ggxHighlight(g, p) : vec3(0.0);
+}
+
+// One part of the sum alone: the body, then the highlight.
+const int LOBE_COUNT_GGX = 2;
+vec3 lobe_ggx(int part, vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX]) {
+  SurfaceGeometry g;
+  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  return part == 0 ? p[0] / pi : ggxHighlight(g, p);
 }

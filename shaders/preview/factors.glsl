@@ -58,5 +58,5 @@ vec3 editedByFactors(vec3 value, vec3 wi, vec3 wo, int edit, int terms, int axes
   vec3 edited = evaluateFactors(places, cosines, edit, 0, terms, axes);
   vec3 from = value;
   if (keepDetail) from = evaluateFactors(places, cosines, edit, 1, terms, axes);
-  return max(vec3(0.0), value + strength * (edited - from));
+  return max(min(value, vec3(0.0)), value + strength * (edited - from));
 }

@@ -24,32 +24,41 @@
 uniform vec3 modelParameters[MODEL_PARAMETERS];
 #endif
 
-// The steps that widgets/preview/gl/edit_chain puts together, each with the clamp of editing::applyEdits().
-#ifdef EDIT_STEPS
-EDIT_UNIFORMS
-#define MODEL_STEP(model, edited, fitted, strength) value = max(vec3(0.0), value + strength * (model(wi, wo, edited) - model(wi, wo, fitted)));
-#define FACTOR_STEP(edit, terms, axes, keepDetail, strength) value = editedByFactors(value, wi, wo, edit, terms, axes, keepDetail, strength);
-#endif
-
-vec3 evaluateBrdf(vec3 wi, vec3 wo) {
+// What is looked at without edits. `valid`: whether the value is known.
+vec3 measuredBrdf(vec3 wi, vec3 wo, out bool valid) {
+  valid = true;
   if (wi.z <= 0.0 || wo.z <= 0.0) return vec3(0.0);
 #ifdef BLEND_TABLES
   return evaluateBlend(wi, wo);
 #elif defined(MODEL_ALONE)
   return EVALUATE_MODEL(wi, wo, modelParameters);
+#elif defined(RGL_THETAS)
+  return evaluateRgl(wi, wo);
 #else
-#ifdef RGL_THETAS
-  const bool valid = true;
-  vec3 value = evaluateRgl(wi, wo);
+  return evaluateTable(wi, wo, valid);
+#endif
+}
+
+// The stages that widgets/preview/gl/edit_chain puts together, functions that each call the one before: either steps that
+// look at one pair of directions, with the clamp of editing::applyEdits(), or one edit that is composed by lobes.
+#ifdef EDIT_STAGES
+#ifdef LOBE_EDITS
+#include "preview/lobe_warp.glsl"
+#endif
+vec3 withChange(vec3 value, vec3 change) { return max(min(value, vec3(0.0)), value + change); }
+// Twin of core/editing/composition.h.
+vec3 logPlusChange(vec3 value, vec3 edited, vec3 fitted) { return (1.0 + max(value, vec3(0.0))) * ((edited - fitted) / (1.0 + fitted)); }
+EDIT_UNIFORMS
+#define FACTOR_STEP(edit, terms, axes, keepDetail, strength) value = editedByFactors(value, wi, wo, edit, terms, axes, keepDetail, strength);
+#define ADDITIVE_STEP(model, edited, fitted, strength) value = withChange(value, strength * (model(wi, wo, edited) - model(wi, wo, fitted)));
+#define LOG_PLUS_STEP(model, edited, fitted, strength) value = withChange(value, strength * logPlusChange(value, model(wi, wo, edited), model(wi, wo, fitted)));
+#define STEPS(name, previous, steps) vec3 name(vec3 wi, vec3 wo, out bool valid) { vec3 value = previous(wi, wo, valid); if (valid) { steps } return value; }
+EDIT_STAGES
 #else
+#define LAST_STAGE measuredBrdf
+#endif
+
+vec3 evaluateBrdf(vec3 wi, vec3 wo) {
   bool valid;
-  vec3 value = evaluateTable(wi, wo, valid);
-#endif
-#ifdef EDIT_STEPS
-  if (valid) {
-    EDIT_STEPS
-  }
-#endif
-  return value;
-#endif
+  return LAST_STAGE(wi, wo, valid);
 }

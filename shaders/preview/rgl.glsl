@@ -68,7 +68,7 @@ vec3 rglStored(vec3 incident, vec3 outgoing) {
   if (area <= 0.0) return vec3(0.0);
   value *= rglBilinear(rglDistribution, normal).x / (4.0 * area);
 #endif
-  return max(value / max(outgoing.z, 1e-3), vec3(0.0));
+  return value / max(outgoing.z, 1e-3);
 }
 
 vec3 evaluateRgl(vec3 wi, vec3 wo) {

@@ -14,7 +14,8 @@
 //   SHOW_LAMPS           the camera sees their fronts
 //   SHADOWS              some object may stand in the light of another
 //   INTERREFLECTION      light is followed over `reflections` of them (else one)
-//   EDIT_STEPS           the edits of the table in their order, with EDIT_UNIFORMS (widgets/preview/gl/edit_chain)
+//   EDIT_STAGES          functions of the edits in their order, the last of which is LAST_STAGE, with EDIT_UNIFORMS
+//                        (widgets/preview/gl/edit_chain); LOBE_EDITS where some are composed by lobes
 //   FACTOR_EDITS         how many of them are of factor curves (preview/factors.glsl)
 //   RGL_THETAS, ...      an RGL file in place of the table (preview/rgl.glsl)
 //   MODEL_ALONE          the model and no table, with EVALUATE_MODEL and MODEL_PARAMETERS

@@ -10,9 +10,9 @@
 #include "core/factorization/pdv_operations.h"
 #include "core/io/rgl_file.h"
 #include "core/materials/dictionary_file.h"
-#include "core/materials/measured_library.h"
 #include "core/models/model.h"
 #include "core/rendering/scene_file.h"
+#include "tests/support/code_files.h"
 #include "tests/support/sphere_preview.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/interpolation/prepared_blend.h"
@@ -175,8 +175,8 @@ void environmentFactorBlend(benchmark::State& state) {
   runBlendDrag(state, true, editing::InterpolationSpace::factors);
 }
 
-/// A code into the texture that the preview samples: on the card, or on the CPU and uploaded. Both of the same code of
-/// the library, with so many coefficients a channel; until the card is done.
+/// A code into the texture that the preview samples: on the card, or on the CPU and uploaded. Both of the same code
+/// with so many coefficients a channel; until the card is done.
 struct CodeFixture : QOpenGLFunctions_4_1_Core {
   std::shared_ptr<const materials::NamedEnsemble> bundled = materials::bundledDictionary();
   dictionary::SparseCode code;
@@ -185,9 +185,7 @@ struct CodeFixture : QOpenGLFunctions_4_1_Core {
   explicit CodeFixture(std::size_t coefficients) {
     PreviewFixture::instance();
     initializeOpenGLFunctions();
-    for (const materials::MeasuredMaterial& material : materials::measuredMaterials())
-      if (material.name == "cc_ibiza_sunset")
-        code = materials::measuredMaterial(material).code->truncated(coefficients);
+    code = test::readCodeFile("cc_ibiza_sunset").truncated(coefficients);
     dictionary::GridGeometry::of(code.grid);
   }
   ~CodeFixture() { glDeleteTextures(1, &texture); }

@@ -3,21 +3,15 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/metrics/image_metrics.h"
 #include "core/models/registry.h"
-#include "core/rendering/render_picture.h"
-#include "offscreen_context.h"
-#include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
+#include "tests/widgets/offscreen_spheres.h"
 #include "transformed_space.h"
 #include "widgets/interpolation/prepared_blend.h"
-#include "widgets/preview/gl/preview_renderer.h"
 
 namespace blend_preview_test {
 using namespace gonio;
 using editing::InterpolationSpace;
-
-constexpr int side = 64;
 
 std::shared_ptr<const TabulatedBrdf> material(double roughness, const Rgb& colour, const HalfDifferenceGrid& grid) {
   const models::Model& model = models::ggx();
@@ -42,33 +36,18 @@ const std::vector<std::vector<double>> someWeights{{0.3, 0.7}, {0.2, 0.5, 0.3}, 
 class BlendPreviewTest : public QObject {
   Q_OBJECT
  private:
-  std::unique_ptr<test::OffscreenContext> m_context;
-  std::unique_ptr<widgets::PreviewRenderer> m_renderer;
+  std::unique_ptr<test::OffscreenSpheres> m_spheres;
 
   Image drawn(const widgets::PreviewSubject& subject, const Scene& scene, int samples) {
-    m_renderer->setSubject(subject);
-    test::showSphere(*m_renderer, scene);
-    m_renderer->setSize({side, side});
-    for (int i = 0; i < samples / 64; ++i) m_renderer->accumulate(64);
-    return m_renderer->readPicture();
-  }
-  /// SNR of the shader's picture against that of `brdf` on the CPU, dB.
-  double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const Scene& scene) {
-    constexpr int samples = 512;
-    const Image reference = renderPicture(brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7});
-    return metrics::signalToNoiseRatio(reference, drawn(subject, scene, samples));
+    return m_spheres->drawn(subject, scene, samples);
   }
 
  private Q_SLOTS:
   void initTestCase() {
-    m_context = std::make_unique<test::OffscreenContext>();
-    if (!m_context->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-    m_renderer = std::make_unique<widgets::PreviewRenderer>();
-    m_renderer->initialize();
+    m_spheres = std::make_unique<test::OffscreenSpheres>();
+    if (!m_spheres->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
   }
-  void cleanupTestCase() {
-    if (m_renderer) m_renderer->release();
-  }
+  void cleanupTestCase() { m_spheres.reset(); }
 
   /// Every space, two to four materials: the frame under the hand is the interpolation of core.
   void everySpaceIsThatOfCore() {
@@ -77,7 +56,7 @@ class BlendPreviewTest : public QObject {
       for (const std::vector<double>& weights : someWeights) {
         const auto blend = widgets::prepareBlend(space, ends(int(weights.size())));
         const auto subject = widgets::blendSubject(*blend, weights);
-        const double snr = agreement(subject, *blend->interpolation->brdf(weights), sphereScene());
+        const double snr = m_spheres->agreement(subject, *blend->interpolation->brdf(weights), sphereScene());
         const QString what =
             QString("%1, %2 materials: %3 dB").arg(widgets::spaceName(space)).arg(weights.size()).arg(snr);
         qInfo("%s", qPrintable(what));
@@ -89,7 +68,7 @@ class BlendPreviewTest : public QObject {
     const auto blend = widgets::prepareBlend(InterpolationSpace::linear, ends(2));
     const auto subject = widgets::blendSubject(*blend, someWeights[0]);
     const double snr =
-        agreement(subject, *blend->interpolation->brdf(someWeights[0]), sphereScene(studioEnvironment()));
+        m_spheres->agreement(subject, *blend->interpolation->brdf(someWeights[0]), sphereScene(studioEnvironment()));
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 
@@ -103,7 +82,7 @@ class BlendPreviewTest : public QObject {
       blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
       const auto subject = widgets::blendSubject(blend, someWeights[0]);
       QVERIFY(std::holds_alternative<widgets::PreviewBlend>(subject.shown));
-      const double snr = agreement(subject, *widgets::subjectBrdf(subject), sphereScene());
+      const double snr = m_spheres->agreement(subject, *widgets::subjectBrdf(subject), sphereScene());
       const QString what = QString("transform %1: %2 dB").arg(int(transform)).arg(snr);
       qInfo("%s", qPrintable(what));
       QVERIFY2(snr > 40, qPrintable(what));

@@ -9,9 +9,9 @@
 
 #include "code_decoding_bound.h"
 #include "core/materials/dictionary_file.h"
-#include "core/materials/measured_library.h"
 #include "core/support/error.h"
 #include "offscreen_context.h"
+#include "tests/support/code_files.h"
 #include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
 #include "widgets/preview/gl/preview_renderer.h"
@@ -109,13 +109,10 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
     compareWithCore(ensemble, code);
   }
 
-  /// The library's code of most coefficients, at every node of a MERL grid, in both transforms.
-  void libraryMaterials() {
+  /// A code of many coefficients, at every node of a MERL grid, in both transforms.
+  void codeOfAMetallicPaint() {
     const auto bundled = materials::bundledDictionary();
-    const auto& all = materials::measuredMaterials();
-    const auto found = std::find_if(all.begin(), all.end(), [](const auto& m) { return m.name == "ilm_solo_m_68"; });
-    QVERIFY(found != all.end());
-    SparseCode code = *materials::measuredMaterial(*found).code;
+    SparseCode code = test::readCodeFile("ilm_solo_m_68");
     QVERIFY(code.coefficients() > 1000);
     compareWithCore(bundled->ensemble, code);
     if (QTest::currentTestFailed()) return;

@@ -6,19 +6,16 @@
 #include <cmath>
 
 #include "core/factorization/pdv_operations.h"
-#include "core/metrics/image_metrics.h"
 #include "core/models/model.h"
 #include "core/rendering/path_tracer.h"
-#include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
-#include "offscreen_context.h"
-#include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
+#include "tests/widgets/offscreen_spheres.h"
 
 namespace preview_renderer_test {
 using namespace gonio;
 
-constexpr int side = 64;
+constexpr int side = test::OffscreenSpheres::side;
 
 std::shared_ptr<const TabulatedBrdf> bakedModel(const char* id,
                                                 const std::vector<std::pair<const char*, double>>& set) {
@@ -29,22 +26,16 @@ std::shared_ptr<const TabulatedBrdf> bakedModel(const char* id,
 }
 
 /// SNR of the shader's converged picture against the CPU's, dB.
-double agreement(widgets::PreviewRenderer& renderer, widgets::PreviewSubject subject, const Scene& scene) {
+double agreement(test::OffscreenSpheres& spheres, widgets::PreviewSubject subject, const Scene& scene) {
   const std::shared_ptr<const Brdf> brdf = widgets::subjectBrdf(subject);
   const auto base = subject.base();
   subject.lobe = std::make_shared<const TabulatedLobe>(base ? *base : *brdf);
-  renderer.setSubject(subject);
-  test::showSphere(renderer, scene);
-  renderer.setSize({side, side});
-  const int samples = 512;
-  for (int i = 0; i < samples / 64; ++i) renderer.accumulate(64);
-  const Image reference = renderPicture(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7});
-  return metrics::signalToNoiseRatio(reference, renderer.readPicture());
+  return spheres.agreement(subject, *brdf, scene);
 }
 
-double agreement(widgets::PreviewRenderer& renderer, const std::shared_ptr<const TabulatedBrdf>& table,
+double agreement(test::OffscreenSpheres& spheres, const std::shared_ptr<const TabulatedBrdf>& table,
                  const editing::EditList& edits, const Scene& scene) {
-  return agreement(renderer, {widgets::EditedMaterial{table, edits}}, scene);
+  return agreement(spheres, {widgets::EditedMaterial{table, edits}}, scene);
 }
 
 /// A model's edit that changes its linear parameters.
@@ -80,20 +71,17 @@ class PreviewRendererTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    context_ = std::make_unique<test::OffscreenContext>();
-    if (!context_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-    renderer_ = std::make_unique<widgets::PreviewRenderer>();
-    renderer_->initialize();
+    spheres_ = std::make_unique<test::OffscreenSpheres>();
+    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
+    renderer_ = &spheres_->renderer();
   }
-  void cleanupTestCase() {
-    if (renderer_) renderer_->release();
-  }
+  void cleanupTestCase() { spheres_.reset(); }
 
   /// Under one light both pictures are sums over the same sphere with different edge samples and float tables: they
   /// agree to 40 dB at least (the edge pixels' coverage differs by some percent).
   void pictureUnderADirectionalLight() {
     const auto table = bakedModel("ggx", {{"roughness", 0.2}});
-    QVERIFY2(agreement(*renderer_, table, {}, sphereScene()) > 40, "shader and CPU differ");
+    QVERIFY2(agreement(*spheres_, table, {}, sphereScene()) > 40, "shader and CPU differ");
   }
 
   /// Under an environment both are Monte Carlo estimates of the same integral with 512 samples of each kind.
@@ -102,7 +90,7 @@ class PreviewRendererTest : public QObject {
     scene.environmentRotation = 0.6;
     for (const double roughness : {0.03, 0.2, 0.7}) {
       const auto table = bakedModel("ggx", {{"roughness", roughness}, {"f0", 0.5}});
-      const double snr = agreement(*renderer_, table, {}, scene);
+      const double snr = agreement(*spheres_, table, {}, scene);
       qInfo("roughness %g: %.1f dB", roughness, snr);
       QVERIFY2(snr > 30, qPrintable(QString("roughness %1: %2 dB").arg(roughness).arg(snr)));
     }
@@ -136,7 +124,7 @@ class PreviewRendererTest : public QObject {
     Scene scene = sphereScene(skyEnvironment(), {.fieldOfView = 0});
     scene.showEnvironment = true;
     const auto table = bakedModel("lambert", {});
-    const double snr = agreement(*renderer_, table, {}, scene);
+    const double snr = agreement(*spheres_, table, {}, scene);
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 
@@ -144,7 +132,7 @@ class PreviewRendererTest : public QObject {
   void editedPicture() {
     const auto table = bakedModel("ggx", {{"roughness", 0.3}});
     for (const models::Model* model : models::allModels()) {
-      const double snr = agreement(*renderer_, table, {brighterEdit(*model)}, sphereScene());
+      const double snr = agreement(*spheres_, table, {brighterEdit(*model)}, sphereScene());
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
   }
@@ -162,7 +150,7 @@ class PreviewRendererTest : public QObject {
               .original = std::make_shared<const factorization::PdvFactors>(found.factors.truncated(1)),
               .edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(found.factors, 2)),
               .keepDetail = keepDetail};
-          const double snr = agreement(*renderer_, table, {{edit, "", 0.8}}, sphereScene());
+          const double snr = agreement(*spheres_, table, {{edit, "", 0.8}}, sphereScene());
           const auto what = QString("form %1, transform %2, detail %3: %4 dB")
                                 .arg(int(form))
                                 .arg(int(transform))
@@ -202,7 +190,7 @@ class PreviewRendererTest : public QObject {
         {"the first eye off", {hidden(alone), darker, factors}},
         {"all eyes off", {hidden(factors), hidden(ggx)}}};
     for (const auto& [name, edits] : stacks) {
-      const double snr = agreement(*renderer_, table, edits, sphereScene());
+      const double snr = agreement(*spheres_, table, edits, sphereScene());
       qInfo("%s: %.1f dB", name, snr);
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(name).arg(snr)));
     }
@@ -215,7 +203,7 @@ class PreviewRendererTest : public QObject {
       edits.push_back(brighterEdit(*model));
       edits.back().strength = 0.05;
     }
-    const double snr = agreement(*renderer_, bakedModel("ggx", {{"roughness", 0.3}}), edits, sphereScene());
+    const double snr = agreement(*spheres_, bakedModel("ggx", {{"roughness", 0.3}}), edits, sphereScene());
     QVERIFY2(snr > 40, qPrintable(QString("%1 dB").arg(snr)));
   }
 
@@ -286,9 +274,9 @@ class PreviewRendererTest : public QObject {
     edit.edited.values[3] = Rgb(0.5);
     for (const double pitch : {0.2, 1.4}) {
       const OrbitCamera camera{.yaw = 0.4, .pitch = pitch};
-      const double lit = agreement(*renderer_, table, {{edit}}, sphereScene(nullptr, camera));
+      const double lit = agreement(*spheres_, table, {{edit}}, sphereScene(nullptr, camera));
       QVERIFY2(lit > 40, qPrintable(QString("pitch %1: %2 dB").arg(pitch).arg(lit)));
-      const double studio = agreement(*renderer_, table, {{edit}}, sphereScene(studioEnvironment(), camera));
+      const double studio = agreement(*spheres_, table, {{edit}}, sphereScene(studioEnvironment(), camera));
       QVERIFY2(studio > 30, qPrintable(QString("pitch %1, studio: %2 dB").arg(pitch).arg(studio)));
     }
   }
@@ -298,12 +286,12 @@ class PreviewRendererTest : public QObject {
   void modelAlone() {
     for (const models::Model* model : models::allModels()) {
       const double snr =
-          agreement(*renderer_, {widgets::ModelAlone{model, models::defaultParameters(model->spec())}}, sphereScene());
+          agreement(*spheres_, {widgets::ModelAlone{model, models::defaultParameters(model->spec())}}, sphereScene());
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
     const models::Model& ggx = models::findModel("ggx");
     const double snr =
-        agreement(*renderer_, {widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}}, comparisonScene());
+        agreement(*spheres_, {widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}}, comparisonScene());
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 
@@ -388,8 +376,8 @@ class PreviewRendererTest : public QObject {
   }
 
  private:
-  std::unique_ptr<test::OffscreenContext> context_;
-  std::unique_ptr<widgets::PreviewRenderer> renderer_;
+  std::unique_ptr<test::OffscreenSpheres> spheres_;
+  widgets::PreviewRenderer* renderer_ = nullptr;
 };
 
 GONIO_TEST(PreviewRendererTest)

@@ -5,20 +5,14 @@
 #include <random>
 
 #include "core/io/rgl_file.h"
-#include "core/metrics/image_metrics.h"
 #include "core/models/registry.h"
-#include "core/rendering/render_picture.h"
-#include "offscreen_context.h"
 #include "tests/core/io/synthetic_tensors.h"
-#include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
-#include "widgets/preview/gl/preview_renderer.h"
+#include "tests/widgets/offscreen_spheres.h"
 
 namespace rgl_preview_test {
 using namespace gonio;
 namespace fs = std::filesystem;
-
-constexpr int side = 64, samples = 512;
 
 /// Smooth random tensors over a few azimuths and polar angles of incidence.
 std::shared_ptr<const RglBrdf> synthetic(const std::vector<float>& phis) {
@@ -48,14 +42,10 @@ class RglPreviewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
-    context_ = std::make_unique<test::OffscreenContext>();
-    if (!context_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
-    renderer_ = std::make_unique<widgets::PreviewRenderer>();
-    renderer_->initialize();
+    spheres_ = std::make_unique<test::OffscreenSpheres>();
+    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
   }
-  void cleanupTestCase() {
-    if (renderer_) renderer_->release();
-  }
+  void cleanupTestCase() { spheres_.reset(); }
 
   void syntheticFiles_data() {
     QTest::addColumn<std::vector<float>>("phis");
@@ -95,18 +85,12 @@ class RglPreviewTest : public QObject {
   void verify(widgets::PreviewSubject subject, const Scene& scene, double least) {
     const auto brdf = widgets::subjectBrdf(subject);
     subject.lobe = std::make_shared<const TabulatedLobe>(*brdf);
-    renderer_->setSubject(subject);
-    test::showSphere(*renderer_, scene);
-    renderer_->setSize({side, side});
-    for (int i = 0; i < samples / 64; ++i) renderer_->accumulate(64);
-    const Image expected = renderPicture(*brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7});
-    const double snr = metrics::signalToNoiseRatio(expected, renderer_->readPicture());
+    const double snr = spheres_->agreement(subject, *brdf, scene);
     qInfo("%.1f dB", snr);
     QVERIFY2(snr > least, qPrintable(QString("%1 dB").arg(snr)));
   }
 
-  std::unique_ptr<test::OffscreenContext> context_;
-  std::unique_ptr<widgets::PreviewRenderer> renderer_;
+  std::unique_ptr<test::OffscreenSpheres> spheres_;
 };
 
 GONIO_TEST(RglPreviewTest)

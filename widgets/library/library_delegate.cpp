@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/library/library_delegate.h"
 
+#include <QListView>
 #include <QPainter>
 #include <QPixmapCache>
 
@@ -36,15 +37,62 @@ QString breakable(QString name) {
   return name.replace('-', QStringLiteral("-") + here).replace('_', QStringLiteral("_") + here);
 }
 
+void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const QString& title) {
+  QFont font = option.font;
+  font.setBold(true);
+  painter.setFont(font);
+  painter.setPen(option.palette.color(QPalette::Text));
+  const QRect area = option.rect.adjusted(margin, 0, -margin, -margin / 2);
+  painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
+                   QFontMetrics(font).elidedText(title, Qt::ElideRight, area.width()));
+  QColor line = option.palette.color(QPalette::Text);
+  line.setAlphaF(0.25f);
+  painter.setPen(line);
+  painter.drawLine(area.bottomLeft(), area.bottomRight());
+}
+
+/// A word in the lower edge of the picture.
+void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRect& picture, const QString& badge) {
+  if (badge.isEmpty()) return;
+  QFont font = option.font;
+  font.setPointSizeF(font.pointSizeF() * 0.78);
+  const QFontMetrics metrics(font);
+  const QString text = metrics.elidedText(badge, Qt::ElideRight, picture.width() - 2 * margin);
+  QRect pill(0, 0, metrics.horizontalAdvance(text) + 2 * margin, metrics.height());
+  pill.moveCenter({picture.center().x(), picture.bottom() - pill.height() / 2});
+  QColor ground = option.palette.color(QPalette::Base);
+  ground.setAlphaF(0.85f);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(pill, pill.height() / 2.0, pill.height() / 2.0);
+  painter.setPen(option.palette.color(QPalette::Text));
+  painter.setFont(font);
+  painter.drawText(pill, Qt::AlignCenter, text);
+}
+
 }  // namespace
 
-QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
+QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  if (index.data(LibraryModel::HeadingRole).toBool()) {
+    // A row of its own: as wide as the view.
+    const auto* view = qobject_cast<const QListView*>(option.widget);
+    const int width = view ? view->viewport()->width() - 2 * view->spacing() - 1 : m_tile;
+    return {width, option.fontMetrics.height() + 3 * margin};
+  }
   return {m_tile + 2 * margin, m_tile + labelLines * option.fontMetrics.height() + 3 * margin};
 }
 
 void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   painter->save();
   painter->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  if (index.data(LibraryModel::HeadingRole).toBool())
+    paintHeading(*painter, option, index.data().toString());
+  else
+    paintTile(painter, option, index);
+  painter->restore();
+}
+
+void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const QRectF tile = QRectF(option.rect).adjusted(1.5, 1.5, -1.5, -1.5);
   const bool selected = option.state & QStyle::State_Selected, hovered = option.state & QStyle::State_MouseOver;
   const bool focused = option.state & QStyle::State_HasFocus;
@@ -74,7 +122,7 @@ void LibraryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   painter->setPen(text);
   painter->setFont(option.font);
   painter->drawText(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, breakable(index.data().toString()));
-  painter->restore();
+  paintBadge(*painter, option, picture, index.data(LibraryModel::BadgeRole).toString());
 }
 
 }  // namespace gonio::widgets

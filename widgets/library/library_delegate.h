@@ -6,7 +6,7 @@
 
 namespace gonio::widgets {
 
-/// A tile of the library: the picture (or a quiet disc until there is one), the name below it.
+/// A tile of the library: the picture (or a quiet disc until there is one), its badge, the name below it. Or a heading.
 class LibraryDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
@@ -20,6 +20,8 @@ class LibraryDelegate : public QStyledItemDelegate {
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  private:
+  void paintTile(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
+
   int m_tile = 96;
 };
 

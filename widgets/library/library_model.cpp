@@ -11,8 +11,46 @@ namespace gonio::widgets {
 void LibraryModel::setItems(std::vector<LibraryItem> items) {
   beginResetModel();
   m_entries.clear();
-  for (LibraryItem& item : items) m_entries.push_back({std::move(item), {}, {}, {}});
+  m_headings.clear();
+  QStringList sources, kinds;
+  for (LibraryItem& item : items) {
+    if (!sources.contains(item.source)) sources << item.source;
+    if (!kinds.contains(item.kind)) kinds << item.kind;
+    m_entries.push_back({std::move(item), {}, {}, {}});
+  }
+  kinds.sort(Qt::CaseInsensitive);
+  addHeadings(LibraryGrouping::source, sources);
+  addHeadings(LibraryGrouping::kind, kinds);
   endResetModel();
+}
+
+void LibraryModel::addHeadings(LibraryGrouping grouping, const QStringList& titles) {
+  for (const QString& title : titles)
+    if (!title.isEmpty()) m_headings.push_back({title, grouping});
+}
+
+const LibraryModel::Heading* LibraryModel::heading(int row) const {
+  const std::size_t index = std::size_t(row) - m_entries.size();
+  return std::size_t(row) < m_entries.size() ? nullptr : &m_headings[index];
+}
+
+LibraryGrouping LibraryModel::headingOf(int row) const {
+  const Heading* found = heading(row);
+  return found ? found->grouping : LibraryGrouping::none;
+}
+
+QString LibraryModel::group(int row, LibraryGrouping grouping) const {
+  if (const Heading* found = heading(row)) return found->grouping == grouping ? found->title : QString();
+  const LibraryItem& item = m_entries[std::size_t(row)].item;
+  if (grouping == LibraryGrouping::none) return {};
+  return grouping == LibraryGrouping::source ? item.source : item.kind;
+}
+
+int LibraryModel::groupRank(int row, LibraryGrouping grouping) const {
+  const QString title = group(row, grouping);
+  const auto found = std::find_if(m_headings.begin(), m_headings.end(),
+                                  [&](const Heading& one) { return one.grouping == grouping && one.title == title; });
+  return int(found - m_headings.begin());
 }
 
 int LibraryModel::find(const QString& id) const {
@@ -43,9 +81,12 @@ QStringList LibraryModel::pending() const {
   return ids;
 }
 
-int LibraryModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_entries.size()); }
+int LibraryModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : int(m_entries.size() + m_headings.size());
+}
 
 Qt::ItemFlags LibraryModel::flags(const QModelIndex& index) const {
+  if (index.isValid() && heading(index.row())) return Qt::NoItemFlags;
   return QAbstractListModel::flags(index) | Qt::ItemIsDragEnabled;
 }
 
@@ -55,6 +96,10 @@ QMimeData* LibraryModel::mimeData(const QModelIndexList& indexes) const {
 
 QVariant LibraryModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
+  if (const Heading* found = heading(index.row())) {
+    if (role == Qt::DisplayRole) return found->title;
+    return role == HeadingRole ? QVariant(true) : QVariant();
+  }
   const Entry& entry = m_entries[std::size_t(index.row())];
   switch (role) {
     case Qt::DisplayRole:
@@ -75,6 +120,8 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return entry.look ? entry.look->roughness : 1e9;
     case FailureRole:
       return entry.failure;
+    case BadgeRole:
+      return entry.item.badge;
     default:
       return {};
   }

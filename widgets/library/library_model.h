@@ -14,8 +14,13 @@ namespace gonio::widgets {
 struct LibraryItem {
   QString id;  ///< what opening it needs: a path, or "library:sgd/chrome"
   QString name;
-  QString toolTip;  ///< the format, and what the material is
+  QString toolTip;      ///< the format, and what the material is
+  QString badge = {};   ///< in a word or two, on the picture: "measured"
+  QString source = {};  ///< heading of its group by source; empty: none
+  QString kind = {};    ///< heading of its group by kind, which is also searched: "Metal"
 };
+
+enum class LibraryGrouping { none, source, kind };
 
 /// What is known of a material once its thumbnail is rendered.
 struct LibraryLook {
@@ -24,12 +29,12 @@ struct LibraryLook {
   double roughness = 0;  ///< width of the highlight, GGX alpha
 };
 
-/// The materials of a library and their looks, which others render and hand in.
+/// The materials of a library and their looks, which others render and hand in; behind them a row for each heading.
 class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  enum Role { IdRole = Qt::UserRole, HueRole, RoughnessRole, FailureRole };
+  enum Role { IdRole = Qt::UserRole, HueRole, RoughnessRole, FailureRole, BadgeRole, HeadingRole };
 
   using QAbstractListModel::QAbstractListModel;
 
@@ -40,6 +45,13 @@ class LibraryModel : public QAbstractListModel {
   /// Ids without a look and without a failure, in order.
   QStringList pending() const;
 
+  /// The grouping that a row is a heading of; `none` of a material.
+  LibraryGrouping headingOf(int row) const;
+  /// The heading that a row stands below, or is: an order of the groups. "" where it has none.
+  QString group(int row, LibraryGrouping grouping) const;
+  int groupRank(int row, LibraryGrouping grouping) const;
+
+  int materialCount() const { return int(m_entries.size()); }
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
@@ -52,9 +64,16 @@ class LibraryModel : public QAbstractListModel {
     QPixmap pixmap;
     QString failure;
   };
+  struct Heading {
+    QString title;
+    LibraryGrouping grouping;
+  };
+  void addHeadings(LibraryGrouping grouping, const QStringList& titles);
   int find(const QString& id) const;
+  const Heading* heading(int row) const;
 
   std::vector<Entry> m_entries;
+  std::vector<Heading> m_headings;
 };
 
 }  // namespace gonio::widgets

@@ -12,12 +12,12 @@
 #include <QMenu>
 #include <QScrollBar>
 #include <QSlider>
-#include <QSortFilterProxyModel>
 #include <QVBoxLayout>
 
 #include "widgets/inputs/icons.h"
 #include "widgets/library/library_delegate.h"
 #include "widgets/library/library_model.h"
+#include "widgets/library/library_order.h"
 
 namespace gonio::widgets {
 
@@ -29,23 +29,22 @@ constexpr int visibleDelayMilliseconds = 60;
 LibraryView::LibraryView(LibraryModel* model, QWidget* parent)
     : QWidget(parent),
       m_model(model),
-      m_proxy(new QSortFilterProxyModel(this)),
+      m_proxy(new LibraryOrder(model, this)),
       m_delegate(new LibraryDelegate(this)),
       m_title(new QLabel(this)),
       m_search(new QLineEdit(this)),
+      m_group(new QComboBox(this)),
       m_sort(new QComboBox(this)),
       m_list(new QListView(this)),
       m_empty(new QLabel(m_list)),
       m_size(new QSlider(Qt::Horizontal, this)) {
-  m_proxy->setSourceModel(model);
-  m_proxy->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  m_proxy->setSortCaseSensitivity(Qt::CaseInsensitive);
   setAcceptDrops(true);
   buildControls();
   connectList();
 
   auto* top = new QHBoxLayout;
   top->addWidget(m_search, 1);
+  top->addWidget(m_group);
   top->addWidget(m_sort);
   auto* bottom = new QHBoxLayout;
   bottom->addWidget(m_title, 1);
@@ -70,6 +69,10 @@ void LibraryView::buildControls() {
     updateEmptyState();
     m_visibleTimer.start();
   });
+  m_group->addItems({tr("No groups"), tr("By source"), tr("By kind")});
+  m_group->setAccessibleName(tr("Group by"));
+  m_group->setToolTip(tr("Groups the materials by where they come from, or by what they are"));
+  connect(m_group, &QComboBox::currentIndexChanged, this, &LibraryView::setGrouping);
   m_sort->addItems({tr("Name"), tr("Hue"), tr("Roughness")});
   m_sort->setAccessibleName(tr("Sort by"));
   m_sort->setToolTip(tr("The order of the materials"));
@@ -97,7 +100,6 @@ void LibraryView::connectList() {
   m_list->setMovement(QListView::Static);
   m_list->setDragEnabled(true);
   m_list->setDragDropMode(QAbstractItemView::DragOnly);
-  m_list->setUniformItemSizes(true);
   m_list->setSpacing(2);
   m_list->setMouseTracking(true);
   m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -123,11 +125,17 @@ void LibraryView::openIndex(const QModelIndex& index) {
   if (index.isValid()) Q_EMIT openRequested(index.data(LibraryModel::IdRole).toString());
 }
 
+QModelIndex LibraryView::firstMaterial() const {
+  for (int row = 0; row < m_proxy->rowCount(); ++row)
+    if (const QModelIndex index = m_proxy->index(row, 0); index.flags() & Qt::ItemIsEnabled) return index;
+  return {};
+}
+
 void LibraryView::dragEnterEvent(QDragEnterEvent* event) { event->setAccepted(event->source() == m_list); }
 
 void LibraryView::showMenu(const QPoint& position) {
   const QModelIndex index = m_list->indexAt(position);
-  if (!index.isValid()) return;
+  if (!(index.flags() & Qt::ItemIsEnabled)) return;
   const QString id = index.data(LibraryModel::IdRole).toString();
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -158,7 +166,7 @@ bool LibraryView::eventFilter(QObject* watched, QEvent* event) {
   }
   // From the search field: Down goes into the grid, Enter opens the first match.
   if (watched == m_search && (key == Qt::Key_Down || enter)) {
-    if (!m_list->currentIndex().isValid() || enter) m_list->setCurrentIndex(m_proxy->index(0, 0));
+    if (!m_list->currentIndex().isValid() || enter) m_list->setCurrentIndex(firstMaterial());
     m_list->setFocus();
     if (enter) openIndex(m_list->currentIndex());
     return true;
@@ -177,7 +185,7 @@ void LibraryView::setEmptyText(const QString& text) {
 }
 
 void LibraryView::updateEmptyState() {
-  m_empty->setText(m_model->rowCount() == 0 ? m_emptyText : tr("No material is named so."));
+  m_empty->setText(m_model->rowCount() == 0 ? m_emptyText : tr("No material matches \"%1\".").arg(m_search->text()));
   m_empty->setVisible(m_proxy->rowCount() == 0);
 }
 
@@ -199,6 +207,14 @@ void LibraryView::setSortMode(int mode) {
   m_visibleTimer.start();
 }
 
+void LibraryView::setGrouping(int grouping) {
+  m_group->setCurrentIndex(grouping);
+  m_proxy->setGrouping(LibraryGrouping(m_group->currentIndex()));
+  m_visibleTimer.start();
+}
+
+int LibraryView::grouping() const { return m_group->currentIndex(); }
+
 int LibraryView::sortMode() const { return m_sort->currentIndex(); }
 
 void LibraryView::selectItem(const QString& id) {
@@ -216,6 +232,7 @@ QStringList LibraryView::visibleIds() const {
   const QRect area = m_list->viewport()->rect();
   for (int row = 0; row < m_proxy->rowCount(); ++row) {
     const QModelIndex index = m_proxy->index(row, 0);
+    if (!(index.flags() & Qt::ItemIsEnabled)) continue;
     if (m_list->visualRect(index).intersects(area)) ids << index.data(LibraryModel::IdRole).toString();
   }
   return ids;

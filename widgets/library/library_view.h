@@ -10,15 +10,15 @@ class QLabel;
 class QLineEdit;
 class QListView;
 class QSlider;
-class QSortFilterProxyModel;
 
 namespace gonio::widgets {
 
 class LibraryDelegate;
 class LibraryModel;
+class LibraryOrder;
 
-/// A grid of materials with search, sorting and a size slider. Enter or a double-click opens; arrow keys move. It tells
-/// which materials are in sight, so that their pictures are made first.
+/// A grid of materials with search, grouping, sorting and a size slider. Enter or a double-click opens; arrow keys
+/// move. It tells which materials are in sight, so that their pictures are made first.
 class LibraryView : public QWidget {
   Q_OBJECT
 
@@ -33,6 +33,9 @@ class LibraryView : public QWidget {
   int tileSize() const;
   void setSortMode(int mode);
   int sortMode() const;
+  /// A LibraryGrouping.
+  void setGrouping(int grouping);
+  int grouping() const;
   void selectItem(const QString& id);
   QStringList visibleIds() const;
 
@@ -57,13 +60,16 @@ class LibraryView : public QWidget {
   void connectList();
   void updateEmptyState();
   void openIndex(const QModelIndex& index);
+  /// The first material, behind a heading.
+  QModelIndex firstMaterial() const;
   void showMenu(const QPoint& position);
 
   LibraryModel* m_model;
-  QSortFilterProxyModel* m_proxy;
+  LibraryOrder* m_proxy;
   LibraryDelegate* m_delegate;
   QLabel* m_title;
   QLineEdit* m_search;
+  QComboBox* m_group;
   QComboBox* m_sort;
   QListView* m_list;
   QLabel* m_empty;

@@ -28,9 +28,15 @@ QStringList libraryIds(const QString& collection) {
 
 }  // namespace
 
-TrainingSet libraryTraining() { return {AcquisitionTrainingText::tr("all materials of the library"), libraryIds({})}; }
+TrainingSet libraryTraining() {
+  QStringList ids = measuredTraining().ids + nearMeasuredTraining().ids + libraryIds(QStringLiteral("dtu-copy/"));
+  return {AcquisitionTrainingText::tr("measured materials and near-measured copies"), ids};
+}
 TrainingSet measuredTraining() {
   return {AcquisitionTrainingText::tr("measured materials of the library"), libraryIds(QStringLiteral("rgl/"))};
+}
+TrainingSet nearMeasuredTraining() {
+  return {AcquisitionTrainingText::tr("near-measured copies of MERL"), libraryIds(QStringLiteral("merl-copy/"))};
 }
 TrainingSet fittedTraining() {
   return {AcquisitionTrainingText::tr("published fits of the library"), libraryIds(QStringLiteral("sgd/"))};

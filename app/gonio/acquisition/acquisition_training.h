@@ -18,9 +18,11 @@ struct TrainingSet {
   bool operator==(const TrainingSet&) const = default;
 };
 
+/// Of the bundled library the measured materials and the copies of other databases.
 TrainingSet libraryTraining();
-/// The bundled library's measured materials, and its published fits.
+/// The bundled library's measured materials, its near-measured copies of MERL, and its published fits.
 TrainingSet measuredTraining();
+TrainingSet nearMeasuredTraining();
 TrainingSet fittedTraining();
 /// The material files of a folder, not of its subfolders; no ids where there are none.
 TrainingSet folderTraining(const QString& folder);
@@ -31,8 +33,8 @@ QString baseName(const QString& id);
 /// Those that are not this material or a copy of it under the same name.
 QStringList without(const QStringList& ids, const QString& id);
 
-/// Reads the materials one after another and learns their principal components. RGL materials of the library take some
-/// 50 ms each, published fits and RGL files about a second. Memory: PrincipalComponents.
+/// Reads the materials one after another and learns their principal components. About a second each where a
+/// material is no table. Memory: PrincipalComponents.
 /// @throws Error naming the file; Cancelled.
 std::shared_ptr<const dictionary::PrincipalComponents> learnBasis(const QStringList& ids,
                                                                   const TaskControl& control = {});

@@ -14,10 +14,10 @@ namespace gonio::app {
 
 TrainingRows::TrainingRows(QFormLayout& form)
     : QObject(&form),
-      m_box(rowBox(
-          tr("Training set: the reconstruction uses the principal components of these materials.\n"
-             "The whole library covers more materials than the measured ones alone; it takes about a minute at first.\n"
-             "\"What the library shows\": those that match its search, also of a folder."))),
+      m_box(rowBox(tr(
+          "Training set: the reconstruction uses the principal components of these materials.\n"
+          "Near-measured copies cover more materials than the measured ones alone; they take about a minute at first.\n"
+          "\"Materials shown in the library\": those that match its search, also of a folder."))),
       m_leaveOut(new QCheckBox(tr("Leave out the measured material"))),
       m_facts(new QLabel) {
   build(form);
@@ -27,8 +27,9 @@ TrainingRows::TrainingRows(QFormLayout& form)
 
 void TrainingRows::build(QFormLayout& form) {
   form.addRow(rowHeading(tr("Training set")));
-  m_box->addItems({tr("Measured, of the library"), tr("Published fits, of the library"), tr("The whole library"),
-                   tr("What the library shows"), QString(), tr("A folder of files...")});
+  m_box->addItems({tr("Measured materials"), tr("Near-measured copies of MERL"), tr("Published fits"),
+                   tr("Measured and near-measured"), tr("Materials shown in the library"), QString(),
+                   tr("A folder of files...")});
   hideItem(*m_box, otherSet, true);
   form.addRow(tr("&Learn from"), m_box);
   m_leaveOut->setToolTip(
@@ -72,6 +73,8 @@ void TrainingRows::setTraining(const TrainingSet& training) {
 
 TrainingSet TrainingRows::training() const {
   switch (m_box->currentIndex()) {
+    case nearMeasured:
+      return nearMeasuredTraining();
     case fits:
       return fittedTraining();
     case library:

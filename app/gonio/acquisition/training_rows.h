@@ -38,7 +38,7 @@ class TrainingRows : public QObject {
 
  private:
   /// Items of the box.
-  enum Item { measured, fits, library, shownInLibrary, otherSet, folder };
+  enum Item { measured, nearMeasured, fits, library, shownInLibrary, otherSet, folder };
   void build(QFormLayout& form);
   void activated(int index);
   void askForFolder();

@@ -31,7 +31,9 @@ bool sameFits(const EditList& a, const EditList& b) {
 
 }  // namespace
 
-DifferentialEdit identityEdit(const fitting::FitResult& fit) { return {fit.model, fit.parameters, fit.parameters}; }
+DifferentialEdit identityEdit(const fitting::FitResult& fit) {
+  return {fit.model, fit.parameters, fit.parameters, editing::defaultComposition(*fit.model)};
+}
 
 Document::Document(QObject* parent) : QObject(parent) {
   connect(&m_history, &QUndoStack::cleanChanged, this, &Document::titleChanged);

@@ -159,7 +159,7 @@ void DocumentController::chooseModel(const models::Model& model) {
 void DocumentController::addModelEdit() {
   const auto* active = m_document.active<editing::DifferentialEdit>();
   if (!active) return chooseModel(defaultModel());
-  addEdit(m_document, {editing::DifferentialEdit{active->model, active->fitted, active->fitted}});
+  addEdit(m_document, {editing::DifferentialEdit{active->model, active->fitted, active->fitted, active->composition}});
 }
 
 void DocumentController::fit() {

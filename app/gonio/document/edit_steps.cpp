@@ -88,6 +88,26 @@ void resetParameters(Document& document) {
   });
 }
 
+QString compositionName(editing::Composition composition) {
+  switch (composition) {
+    case editing::Composition::additive:
+      return EditStepText::tr("Additive");
+    case editing::Composition::logPlus:
+      return EditStepText::tr("Log-plus");
+    default:
+      return EditStepText::tr("Lobes");
+  }
+}
+
+void setComposition(Document& document, editing::Composition composition) {
+  const int edit = activeIndex<DifferentialEdit>(document.state());
+  if (edit < 0) return;
+  document.installEdits(
+      editing::withEdit(document.edits(), std::size_t(edit),
+                        [&](Edit& one) { std::get<DifferentialEdit>(one.content).composition = composition; }),
+      EditStepText::tr("Composition: %1").arg(compositionName(composition)));
+}
+
 void setEditStrength(Document& document, int edit, double strength) {
   change(document, edit,
          EditStepText::tr("Strength of %1 %2 %").arg(nameOf(document, edit), QString::number(100 * strength, 'f', 0)),

@@ -12,11 +12,16 @@ namespace gonio::app {
 /// edits before it are called the same ("GGX 2").
 QString editName(const editing::EditList& edits, int index);
 
+/// "Additive", "Log-plus", "Lobes".
+QString compositionName(editing::Composition composition);
+
 /// Of the active differential edit; nothing where there is none.
 void setParameter(Document& document, int parameter, const Rgb& value);
 /// Back to the fitted value; never part of an interaction.
 void resetParameter(Document& document, int parameter);
 void resetParameters(Document& document);
+/// How its change is brought to the measurement; never part of an interaction.
+void setComposition(Document& document, editing::Composition composition);
 
 /// How much of the change is added, in [0, 1].
 void setEditStrength(Document& document, int edit, double strength);

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/gonio/document/edit_steps.h"
+#include "app/gonio/inspector/composition_choice.h"
 #include "app/gonio/inspector/direction_order.h"
 #include "app/gonio/inspector/plausibility_monitor.h"
 #include "app/gonio/inspector/representation_panel.h"
@@ -65,7 +66,12 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
   addSection(tr("Source"), source);
   addSection(tr("Representation"), m_representation);
   m_sections[representationSection]->setExpanded(false);
-  addSection(tr("Model"), m_model);
+  auto* model = new QWidget;
+  auto* modelRows = new QVBoxLayout(model);
+  modelRows->setContentsMargins(0, 0, 0, 0);
+  modelRows->addWidget(m_model);
+  modelRows->addWidget(new CompositionChoice(document));
+  addSection(tr("Model"), model);
   addSection(tr("Plausibility"), m_plausibility);
   addSection(tr("Edits"), m_edits);
   addSection(tr("Parameters"), m_parameters);

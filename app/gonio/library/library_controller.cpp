@@ -44,6 +44,35 @@ std::vector<Made> madeInABatch(const LibraryController::LookMaker& make, const Q
   return batch;
 }
 
+QString badgeOf(materials::LibraryOrigin origin) {
+  switch (origin) {
+    case materials::LibraryOrigin::measured:
+      return LibraryController::tr("measured");
+    case materials::LibraryOrigin::nearMeasured:
+      return LibraryController::tr("near-measured");
+    default:
+      return LibraryController::tr("published fit");
+  }
+}
+
+QString sourceOf(const materials::LibraryEntry& entry) {
+  const QString prefix = QString::fromStdString(entry.id.substr(0, entry.id.find('/')));
+  switch (entry.origin) {
+    case materials::LibraryOrigin::measured:
+      return LibraryController::tr("Measured: RGL");
+    case materials::LibraryOrigin::nearMeasured:
+      return LibraryController::tr("Near-measured copies: %1").arg(prefix.section('-', 0, 0).toUpper());
+    default:
+      return LibraryController::tr("Published fits: SGD of MERL");
+  }
+}
+
+QString titled(const std::string& kind) {
+  QString title = QString::fromStdString(kind);
+  if (!title.isEmpty()) title[0] = title[0].toUpper();
+  return title;
+}
+
 }  // namespace
 
 LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QObject* parent)
@@ -53,7 +82,8 @@ void LibraryController::showBundled() {
   std::vector<widgets::LibraryItem> items;
   for (const materials::LibraryEntry& entry : materials::bundledLibrary())
     items.push_back({QString::fromStdString("library:" + entry.id), QString::fromStdString(entry.name),
-                     QString::fromStdString(entry.description)});
+                     QString::fromStdString(entry.description), badgeOf(entry.origin), sourceOf(entry),
+                     titled(entry.kind)});
   show(std::move(items), tr("Bundled library"), {});
 }
 
@@ -95,8 +125,8 @@ QStringList LibraryController::nextOnes() const {
 void LibraryController::makeNext() {
   const QStringList ids = nextOnes();
   if (ids.isEmpty()) return;
-  const double done = 1 - double(ids.size()) / m_model.rowCount();
-  const QString title = tr("Pictures of the library: %n left", nullptr, int(ids.size()));
+  const double done = 1 - double(ids.size()) / m_model.materialCount();
+  const QString title = tr("Rendering thumbnails: %n left", nullptr, int(ids.size()));
   m_tasks.run<std::vector<Made>>(
       {title, thumbnailKey, true},
       [make = m_makeLook, ids, done](const TaskControl& control) {

@@ -28,7 +28,8 @@ namespace gonio::app {
 namespace {
 
 const QString libraryKey = QStringLiteral("library/folder"), tileKey = QStringLiteral("library/tileSize");
-const QString sortKey = QStringLiteral("library/sort"), overlayKey = QStringLiteral("preview/overlay");
+const QString sortKey = QStringLiteral("library/sort"), groupKey = QStringLiteral("library/grouping"),
+              overlayKey = QStringLiteral("preview/overlay");
 
 LibraryController::LookMaker lookMaker() {
   return [folder = thumbnailCacheFolder()](const QString& id, const TaskControl& control) {
@@ -138,6 +139,7 @@ void EditorParts::restoreSettings() {
   plots.restoreState(settings);
   libraryView.setTileSize(settings.value(tileKey, libraryView.tileSize()).toInt());
   libraryView.setSortMode(settings.value(sortKey, 0).toInt());
+  libraryView.setGrouping(settings.value(groupKey, int(widgets::LibraryGrouping::source)).toInt());
   preview.setOverlayVisible(settings.value(overlayKey, true).toBool());
   const QString folder = settings.value(libraryKey).toString();
   if (folder.isEmpty() || !QFileInfo::exists(folder))
@@ -151,6 +153,7 @@ void EditorParts::saveSettings() {
   plots.saveState(settings);
   settings.setValue(tileKey, libraryView.tileSize());
   settings.setValue(sortKey, libraryView.sortMode());
+  settings.setValue(groupKey, libraryView.grouping());
   settings.setValue(overlayKey, preview.overlayVisible());
   settings.setValue(libraryKey, library.folder());
 }

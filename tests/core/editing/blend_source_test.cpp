@@ -7,6 +7,7 @@
 
 #include "core/dictionary/code_interpolation.h"
 #include "core/models/registry.h"
+#include "tests/support/code_files.h"
 #include "tests/support/test_program.h"
 
 namespace blend_source_test {
@@ -160,12 +161,12 @@ class BlendSourceTest : public QObject {
     QVERIFY(nested(mostBlendsInBlends + 1).find("more than 16 blends") != std::string::npos);
   }
 
-  /// Library materials are codes: until they are edited the space of dictionaries blends those, and encodes nothing.
-  void codesOfTheLibraryAreBlendedAsTheyAre() {
+  /// Files that are codes: until they are edited the space of dictionaries blends those, and encodes nothing.
+  void codesAreBlendedAsTheyAre() {
     std::vector<InterpolationEnd> ends;
     std::vector<dictionary::SparseCode> codes;
-    for (const char* id : {"library:rgl/vch_golden_yellow", "library:rgl/chm_light_blue"}) {
-      const materials::Material material = materials::readMaterial(id);
+    for (const char* name : {"vch_golden_yellow", "chm_light_blue"}) {
+      const materials::Material material = materials::readMaterial(test::codeFile(name));
       const auto table = material.tabulated();
       QCOMPARE(blendedEnd(material, table, lambert(0.5)).code, nullptr);
       ends.push_back(blendedEnd(material, table, table));

@@ -7,10 +7,10 @@
 #include "core/dictionary/decode.h"
 #include "core/dictionary/encode.h"
 #include "core/materials/code_file.h"
-#include "core/materials/measured_library.h"
 #include "core/materials/training_checkpoint.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/code_files.h"
 #include "tests/support/test_program.h"
 
 namespace dictionary_file_test {
@@ -132,11 +132,12 @@ class DictionaryFileTest : public QObject {
     QVERIFY(contains(errorOf([&] { materials::checkDictionary(other, *dictionary); }), "another dictionary"));
   }
 
-  /// The library's codes, which are files of version 1: what is read is written with the same bytes.
-  void codesOfTheLibraryKeepTheirBytes() {
-    for (const materials::MeasuredMaterial& material : materials::measuredMaterials()) {
-      const materials::CodeFile file = materials::readCode(io::MemorySource(material.code));
-      QVERIFY(std::ranges::equal(materials::encodeCode(file.code, file.dictionaryId, file.precision), material.code));
+  /// Files of version 1: what is read is written with the same bytes.
+  void codeFilesKeepTheirBytes() {
+    for (const auto& path : gonio::test::codeFiles()) {
+      const materials::CodeFile file = materials::readCode(path);
+      QVERIFY(std::ranges::equal(materials::encodeCode(file.code, file.dictionaryId, file.precision),
+                                 gonio::test::readFile(path)));
     }
   }
 

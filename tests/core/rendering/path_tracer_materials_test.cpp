@@ -14,6 +14,7 @@
 #include "core/rendering/render_picture.h"
 #include "core/rendering/scene_file.h"
 #include "tests/core/rendering/tracing.h"
+#include "tests/support/code_files.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/leading_parameters.h"
 #include "tests/support/test_program.h"
@@ -194,13 +195,13 @@ class PathTracerMaterialsTest : public QObject {
   }
 
   void codesAgreeWithTheirTable() {
-    const materials::Material library = materials::readMaterial("library:rgl/paper_blue");
+    const dictionary::SparseCode paper = test::readCodeFile("paper_blue");
     const auto& ensemble = materials::bundledDictionary()->ensemble;
     const Scene scene = openScene("sphere-under-lamp");
-    const Tiles code = tracedTiles(scene, traced(dictionary::makeCodeBrdf(ensemble, *library.code)),
+    const Tiles code = tracedTiles(scene, traced(dictionary::makeCodeBrdf(ensemble, paper)),
                                    {.size = 12, .samples = 16}, 1),
-                table = tracedTiles(scene, traced(dictionary::decode(ensemble, *library.code)),
-                                    {.size = 12, .samples = 16}, 101);
+                table =
+                    tracedTiles(scene, traced(dictionary::decode(ensemble, paper)), {.size = 12, .samples = 16}, 101);
     const QString text = disagreement(code, table, 4e-3);
     QVERIFY2(text.isEmpty(), qPrintable(text));
   }

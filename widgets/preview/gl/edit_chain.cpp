@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/gl/edit_chain.h"
 
+#include "core/editing/lobe_change.h"
+
 namespace gonio::widgets {
 
 namespace {
@@ -10,21 +12,69 @@ using editing::DifferentialEdit;
 using editing::Edit;
 using editing::FactorEdit;
 
+/// "ggx".
 QString modelId(const models::Model& model) {
   return QString::fromUtf8(model.spec().id.data(), qsizetype(model.spec().id.size()));
 }
 
-/// The text of a chain while it is put together.
+/// A function for an edit that is composed by lobes: twin of editing::LobeChange. %1 its name, %2 the stage before it,
+/// %3 the model's name in the shader, %4 that in upper case, %5 the number of the edit.
+constexpr const char* lobesStage = R"(
+vec3 %1(vec3 wi, vec3 wo, out bool valid) {
+  vec3 value = %2(wi, wo, valid);
+  if (!valid || wi.z <= 0.0 || wo.z <= 0.0) return value;
+  vec3 ratio = fitRatio(value, evaluate_%3(wi, wo, fitted%5));
+  vec3 change = vec3(0.0);
+  for (int part = 0; part < LOBE_COUNT_%4; ++part) {
+    if (scales%5[part] == 0.0) continue;
+    vec3 carried = ratio;
+    if (scales%5[part] != 1.0) {
+      vec3 movedIn = wi, movedOut = wo;
+      bool measured;
+      scaleHalfTangent(movedIn, movedOut, scales%5[part]);
+      vec3 there = %2(movedIn, movedOut, measured);
+      if (measured) carried = fitRatio(there, evaluate_%3(movedIn, movedOut, fitted%5));
+    }
+    change += lobe_%3(part, wi, wo, edited%5) * carried - lobe_%3(part, wi, wo, fitted%5) * ratio;
+  }
+  return withChange(value, strength%5 * change);
+})";
+
+/// The text of a chain while it is put together: functions that each call the one before.
 struct ChainText {
-  QString uniforms, steps;
+  QString uniforms, functions, steps, stage = QStringLiteral("measuredBrdf");
   QStringList files;
-  int edits = 0, factorEdits = 0;
+  int edits = 0, factorEdits = 0, stages = 0, lobeEdits = 0;
+
+  QString nextStage() { return QStringLiteral("editStage%1").arg(stages++); }
+
+  /// Ends the steps that look at one pair of directions.
+  void endSteps() {
+    if (steps.isEmpty()) return;
+    const QString name = nextStage();
+    functions += QString(" STEPS(%1, %2, %3)").arg(name, stage, steps);
+    stage = name;
+    steps.clear();
+  }
 
   void add(const DifferentialEdit& edit) {
     const auto count = edit.model->shaderParameters(edit.edited).size();
     uniforms += QString(" uniform vec3 edited%1[%2], fitted%1[%2];").arg(edits).arg(count);
-    steps += QString(" MODEL_STEP(%1, edited%2, fitted%2, strength%2)").arg(modelFunction(*edit.model)).arg(edits);
     files << modelFile(*edit.model);
+    if (edit.composition == editing::Composition::lobes) return addLobes(edit);
+    const bool additive = edit.composition == editing::Composition::additive;
+    steps += QString(" %1_STEP(%2, edited%3, fitted%3, strength%3)")
+                 .arg(additive ? "ADDITIVE" : "LOG_PLUS", modelFunction(*edit.model))
+                 .arg(edits);
+  }
+
+  void addLobes(const DifferentialEdit& edit) {
+    endSteps();
+    const QString model = modelId(*edit.model).replace('-', '_'), name = nextStage();
+    uniforms += QString(" uniform float scales%1[%2];").arg(edits).arg(edit.model->lobes(edit.fitted).size());
+    functions += QString(lobesStage).arg(name, stage, model, model.toUpper()).arg(edits).replace('\n', ' ');
+    stage = name;
+    ++lobeEdits;
   }
 
   void add(const FactorEdit& edit) {
@@ -44,6 +94,13 @@ struct ChainText {
   }
 };
 
+/// Of each part of the model what LobeChange scales by; 0 where it does not change.
+std::vector<float> scaleUniforms(const DifferentialEdit& edit) {
+  std::vector<float> scales;
+  for (const double scale : editing::lobeScales(edit)) scales.push_back(float(scale));
+  return scales;
+}
+
 }  // namespace
 
 QString modelFunction(const models::Model& model) { return "evaluate_" + modelId(model).replace('-', '_'); }
@@ -60,7 +117,9 @@ void EditChain::addVariant(const editing::EditList& edits, QStringList& definiti
   ChainText text;
   for (const Edit& edit : edits) text.add(edit);
   if (text.edits == 0) return;
-  definitions << "EDIT_UNIFORMS" + text.uniforms << "EDIT_STEPS" + text.steps;
+  text.endSteps();
+  definitions << "EDIT_UNIFORMS" + text.uniforms << "EDIT_STAGES" + text.functions << "LAST_STAGE " + text.stage;
+  if (text.lobeEdits > 0) definitions << "LOBE_EDITS";
   if (text.factorEdits > 0) definitions << QString("FACTOR_EDITS %1").arg(text.factorEdits);
   preamble << text.files;
 }
@@ -76,6 +135,10 @@ void EditChain::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& progra
     if (const auto* differential = std::get_if<DifferentialEdit>(&edit.content)) {
       setModelParameters(program, "edited" + suffix, *differential->model, differential->edited);
       setModelParameters(program, "fitted" + suffix, *differential->model, differential->fitted);
+      if (differential->composition == editing::Composition::lobes) {
+        const std::vector<float> scales = scaleUniforms(*differential);
+        program.setUniformValueArray(("scales" + suffix).toUtf8().constData(), scales.data(), int(scales.size()), 1);
+      }
     } else {
       factors.push_back(std::get<FactorEdit>(edit.content));
     }

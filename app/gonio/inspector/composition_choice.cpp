@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/inspector/composition_choice.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QStandardItemModel>
+
+#include "app/gonio/document/edit_steps.h"
+
+namespace gonio::app {
+
+using editing::Composition;
+
+CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
+    : QWidget(parent), m_document(document), m_choice(new QComboBox) {
+  for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes})
+    m_choice->addItem(compositionName(composition));
+  m_choice->setItemData(int(Composition::additive), tr("measured + model(edited) - model(fitted): as published"),
+                        Qt::ToolTipRole);
+  m_choice->setItemData(int(Composition::logPlus),
+                        tr("(1 + measured)(1 + model(edited)) / (1 + model(fitted)) - 1: a ratio at the highlight"),
+                        Qt::ToolTipRole);
+  m_choice->setItemData(
+      int(Composition::lobes),
+      tr("Each lobe carries what the fit does not explain along as it widens (GGX and layered lobes)"),
+      Qt::ToolTipRole);
+  m_choice->setToolTip(
+      tr("How the change of the model is brought to the measurement.\nLobes keeps the character of a highlight while "
+         "it widens; additive is the published method."));
+  auto* layout = new QFormLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addRow(tr("Co&mposition"), m_choice);
+  connect(m_choice, &QComboBox::activated, this, [this](int index) { setComposition(m_document, Composition(index)); });
+  for (const auto signal :
+       {&Document::materialChanged, &Document::editChanged, &Document::stateChanged, &Document::selectionChanged})
+    connect(&m_document, signal, this, &CompositionChoice::refresh);
+  refresh();
+}
+
+void CompositionChoice::refresh() {
+  const auto* edit = m_document.active<editing::DifferentialEdit>();
+  setVisible(edit);
+  if (!edit) return;
+  auto* items = qobject_cast<QStandardItemModel*>(m_choice->model());
+  items->item(int(Composition::lobes))->setEnabled(edit->model->hasLobes());
+  m_choice->setCurrentIndex(int(edit->composition));
+}
+
+}  // namespace gonio::app
+
+#include "moc_composition_choice.cpp"

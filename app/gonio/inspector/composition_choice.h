@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+#include "app/gonio/document/document.h"
+
+class QComboBox;
+
+namespace gonio::app {
+
+/// Chooses how the change of the active model edit is brought to the measurement; hidden where there is none.
+class CompositionChoice : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CompositionChoice(Document& document, QWidget* parent = nullptr);
+  QComboBox& choice() { return *m_choice; }
+
+ private:
+  void refresh();
+
+  Document& m_document;
+  QComboBox* m_choice;
+};
+
+}  // namespace gonio::app

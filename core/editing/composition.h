@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "core/math/types.h"
+
+namespace gonio::editing {
+
+/// How the change of a fitted model M is brought to a measurement m. Each leaves m as it is, bit for bit, where the
+/// edited model M' is the fitted one, and none makes a value negative that was not.
+enum class Composition {
+  additive,  ///< m + (M' - M): Tongbuasirilai 2023, section 4.4.1, eq. 4.40-4.41
+  logPlus,   ///< (rho_0 + m)(rho_0 + M') / (rho_0 + M) - rho_0: a ratio at the highlight, a difference in the tails
+  lobes  ///< each lobe carries the ratio q = (m + eps) / (M + eps) along as it widens (LobeChange); of models that are
+         ///< sums of lobes (models::Model::hasLobes())
+};
+inline constexpr std::array<std::string_view, 3> compositionIds{"additive", "log-plus", "lobes"};
+
+/// rho_0 of Composition::logPlus, 1/sr.
+inline constexpr double logPlusOffset = 1;
+
+/// The change of a value by Composition::logPlus. @param value, edited, fitted in 1/sr.
+inline Rgb logPlusChange(const Rgb& value, const Rgb& edited, const Rgb& fitted) {
+  return (logPlusOffset + glm::max(value, Rgb(0))) * ((edited - fitted) / (logPlusOffset + fitted));
+}
+
+}  // namespace gonio::editing

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/editing/differential_edit.h"
+
+namespace gonio::editing {
+
+/// Composition::lobes. A model M = sum over k of M_k is fitted to a measurement m; q(x) = (m(x) + eps) / (M(x) + eps)
+/// is what the fit does not explain. Each edited lobe M'_k carries it along:
+///
+///   edited(x) = m(x) + sum over k of M'_k(x) q(w_k(x)) - M_k(x) q(x),
+///
+/// where w_k scales tan theta_h by alpha_k / alpha'_k (withScaledHalfTangent()): it maps a direction to where the
+/// unedited lobe had the same place in its profile. A highlight keeps its colour and its shape while it widens, and
+/// lobes that do not change add exactly nothing. Where w_k(x) was not measured, q(x) is taken.
+class LobeChange {
+ public:
+  /// @throws Error where the model is no sum of lobes.
+  explicit LobeChange(const DifferentialEdit& edit);
+
+  /// Added to `changes`, 1/sr, for pairs above the horizon. @param values of the base at the pairs.
+  /// Evaluates the base once more for each lobe that changes its width.
+  void evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
+                std::span<Rgb> changes) const;
+
+  bool isIsotropic() const { return fitted_->isIsotropic(); }
+  bool isReciprocal() const { return fitted_->isReciprocal(); }
+
+  /// eps, 1/sr: keeps the ratio near 1 where measurement and fit are both dark.
+  static constexpr double epsilon = 0.01;
+
+ private:
+  struct Lobe {
+    std::unique_ptr<const Brdf> fitted, edited;
+    double scale;  ///< alpha / alpha', 1 of the body
+  };
+  void add(const Lobe& lobe, const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> ratios,
+           std::span<Rgb> changes) const;
+
+  std::unique_ptr<const Brdf> fitted_;
+  std::vector<Lobe> lobes_;  ///< those that change
+};
+
+/// alpha / alpha' of each part of the edited model, 1 where it keeps its width; 0 where it does not change at all. What
+/// the shader reads. Only of models with lobes.
+std::vector<double> lobeScales(const DifferentialEdit& edit);
+
+}  // namespace gonio::editing

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+
+#include "core/io/rgl_file.h"
+#include "core/models/registry.h"
+#include "tests/support/test_program.h"
+#include "tests/widgets/offscreen_spheres.h"
+
+namespace composition_preview_test {
+using namespace gonio;
+using editing::Composition;
+namespace fs = std::filesystem;
+
+/// A model's edit of its roughness from one value to another, and of the colour of its highlight.
+editing::Edit edit(const char* id, const char* roughness, const char* colour, Composition composition, double from,
+                   double to) {
+  const models::Model& model = models::findModel(id);
+  editing::DifferentialEdit edit{
+      .model = &model, .fitted = models::defaultParameters(model.spec()), .composition = composition};
+  edit.fitted.values[*model.spec().find(roughness)] = Rgb(from);
+  edit.edited = edit.fitted;
+  edit.edited.values[*model.spec().find(roughness)] = Rgb(to);
+  edit.edited.values[*model.spec().find(colour)] *= Rgb(1.5, 1, 0.5);
+  return {.content = edit, .strength = 0.9};
+}
+
+editing::Edit ofGgx(Composition composition, double from, double to) {
+  return edit("ggx", "roughness", "specular", composition, from, to);
+}
+editing::Edit ofLayers(Composition composition, double from, double to) {
+  return edit("layered", "coat-roughness", "flakes", composition, from, to);
+}
+
+std::shared_ptr<const TabulatedBrdf> measuredTable() {
+  const models::Model& model = models::findModel("abc");
+  return bakeTable(*model.instantiate(models::defaultParameters(model.spec())));
+}
+
+/// Every composition in the shader is that of editing::applyEdits().
+class CompositionPreviewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    spheres_ = std::make_unique<test::OffscreenSpheres>();
+    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
+    table_ = measuredTable();
+  }
+  void cleanupTestCase() { spheres_.reset(); }
+
+  void overATable() {
+    for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes})
+      for (const auto& [from, to] : {std::pair{0.1, 0.4}, {0.3, 0.1}}) {
+        verify(table_, {ofGgx(composition, from, to)});
+        verify(table_, {ofLayers(composition, from, to)});
+      }
+  }
+
+  /// An edit by lobes asks the edits before it for other directions; what follows it looks at its result.
+  void inStacks() {
+    const editing::Edit lobes = ofLayers(Composition::lobes, 0.1, 0.3), others = ofGgx(Composition::logPlus, 0.2, 0.3);
+    verify(table_, {others, lobes});
+    verify(table_, {lobes, others});
+    verify(table_, {lobes, others, ofGgx(Composition::lobes, 0.2, 0.15)});
+  }
+
+  void overAnRglFile() {
+    const fs::path path = fs::path(GONIO_SHARED_DIR) / "data/rgl/vch_golden_yellow_rgb.bsdf";
+    if (!fs::exists(path)) QSKIP("the development data is absent");
+    const auto brdf = io::readRgl(io::FileSource(path)).brdf;
+    verify(brdf, {ofLayers(Composition::lobes, 0.1, 0.2)});
+    verify(brdf, {ofLayers(Composition::logPlus, 0.1, 0.2)});
+  }
+
+ private:
+  void verify(const std::shared_ptr<const Brdf>& base, const editing::EditList& edits) {
+    const widgets::PreviewSubject subject{widgets::EditedMaterial{base, edits}};
+    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), sphereScene());
+    qInfo("%.1f dB", snr);
+    QVERIFY2(snr > 40, qPrintable(QString("%1 dB").arg(snr)));
+  }
+
+  std::unique_ptr<test::OffscreenSpheres> spheres_;
+  std::shared_ptr<const TabulatedBrdf> table_;
+};
+
+GONIO_TEST(CompositionPreviewTest)
+}  // namespace composition_preview_test
+
+#include "composition_preview_test.moc"

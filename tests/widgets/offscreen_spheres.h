@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/metrics/image_metrics.h"
+#include "core/rendering/render_picture.h"
+#include "tests/support/sphere_preview.h"
+#include "tests/widgets/offscreen_context.h"
+
+namespace gonio::test {
+
+/// Pictures of a sphere by the preview's shader, beside those of the CPU. Tests skip when isValid() is false.
+class OffscreenSpheres {
+ public:
+  static constexpr int side = 64;
+
+  OffscreenSpheres() {
+    if (isValid()) renderer_.initialize();
+  }
+  ~OffscreenSpheres() {
+    if (isValid()) renderer_.release();
+  }
+  bool isValid() const { return context_.isValid(); }
+  widgets::PreviewRenderer& renderer() { return renderer_; }
+
+  Image drawn(const widgets::PreviewSubject& subject, const Scene& scene, int samples) {
+    renderer_.setSubject(subject);
+    showSphere(renderer_, scene);
+    renderer_.setSize({side, side});
+    for (int i = 0; i < samples / 64; ++i) renderer_.accumulate(64);
+    return renderer_.readPicture();
+  }
+
+  /// SNR of the shader's picture against that of `brdf` on the CPU, dB.
+  double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const Scene& scene) {
+    constexpr int samples = 512;
+    const Image reference = renderPicture(brdf, scene, {.width = side, .height = side, .samples = samples, .seed = 7});
+    return metrics::signalToNoiseRatio(reference, drawn(subject, scene, samples));
+  }
+
+ private:
+  OffscreenContext context_;
+  widgets::PreviewRenderer renderer_;
+};
+
+}  // namespace gonio::test
