@@ -9,6 +9,7 @@
 #include "core/io/merl_file.h"
 #include "core/io/rgl_file.h"
 #include "core/io/tensor_file.h"
+#include "core/io/utia_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/support/lower_case.h"
@@ -40,6 +41,17 @@ void readRglMaterial(const io::ByteSource& source, const TaskControl& control, M
                                     " negative values; where they make a BRDF value negative it is set to 0");
 }
 
+void readUtiaMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
+  control.throwIfStopped();
+  const auto utia = io::readUtia(source);
+  material.brdf = utia;
+  material.source.grid = {int(UtiaBrdf::polarCount), int(UtiaBrdf::azimuthCount), int(UtiaBrdf::polarCount),
+                          int(UtiaBrdf::azimuthCount)};
+  material.source.notes.push_back("measured up to 75 degrees from the normal; beyond, the value at 75 degrees is used");
+  if (utia->negativeCount() > 0)
+    material.source.notes.push_back(std::to_string(utia->negativeCount()) + " negative values were set to 0");
+}
+
 void readPdvMaterial(const io::ByteSource& source, const TaskControl&, Material& material) {
   const factorization::PdvFactors factors = readPdv(source);
   material.brdf = factorization::makePdvBrdf(factors);
@@ -55,14 +67,15 @@ void readCodeMaterial(const io::ByteSource& source, const TaskControl&, Material
   setCode(readCode(source), material);
 }
 
-constexpr std::string_view merlSuffixes[] = {".binary"}, rglSuffixes[] = {".bsdf"}, pdvSuffixes[] = {".pdv"},
-                           codeSuffixes[] = {".code"};
+constexpr std::string_view merlSuffixes[] = {".binary"}, rglSuffixes[] = {".bsdf"}, utiaSuffixes[] = {".bin"},
+                           pdvSuffixes[] = {".pdv"}, codeSuffixes[] = {".code"};
 
 constexpr std::array formats{
     MaterialFormat{.id = FormatId::merl,
                    .name = "MERL",
                    .label = "MERL table",
                    .suffixes = merlSuffixes,
+                   .hasCommonSuffix = false,
                    .isMeasurement = true,
                    .holds = {.nonReciprocal = true},
                    .sniff = sniffMerl,
@@ -72,15 +85,27 @@ constexpr std::array formats{
                    .name = "RGL",
                    .label = "RGL material",
                    .suffixes = rglSuffixes,
+                   .hasCommonSuffix = false,
                    .isMeasurement = true,
                    .holds = {.nonReciprocal = true, .anisotropic = true},
                    .sniff = io::expectTensorFile,
                    .read = readRglMaterial,
                    .write = nullptr},
+    MaterialFormat{.id = FormatId::utia,
+                   .name = "UTIA",
+                   .label = "UTIA material",
+                   .suffixes = utiaSuffixes,
+                   .hasCommonSuffix = true,
+                   .isMeasurement = true,
+                   .holds = {.nonReciprocal = true, .anisotropic = true},
+                   .sniff = io::expectUtia,
+                   .read = readUtiaMaterial,
+                   .write = nullptr},
     MaterialFormat{.id = FormatId::pdv,
                    .name = "PDV factors",
                    .label = "PDV factors",
                    .suffixes = pdvSuffixes,
+                   .hasCommonSuffix = false,
                    .isMeasurement = false,
                    .holds = {.nonReciprocal = true},
                    .sniff = expectPdv,
@@ -90,6 +115,7 @@ constexpr std::array formats{
                    .name = "sparse code",
                    .label = "sparse code",
                    .suffixes = codeSuffixes,
+                   .hasCommonSuffix = false,
                    .isMeasurement = false,
                    .holds = {.nonReciprocal = true},
                    .sniff = expectCode,
@@ -106,21 +132,21 @@ const MaterialFormat& formatOf(FormatId id) { return *std::ranges::find(formats,
 const MaterialFormat* formatBySuffix(const std::filesystem::path& path) {
   const std::string suffix = lowerCase(path.extension().string());
   for (const MaterialFormat& format : formats)
-    if (std::ranges::find(format.suffixes, suffix) != format.suffixes.end()) return &format;
+    if (!format.hasCommonSuffix && std::ranges::find(format.suffixes, suffix) != format.suffixes.end()) return &format;
   return nullptr;
 }
 
 bool hasSuffixOf(FormatId id, const std::filesystem::path& path) { return formatBySuffix(path) == &formatOf(id); }
 
-bool isMaterialFile(const std::filesystem::path& path) {
-  if (formatBySuffix(path)) return true;
+const MaterialFormat* formatOfFile(const std::filesystem::path& path) {
   try {
-    sniffFormat(io::FileSource(path));
-    return true;
+    return &sniffFormat(io::FileSource(path));
   } catch (const Error&) {
-    return false;
+    return formatBySuffix(path);
   }
 }
+
+bool isMaterialFile(const std::filesystem::path& path) { return formatBySuffix(path) || formatOfFile(path); }
 
 const MaterialFormat& sniffFormat(const io::ByteSource& source) {
   std::string refusals;
@@ -144,7 +170,9 @@ const MaterialFormat& writableFormat(const std::filesystem::path& path) {
 std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction) {
   std::vector<std::string_view> suffixes;
   for (const MaterialFormat& format : formats)
-    if (isWanted(format)) suffixes.insert(suffixes.end(), format.suffixes.begin(), format.suffixes.end());
+    if (isWanted(format))
+      for (const std::string_view suffix : format.suffixes)
+        if (std::ranges::find(suffixes, suffix) == suffixes.end()) suffixes.push_back(suffix);
   std::string text;
   for (std::size_t i = 0; i < suffixes.size(); ++i) {
     if (i > 0) text.append(i + 1 < suffixes.size() ? ", " : " " + std::string(conjunction) + " ");

@@ -127,6 +127,7 @@ class ReaderMutationTest : public QObject {
   void seedsAreValid() {
     readMaterialBytes(merlSeed());
     readMaterialBytes(rglSeed());
+    readMaterialBytes(utiaSeed());
     readPdvBytes(pdvSeed());
     readNpfBytes(npfSeed());
     readObjBytes(objSeed());
@@ -144,6 +145,7 @@ class ReaderMutationTest : public QObject {
 
   void merl() { check("merl.binary", merlSeed(), readMaterialBytes); }
   void rgl() { check("rgl.bsdf", rglSeed(), readMaterialBytes); }
+  void utia() { check("utia.bin", utiaSeed(), readMaterialBytes); }
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
   void npf() { check("npf.bin", npfSeed(), readNpfBytes); }
   void obj() { check("mesh.obj", objSeed(), readObjBytes); }

@@ -7,6 +7,7 @@
 
 #include "core/materials/basis_file.h"
 #include "core/materials/code_file.h"
+#include "tests/core/io/instrument_files.h"
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/smooth_materials.h"
 
@@ -15,11 +16,7 @@ namespace gonio::fuzz {
 
 using test::append;
 using test::Bytes;
-
-inline Bytes bytesOf(std::string_view text) {
-  const auto bytes = std::as_bytes(std::span(text));
-  return {bytes.begin(), bytes.end()};
-}
+using test::bytesOf;
 
 inline Bytes merlSeed() {
   Bytes bytes;
@@ -33,6 +30,11 @@ inline Bytes rglSeed() {
   for (std::size_t i = 0; i < rgl.rgb.size(); ++i) rgl.rgb[i] = float(i) * 0.1f - 0.3f;
   for (std::size_t i = 0; i < rgl.vndf.size(); ++i) rgl.vndf[i] = float(i % 5);
   return rgl.file();
+}
+
+inline Bytes utiaSeed() {
+  return test::utiaFile(test::utiaValues(
+      [](const Direction& wi, const Direction& wo) { return Rgb(1 + wi.x, wo.y - 0.2, wi.z * wo.z); }));
 }
 
 inline Bytes pdvSeed() {
