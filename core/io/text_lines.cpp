@@ -13,7 +13,6 @@ namespace gonio::io {
 namespace {
 
 constexpr std::size_t headBytes = std::size_t(1) << 16;
-constexpr std::uint64_t maxTextBytes = std::uint64_t(1) << 26;
 constexpr std::size_t shownCharacters = 60;
 constexpr std::string_view blank = " \t", separators = " \t,;";
 
@@ -86,8 +85,8 @@ std::string textHead(const ByteSource& source, const std::string& expected) {
   return head;
 }
 
-std::string allText(const ByteSource& source) {
-  const std::vector<std::byte> bytes = source.readAll(maxTextBytes);
+std::string allText(const ByteSource& source, std::uint64_t maxBytes) {
+  const std::vector<std::byte> bytes = source.readAll(maxBytes);
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

@@ -49,7 +49,7 @@ std::vector<double> finiteNumbers(const TextLine& line);
 /// The first 64 KiB of a source as text, for sniffers. @throws FormatMismatch where it holds bytes that no text has,
 /// stating `expected`.
 std::string textHead(const ByteSource& source, const std::string& expected);
-/// All of it. @throws Error where it has more than 64 MiB.
-std::string allText(const ByteSource& source);
+/// All of it. @throws Error where it has more bytes.
+std::string allText(const ByteSource& source, std::uint64_t maxBytes = std::uint64_t(1) << 26);
 
 }  // namespace gonio::io

@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <array>
 
+#include "core/io/astm_file.h"
+#include "core/io/curet_file.h"
 #include "core/io/format_mismatch.h"
+#include "core/io/goniophotometer_file.h"
 #include "core/io/merl_file.h"
 #include "core/io/rgl_file.h"
 #include "core/io/tensor_file.h"
 #include "core/io/utia_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
+#include "core/materials/scattered_material.h"
 #include "core/support/lower_case.h"
 
 namespace gonio::materials {
@@ -52,6 +56,13 @@ void readUtiaMaterial(const io::ByteSource& source, const TaskControl& control, 
     material.source.notes.push_back(std::to_string(utia->negativeCount()) + " negative values were set to 0");
 }
 
+/// Of formats of single pairs of directions.
+template <io::ScatteredSamples (*read)(const io::ByteSource& source)>
+void readScatteredMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
+  control.throwIfStopped();
+  setScattered(read(source), control, material);
+}
+
 void readPdvMaterial(const io::ByteSource& source, const TaskControl&, Material& material) {
   const factorization::PdvFactors factors = readPdv(source);
   material.brdf = factorization::makePdvBrdf(factors);
@@ -68,6 +79,7 @@ void readCodeMaterial(const io::ByteSource& source, const TaskControl&, Material
 }
 
 constexpr std::string_view merlSuffixes[] = {".binary"}, rglSuffixes[] = {".bsdf"}, utiaSuffixes[] = {".bin"},
+                           astmSuffixes[] = {".astm"}, goniophotometerSuffixes[] = {".txt"}, curetSuffixes[] = {".dat"},
                            pdvSuffixes[] = {".pdv"}, codeSuffixes[] = {".code"};
 
 constexpr std::array formats{
@@ -100,6 +112,36 @@ constexpr std::array formats{
                    .holds = {.nonReciprocal = true, .anisotropic = true},
                    .sniff = io::expectUtia,
                    .read = readUtiaMaterial,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::astm,
+                   .name = "ASTM",
+                   .label = "ASTM E1392 points",
+                   .suffixes = astmSuffixes,
+                   .hasCommonSuffix = false,
+                   .isMeasurement = false,
+                   .holds = {},
+                   .sniff = io::expectAstm,
+                   .read = readScatteredMaterial<io::readAstm>,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::goniophotometer,
+                   .name = "pgII",
+                   .label = "pgII points",
+                   .suffixes = goniophotometerSuffixes,
+                   .hasCommonSuffix = true,
+                   .isMeasurement = false,
+                   .holds = {},
+                   .sniff = io::expectGoniophotometer,
+                   .read = readScatteredMaterial<io::readGoniophotometer>,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::curet,
+                   .name = "CUReT",
+                   .label = "CUReT points",
+                   .suffixes = curetSuffixes,
+                   .hasCommonSuffix = true,
+                   .isMeasurement = false,
+                   .holds = {},
+                   .sniff = io::expectCuret,
+                   .read = readScatteredMaterial<io::readCuret>,
                    .write = nullptr},
     MaterialFormat{.id = FormatId::pdv,
                    .name = "PDV factors",

@@ -128,6 +128,9 @@ class ReaderMutationTest : public QObject {
     readMaterialBytes(merlSeed());
     readMaterialBytes(rglSeed());
     readMaterialBytes(utiaSeed());
+    readScatteredBytes<io::readAstm>(astmSeed());
+    readScatteredBytes<io::readGoniophotometer>(goniophotometerSeed());
+    readScatteredBytes<io::readCuret>(curetSeed());
     readPdvBytes(pdvSeed());
     readNpfBytes(npfSeed());
     readObjBytes(objSeed());
@@ -146,6 +149,9 @@ class ReaderMutationTest : public QObject {
   void merl() { check("merl.binary", merlSeed(), readMaterialBytes); }
   void rgl() { check("rgl.bsdf", rglSeed(), readMaterialBytes); }
   void utia() { check("utia.bin", utiaSeed(), readMaterialBytes); }
+  void astm() { check("points.astm", astmSeed(), readScatteredBytes<io::readAstm>); }
+  void goniophotometer() { check("points.txt", goniophotometerSeed(), readScatteredBytes<io::readGoniophotometer>); }
+  void curet() { check("points.dat", curetSeed(), readScatteredBytes<io::readCuret>); }
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
   void npf() { check("npf.bin", npfSeed(), readNpfBytes); }
   void obj() { check("mesh.obj", objSeed(), readObjBytes); }

@@ -37,6 +37,17 @@ inline Bytes utiaSeed() {
       [](const Direction& wi, const Direction& wo) { return Rgb(1 + wi.x, wo.y - 0.2, wi.z * wo.z); }));
 }
 
+inline Rgb seedReflectance(const Direction& wi, const Direction& wo) { return {0.2, wi.z * wo.z, 0.1 + wo.x * wi.x}; }
+
+inline Bytes astmSeed() { return test::astmFile(seedReflectance, test::scatteredPairs(12)); }
+
+inline Bytes goniophotometerSeed() {
+  const Direction light = fromSpherical(0.5, 3);
+  return test::goniophotometerFile(seedReflectance, light, {{0, 0, 1}, fromSpherical(0.6, 0.1), fromSpherical(2, 1)});
+}
+
+inline Bytes curetSeed() { return test::curetFile(seedReflectance, test::scatteredPairs(205)); }
+
 inline Bytes pdvSeed() {
   Bytes bytes = bytesOf("GONIOPDV");
   for (const std::uint32_t number : {1u, 1u, 0u, 3u, 4u, 2u, 2u}) append(bytes, number);

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
+#include <random>
 #include <span>
 #include <string>
 
 #include "core/brdf/utia_brdf.h"
 #include "core/io/image_io.h"
+#include "core/support/number_text.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/random_directions.h"
 
 /// Files of measuring instruments as tests write them: of closed forms, never of anybody's data.
 namespace gonio::test {
@@ -51,6 +55,57 @@ inline Bytes utiaPicture(const std::vector<Rgb>& values) {
   const auto path = outputPath("io/utia.exr");
   io::writeExr(image, path);
   return readFile(path);
+}
+
+/// Numbers of a row, so that they are read back as they are.
+inline std::string rowText(std::initializer_list<double> numbers, const char* separator) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : separator) + numberText(number);
+  return text + "\n";
+}
+
+/// An ASTM E1392 file of R, G and B at pairs of directions; angles times `unit` are radians.
+inline Bytes astmFile(const Reflectance& reflectance, const std::vector<DirectionPair>& pairs, double unit = 1) {
+  std::string text = "FILE_FORMAT ASTM E1392\nSAMPLE closed form\nNUM_POINTS " + std::to_string(pairs.size()) +
+                     "\nVARS theta_i,phi_i,theta_s,phi_s,R,G,B\n";
+  for (const auto& [wi, wo] : pairs) {
+    const Rgb value = reflectance(wi, wo);
+    text += rowText({polarAngle(wi) / unit, azimuth(wi) / unit, polarAngle(wo) / unit, azimuth(wo) / unit, value.x,
+                     value.y, value.z},
+                    ",");
+  }
+  return bytesOf(text);
+}
+
+/// A pgII file of one light and some viewers, grey.
+inline Bytes goniophotometerFile(const Reflectance& reflectance, const Direction& light,
+                                 const std::vector<Direction>& viewers) {
+  std::string text = "#sample_name \"closed form\"\n#format: theta phi BSDF\n#intheta " +
+                     numberText(degrees(polarAngle(light))) + "\n#inphi " + numberText(degrees(azimuth(light))) + "\n";
+  for (const Direction& viewer : viewers)
+    text += rowText({degrees(polarAngle(viewer)), degrees(azimuth(viewer)), reflectance(light, viewer).y}, " ");
+  return bytesOf(text);
+}
+
+/// A sample of CUReT with its directions: the first 205 pairs.
+inline Bytes curetFile(const Reflectance& reflectance, const std::vector<DirectionPair>& pairs) {
+  std::string text = "# closed form\n";
+  for (std::size_t i = 0; i < 205; ++i) {
+    const auto& [wi, wo] = pairs[i];
+    const Rgb value = reflectance(wi, wo);
+    text += rowText({polarAngle(wo), azimuth(wo), polarAngle(wi), azimuth(wi), value.x, value.y, value.z}, " ");
+  }
+  return bytesOf(text);
+}
+
+/// Pairs of directions up to 75 degrees from the normal, the same in every run.
+inline std::vector<DirectionPair> scatteredPairs(std::size_t count) {
+  std::mt19937_64 random(7);
+  std::vector<DirectionPair> pairs;
+  while (pairs.size() < count)
+    if (const DirectionPair pair{randomUpper(random), randomUpper(random)}; pair.wi.z > 0.26 && pair.wo.z > 0.26)
+      pairs.push_back(pair);
+  return pairs;
 }
 
 }  // namespace gonio::test

@@ -25,6 +25,12 @@ Bytes fileOf(FormatId id) {
       return fuzz::rglSeed();
     case FormatId::utia:
       return fuzz::utiaSeed();
+    case FormatId::astm:
+      return fuzz::astmSeed();
+    case FormatId::goniophotometer:
+      return fuzz::goniophotometerSeed();
+    case FormatId::curet:
+      return fuzz::curetSeed();
     case FormatId::pdv:
       return fuzz::pdvSeed();
     case FormatId::code:
@@ -53,7 +59,7 @@ class MaterialFormatsTest : public QObject {
         // RGL and the two formats of optical design programs share one.
         QVERIFY(suffix.starts_with('.') && (suffixes.insert(suffix).second || suffix == ".bsdf"));
     }
-    QCOMPARE(names.size(), std::size_t(5));
+    QCOMPARE(names.size(), std::size_t(8));
   }
 
   /// Each format's file is sniffed as its own alone, whatever it is called, and holds no more than the table says.
@@ -86,7 +92,8 @@ class MaterialFormatsTest : public QObject {
     QVERIFY(!materials::isMaterialFile(bin) && !materials::formatOfFile(bin));
     const auto broken = writeFile("materials/words.pdv", bytesOf("words"));
     QVERIFY(materials::formatOfFile(broken) == &materials::formatOf(FormatId::pdv));
-    QCOMPARE(materials::suffixText(materials::isAnyFormat, "or"), std::string(".binary, .bsdf, .bin, .pdv or .code"));
+    QCOMPARE(materials::suffixText(materials::isAnyFormat, "or"),
+             std::string(".binary, .bsdf, .bin, .astm, .txt, .dat, .pdv or .code"));
     QCOMPARE(materials::suffixText(materials::isMeasurement, "and"), std::string(".binary, .bsdf and .bin"));
     QCOMPARE(materials::suffixText(materials::isWritable, "or"), std::string(".binary"));
   }
