@@ -49,7 +49,7 @@ Header readHeader(std::string_view text) {
     header.variables = line;
     break;
   }
-  if (!header.points || !header.variables) throw FormatMismatch("text without them", expected);
+  if (!header.points || !header.variables) throw FormatMismatch("text without such lines", expected);
   return header;
 }
 

@@ -9,10 +9,12 @@
 #include "core/io/curet_file.h"
 #include "core/io/format_mismatch.h"
 #include "core/io/goniophotometer_file.h"
+#include "core/io/lighttools_file.h"
 #include "core/io/merl_file.h"
 #include "core/io/rgl_file.h"
 #include "core/io/tensor_file.h"
 #include "core/io/utia_file.h"
+#include "core/io/zemax_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/materials/scattered_material.h"
@@ -56,6 +58,19 @@ void readUtiaMaterial(const io::ByteSource& source, const TaskControl& control, 
     material.source.notes.push_back(std::to_string(utia->negativeCount()) + " negative values were set to 0");
 }
 
+/// Of the formats of optical design programs.
+template <io::IncidenceFile (*read)(const io::ByteSource& source)>
+void readIncidenceMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
+  control.throwIfStopped();
+  io::IncidenceFile file = read(source);
+  const IncidenceTable& table = file.brdf->table();
+  material.brdf = file.brdf;
+  material.source.grid = {int(table.incident.size()), int(table.azimuths.size()), int(table.polars.size())};
+  material.source.notes = std::move(file.notes);
+  if (file.brdf->negativeCount() > 0)
+    material.source.notes.push_back(std::to_string(file.brdf->negativeCount()) + " negative values were set to 0");
+}
+
 /// Of formats of single pairs of directions.
 template <io::ScatteredSamples (*read)(const io::ByteSource& source)>
 void readScatteredMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
@@ -78,7 +93,7 @@ void readCodeMaterial(const io::ByteSource& source, const TaskControl&, Material
   setCode(readCode(source), material);
 }
 
-constexpr std::string_view merlSuffixes[] = {".binary"}, rglSuffixes[] = {".bsdf"}, utiaSuffixes[] = {".bin"},
+constexpr std::string_view merlSuffixes[] = {".binary"}, bsdfSuffixes[] = {".bsdf"}, utiaSuffixes[] = {".bin"},
                            astmSuffixes[] = {".astm"}, goniophotometerSuffixes[] = {".txt"}, curetSuffixes[] = {".dat"},
                            pdvSuffixes[] = {".pdv"}, codeSuffixes[] = {".code"};
 
@@ -96,7 +111,7 @@ constexpr std::array formats{
     MaterialFormat{.id = FormatId::rgl,
                    .name = "RGL",
                    .label = "RGL material",
-                   .suffixes = rglSuffixes,
+                   .suffixes = bsdfSuffixes,
                    .hasCommonSuffix = false,
                    .isMeasurement = true,
                    .holds = {.nonReciprocal = true, .anisotropic = true},
@@ -112,6 +127,26 @@ constexpr std::array formats{
                    .holds = {.nonReciprocal = true, .anisotropic = true},
                    .sniff = io::expectUtia,
                    .read = readUtiaMaterial,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::zemax,
+                   .name = "Zemax",
+                   .label = "Zemax BSDF",
+                   .suffixes = bsdfSuffixes,
+                   .hasCommonSuffix = false,
+                   .isMeasurement = true,
+                   .holds = {.nonReciprocal = true},
+                   .sniff = io::expectZemax,
+                   .read = readIncidenceMaterial<io::readZemax>,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::lightTools,
+                   .name = "LightTools",
+                   .label = "LightTools BSDF",
+                   .suffixes = bsdfSuffixes,
+                   .hasCommonSuffix = false,
+                   .isMeasurement = true,
+                   .holds = {.nonReciprocal = true},
+                   .sniff = io::expectLightTools,
+                   .read = readIncidenceMaterial<io::readLightTools>,
                    .write = nullptr},
     MaterialFormat{.id = FormatId::astm,
                    .name = "ASTM",

@@ -15,7 +15,7 @@
 /// command line know of them. A new format is a row of it.
 namespace gonio::materials {
 
-enum class FormatId { merl, rgl, utia, astm, goniophotometer, curet, pdv, code };
+enum class FormatId { merl, rgl, utia, zemax, lightTools, astm, goniophotometer, curet, pdv, code };
 
 /// What a file of a format may hold beyond reciprocal, isotropic RGB.
 struct FormatCapabilities {

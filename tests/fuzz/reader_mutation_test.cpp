@@ -128,6 +128,8 @@ class ReaderMutationTest : public QObject {
     readMaterialBytes(merlSeed());
     readMaterialBytes(rglSeed());
     readMaterialBytes(utiaSeed());
+    readMaterialBytes(zemaxSeed());
+    readMaterialBytes(lightToolsSeed());
     readScatteredBytes<io::readAstm>(astmSeed());
     readScatteredBytes<io::readGoniophotometer>(goniophotometerSeed());
     readScatteredBytes<io::readCuret>(curetSeed());
@@ -149,6 +151,8 @@ class ReaderMutationTest : public QObject {
   void merl() { check("merl.binary", merlSeed(), readMaterialBytes); }
   void rgl() { check("rgl.bsdf", rglSeed(), readMaterialBytes); }
   void utia() { check("utia.bin", utiaSeed(), readMaterialBytes); }
+  void zemax() { check("table.bsdf", zemaxSeed(), readMaterialBytes); }
+  void lightTools() { check("blocks.bsdf", lightToolsSeed(), readMaterialBytes); }
   void astm() { check("points.astm", astmSeed(), readScatteredBytes<io::readAstm>); }
   void goniophotometer() { check("points.txt", goniophotometerSeed(), readScatteredBytes<io::readGoniophotometer>); }
   void curet() { check("points.dat", curetSeed(), readScatteredBytes<io::readCuret>); }

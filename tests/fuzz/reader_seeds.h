@@ -48,6 +48,12 @@ inline Bytes goniophotometerSeed() {
 
 inline Bytes curetSeed() { return test::curetFile(seedReflectance, test::scatteredPairs(205)); }
 
+inline Bytes zemaxSeed() { return test::zemaxFile(seedReflectance, {{0, 30, 60}, {0, 90, 180}, {0, 10, 40, 90}}); }
+
+inline Bytes lightToolsSeed() {
+  return test::lightToolsFile(seedReflectance, {{10, 50}, {0, 90, 180, 270}, {0, 30, 60}});
+}
+
 inline Bytes pdvSeed() {
   Bytes bytes = bytesOf("GONIOPDV");
   for (const std::uint32_t number : {1u, 1u, 0u, 3u, 4u, 2u, 2u}) append(bytes, number);

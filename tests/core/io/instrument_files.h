@@ -98,6 +98,60 @@ inline Bytes curetFile(const Reflectance& reflectance, const std::vector<Directi
   return bytesOf(text);
 }
 
+/// "ScatterRadial 2\n0 10\n".
+inline std::string anglesText(const char* key, const std::vector<double>& angles) {
+  std::string text = std::string(key) + " " + std::to_string(angles.size()) + "\n";
+  for (const double angle : angles) text += numberText(angle) + "\t";
+  return text + "\n";
+}
+
+/// What the files of optical design programs hold: angles of incidence, azimuths and radial angles, degrees.
+struct ScatterAngles {
+  std::vector<double> incident, azimuths, radials;
+};
+
+/// A Zemax BSDF file, symmetric about the plane of incidence. The light stands at azimuth pi, its mirror direction at
+/// 0.
+inline Bytes zemaxFile(const Reflectance& reflectance, const ScatterAngles& angles) {
+  std::string text =
+      "# closed form\nSource  Measured\nSymmetry  PlaneSymmetrical\nSpectralContent  Monochrome\n"
+      "ScatterType  BRDF\nSampleRotation  1\n0\n" +
+      anglesText("AngleOfIncidence", angles.incident) + anglesText("ScatterAzimuth", angles.azimuths) +
+      anglesText("ScatterRadial", angles.radials) + "\nMonochrome\nDataBegin\n";
+  for (const double incident : angles.incident) {
+    text += "TIS 0.5\n";
+    const double theta = radians(incident);
+    for (const double azimuth : angles.azimuths) {
+      for (const double radial : angles.radials) {
+        // Azimuth 0 leads from the mirror direction to the normal: toward smaller x.
+        const Direction up = fromSpherical(radians(radial), radians(azimuth));
+        const Direction wo(std::sin(theta) * up.z - std::cos(theta) * up.x, up.y,
+                           std::cos(theta) * up.z + std::sin(theta) * up.x);
+        text += numberText(wo.z < 0 ? 0.0 : reflectance(fromSpherical(theta, pi), wo).x) + "\t";
+      }
+      text += "\n";
+    }
+  }
+  return bytesOf(text + "DataEnd\n");
+}
+
+/// A LightTools BSDF file of the front's reflection; the light stands at azimuth 90 degrees.
+inline Bytes lightToolsFile(const Reflectance& reflectance, const ScatterAngles& angles) {
+  std::string text = "# closed form\nSymmetry Asymmetric\nSpectralContent Monochrome\n" +
+                     anglesText("ScatterAzimuth", angles.azimuths) + anglesText("ScatterRadial", angles.radials) +
+                     "DataBegin\n";
+  for (const double incident : angles.incident) {
+    text += "AOI " + numberText(incident) + "\nPOI 0\nSide Front\nWavelength 550\nScatterType BRDF\nTIS 0.5\n";
+    const Direction wi = fromSpherical(radians(incident), halfPi);
+    for (const double azimuth : angles.azimuths) {
+      for (const double radial : angles.radials)
+        text += numberText(reflectance(wi, fromSpherical(radians(radial), radians(azimuth))).x) + " ";
+      text += "\n";
+    }
+  }
+  return bytesOf(text + "DataEnd\n");
+}
+
 /// Pairs of directions up to 75 degrees from the normal, the same in every run.
 inline std::vector<DirectionPair> scatteredPairs(std::size_t count) {
   std::mt19937_64 random(7);

@@ -25,6 +25,10 @@ Bytes fileOf(FormatId id) {
       return fuzz::rglSeed();
     case FormatId::utia:
       return fuzz::utiaSeed();
+    case FormatId::zemax:
+      return fuzz::zemaxSeed();
+    case FormatId::lightTools:
+      return fuzz::lightToolsSeed();
     case FormatId::astm:
       return fuzz::astmSeed();
     case FormatId::goniophotometer:
@@ -59,7 +63,7 @@ class MaterialFormatsTest : public QObject {
         // RGL and the two formats of optical design programs share one.
         QVERIFY(suffix.starts_with('.') && (suffixes.insert(suffix).second || suffix == ".bsdf"));
     }
-    QCOMPARE(names.size(), std::size_t(8));
+    QCOMPARE(names.size(), std::size_t(10));
   }
 
   /// Each format's file is sniffed as its own alone, whatever it is called, and holds no more than the table says.
@@ -135,13 +139,28 @@ class MaterialFormatsTest : public QObject {
   }
 
   void refusedFileStatesWhatEachFormatFound() {
-    const auto path = writeFile("materials/notes.txt", std::as_bytes(std::span("these are only words")));
+    const auto path = writeFile("materials/notes.txt", bytesOf("these are only words.\n"));
     const std::string error = errorOf([&] { materials::readMaterial(path); });
     QVERIFY2(contains(error, "notes.txt: this file could not be read:") &&
                  contains(error, "\n  MERL: found axis counts") && contains(error, "\n  RGL: found") &&
                  contains(error, "expected the signature 'tensor_file'") &&
-                 contains(error, "\n  PDV factors: not a PDV file (signature missing)"),
+                 contains(error, "\n  PDV factors: not a PDV file (signature missing)") &&
+                 contains(error, "\n  UTIA: found 22 bytes; expected 1990656 bytes") &&
+                 contains(error, "\n  Zemax: found text without these keys; expected the keys AngleOfIncidence") &&
+                 contains(error, "\n  LightTools: found") && contains(error, "\n  ASTM: found") &&
+                 contains(error, "\n  pgII: found a first line that does not begin with #") &&
+                 contains(error, "\n  CUReT: found line 1"),
              error.c_str());
+  }
+
+  /// Three formats share the suffix .bsdf; training sets take measured files by what they are.
+  void sharedSuffixIsDecidedByTheContent() {
+    for (const FormatId id : {FormatId::rgl, FormatId::zemax, FormatId::lightTools}) {
+      const auto path = writeFile("materials/shared.bsdf", fileOf(id));
+      QVERIFY(materials::formatOfFile(path) == &materials::formatOf(id));
+      QCOMPARE(materials::readMaterial(path).source.format, std::string(materials::formatOf(id).name));
+    }
+    QVERIFY(materials::formatBySuffix("x.bsdf") == &materials::formatOf(FormatId::rgl));
   }
 
   /// A file that begins like one of a format is reported as a broken file of that format alone.

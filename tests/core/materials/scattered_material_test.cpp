@@ -106,8 +106,9 @@ class ScatteredMaterialTest : public QObject {
     QVERIFY(contains(noteWith(material, "nodes"), "3 points at 2 nodes are used"));
     QVERIFY(contains(noteWith(material, "at or below the horizon"), "1 points"));
     QVERIFY(contains(noteWith(material, "negative"), "1 negative values were set to 0"));
-    ScatteredSamples mean = samples;
-    mean.values[0] = mean.values[1] = Rgb(0.2);
+    ScatteredSamples mean;
+    mean.add(pair, Rgb(0.2));
+    mean.add(samples.directions[2], samples.values[2]);
     QVERIFY(std::ranges::equal(materialOf(mean).table->values(), material.table->values()));
   }
 
