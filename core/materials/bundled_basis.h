@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "core/dictionary/principal_components.h"
 
@@ -12,9 +13,14 @@ namespace gonio::materials {
 /// are no better on a finer grid.
 inline constexpr HalfDifferenceGrid bundledBasisGrid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 45};
 
-/// Principal components of all bundled materials (bundledLibrary()) over bundledBasisGrid: what is known of materials
-/// before one is measured. Learned at the first call of a process (5 s), then shared; 19 MB.
-/// @throws Cancelled; the next call then starts again.
-std::shared_ptr<const dictionary::PrincipalComponents> bundledBasis(const TaskControl& control = {});
+/// What is known of materials before one is measured, over bundledBasisGrid.
+struct BundledBasis {
+  dictionary::PrincipalComponents components;  ///< of all bundled materials (bundledLibrary())
+  std::vector<float> largest;  ///< of each cell, the largest value of a channel of a bundled material, 1/sr
+};
+
+/// Learned at the first call of a process (5 s), then shared; 19 MB. @throws Cancelled; the next call then starts
+/// again.
+std::shared_ptr<const BundledBasis> bundledBasis(const TaskControl& control = {});
 
 }  // namespace gonio::materials

@@ -99,22 +99,45 @@ void addNotes(const io::ScatteredSamples& samples, const GatheredPoints& points,
     notes.push_back("leave-one-out error: unknown, the points do not predict each other");
 }
 
+/// The reconstruction without values that neither a bundled material has at a node nor the measurement anywhere: what
+/// the measured points say nothing about, the components may exaggerate without bound. Counts the channels.
+std::shared_ptr<const TabulatedBrdf> limited(const TabulatedBrdf& table, const std::vector<float>& largest,
+                                             const acquisition::MeasuredValues& measured, std::size_t& count) {
+  double largestMeasured = 0;
+  for (const Rgb& value : measured.rgb) largestMeasured = std::max(largestMeasured, maxChannel(value));
+  std::vector<TabulatedBrdf::Value> values(table.values().begin(), table.values().end());
+  for (std::size_t cell = 0; cell < values.size(); ++cell)
+    for (int channel = 0; channel < 3; ++channel) {
+      const float limit = std::max(largest[cell], float(largestMeasured));
+      count += values[cell][channel] > limit;
+      values[cell][channel] = std::min(values[cell][channel], limit);
+    }
+  return std::make_shared<const TabulatedBrdf>(table.grid(), std::move(values),
+                                               std::vector<std::uint8_t>(table.valid().begin(), table.valid().end()));
+}
+
 }  // namespace
 
 void setScattered(const io::ScatteredSamples& samples, const TaskControl& control, Material& material) {
   const auto basis = bundledBasis(control.between(0, 0.6));
-  GatheredPoints points = gather(samples, basis->mapping);
+  const MappedCells& mapping = basis->components.mapping;
+  GatheredPoints points = gather(samples, mapping);
   if (points.nodes.empty())
     throw Error("found " + std::to_string(samples.values.size()) +
                 " points, expected at least one away from the horizon");
-  const Measured measured = measuredAt(points, basis->mapping.grid, !samples.deviations.empty());
+  const Measured measured = measuredAt(points, mapping.grid, !samples.deviations.empty());
   const acquisition::Reconstruction reconstruction = acquisition::reconstruct(
-      *basis, measured.plan, measured.values, {.uncertainty = false}, control.between(0.6, 0.9));
-  material.table = bakeTable(*reconstruction.table, {}, control.between(0.9, 1));
+      basis->components, measured.plan, measured.values, {.uncertainty = false}, control.between(0.6, 0.9));
+  std::size_t limitedCount = 0;
+  const auto table = limited(*reconstruction.table, basis->largest, measured.values, limitedCount);
+  material.table = bakeTable(*table, {}, control.between(0.9, 1));
   material.brdf = material.table;
   material.source.grid = {int(samples.values.size())};
   material.source.description = samples.description;
   addNotes(samples, points, measured.plan.samples.size(), reconstruction, material.source.notes);
+  if (limitedCount > 0)
+    material.source.notes.push_back(std::to_string(limitedCount) +
+                                    " reconstructed values were limited to the largest of the bundled materials");
 }
 
 }  // namespace gonio::materials

@@ -131,6 +131,19 @@ class ScatteredMaterialTest : public QObject {
     QVERIFY(logError(*material.brdf, pairsAboutTheHighlight(500, 5)) < 0.2);
   }
 
+  /// Black and very bright points side by side, of which the components alone would make values of millions.
+  void valuesStayWithinThoseOfMaterials() {
+    const auto basis = materials::bundledBasis();
+    float largest = 0;
+    for (const float value : basis->largest) largest = std::max(largest, value);
+    ScatteredSamples samples;
+    for (const DirectionPair& pair : scatteredPairs(205)) samples.add(pair, {0.2, pair.wi.z, pair.wi.x * pair.wo.x});
+    const materials::Material material = materialOf(samples);
+    for (const glm::vec3& value : material.table->values())
+      for (int channel = 0; channel < 3; ++channel) QVERIFY(value[channel] <= largest);
+    QVERIFY(contains(noteWith(material, "limited"), "to the largest of the bundled materials"));
+  }
+
   void nothingToLearnFromIsRefused() {
     QVERIFY(contains(errorOf([] { materialOf({}); }), "found 0 points, expected at least one"));
     // Light and viewer all but opposite: no half vector that a table holds.
