@@ -67,8 +67,8 @@ bool hasKey(std::string_view text, std::string_view key) {
 }
 
 std::vector<double> inRadians(const std::vector<double>& angles) {
-  std::vector<double> result;
-  for (const double angle : angles) result.push_back(radians(angle));
+  std::vector<double> result = angles;
+  for (double& angle : result) angle = radians(angle);
   return result;
 }
 

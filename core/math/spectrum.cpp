@@ -50,7 +50,8 @@ std::vector<Rgb> spectrumWeights(std::span<const double> nanometres) {
   assert(!nanometres.empty() && std::is_sorted(nanometres.begin(), nanometres.end()));
   std::vector<Rgb> weights(nanometres.size(), Rgb(0));
   Rgb white(0);
-  for (double at = shortestVisible; at <= longestVisible; at += 1) {
+  for (int step = 0; step <= int(longestVisible - shortestVisible); ++step) {
+    const double at = shortestVisible + step;
     const Rgb colour = linearSrgb(daylightPower(at) * colourMatching(at));
     white += colour;
     const auto above = std::lower_bound(nanometres.begin(), nanometres.end(), at);
