@@ -23,7 +23,7 @@ std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
     }
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(source))
-      if (const auto* format = materials::formatBySuffix(entry.path()); format && format->isMeasurement)
+      if (const auto* format = materials::formatOfFile(entry.path()); format && format->isMeasurement)
         found.push_back(entry.path().string());
     if (found.empty())
       throw Error(source + ": found no file of a measured material, expected " +

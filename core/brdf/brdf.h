@@ -36,7 +36,8 @@ class Brdf {
   /// known.
   virtual bool isReciprocal() const { return true; }
 
-  /// Whether the value of a pair is known: false below the horizon, and where a measurement has no data. It is 0 there.
+  /// Whether the value of a pair is known: false below the horizon, and where a measurement has no data. It is 0 there,
+  /// or what a class documents as its continuation beyond the measured angles.
   virtual bool hasData(const DirectionPair& pair) const { return !isBelowHorizon(pair.wi) && !isBelowHorizon(pair.wo); }
   /// This BRDF where it is a table, so that its nodes can be read exactly; null for all others.
   virtual const TabulatedBrdf* asTable() const { return nullptr; }

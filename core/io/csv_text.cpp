@@ -133,10 +133,11 @@ int CsvText::integer(const Row& row, std::size_t column) const {
   return *value;
 }
 
-CsvText readCsvText(std::string_view text, std::span<const std::string_view> namesWithoutHeader) {
+CsvText readCsvText(std::string_view text, std::span<const std::string_view> namesWithoutHeader,
+                    std::size_t firstLine) {
   if (text.starts_with(byteOrderMark)) text.remove_prefix(byteOrderMark.size());
   CsvText csv;
-  for (std::size_t number = 1; !text.empty(); ++number) {
+  for (std::size_t number = firstLine; !text.empty(); ++number) {
     const std::string_view line = takeLine(text), content = trimmed(line, " \t\",;");
     if (content.empty()) continue;
     if (content.starts_with('#')) {

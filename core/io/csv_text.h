@@ -40,9 +40,11 @@ struct CsvText {
 
 /// @param namesWithoutHeader of the first columns of a table whose first line holds a number in its first field;
 /// further columns are named by their number. Empty where the first line has to be one of names.
+/// @param firstLine number of the text's first line in its file, for errors.
 /// @throws Error naming the line where a row has another number of fields than there are names (fields that are empty
 /// at the end of a row are passed over), where a name stands twice, and where there are no names.
-CsvText readCsvText(std::string_view text, std::span<const std::string_view> namesWithoutHeader = {});
+CsvText readCsvText(std::string_view text, std::span<const std::string_view> namesWithoutHeader = {},
+                    std::size_t firstLine = 1);
 
 /// The text of a file, for parsers of tables. @throws Error where it has more than 16 MiB; it names no file.
 std::string readText(const std::filesystem::path& path);

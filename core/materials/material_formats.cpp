@@ -5,12 +5,19 @@
 #include <algorithm>
 #include <array>
 
+#include "core/io/astm_file.h"
+#include "core/io/curet_file.h"
 #include "core/io/format_mismatch.h"
+#include "core/io/goniophotometer_file.h"
+#include "core/io/lighttools_file.h"
 #include "core/io/merl_file.h"
 #include "core/io/rgl_file.h"
 #include "core/io/tensor_file.h"
+#include "core/io/utia_file.h"
+#include "core/io/zemax_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
+#include "core/materials/scattered_material.h"
 #include "core/support/lower_case.h"
 
 namespace gonio::materials {
@@ -40,6 +47,37 @@ void readRglMaterial(const io::ByteSource& source, const TaskControl& control, M
                                     " negative values (colours outside the sRGB gamut)");
 }
 
+void readUtiaMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
+  control.throwIfStopped();
+  const auto utia = io::readUtia(source);
+  material.brdf = utia;
+  material.source.grid = {int(UtiaBrdf::polarCount), int(UtiaBrdf::azimuthCount), int(UtiaBrdf::polarCount),
+                          int(UtiaBrdf::azimuthCount)};
+  material.source.notes.push_back("measured up to 75 degrees from the normal; beyond, the value at 75 degrees is used");
+  if (utia->negativeCount() > 0)
+    material.source.notes.push_back(std::to_string(utia->negativeCount()) + " negative values were set to 0");
+}
+
+/// Of the formats of optical design programs.
+template <io::IncidenceFile (*read)(const io::ByteSource& source)>
+void readIncidenceMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
+  control.throwIfStopped();
+  io::IncidenceFile file = read(source);
+  const IncidenceTable& table = file.brdf->table();
+  material.brdf = file.brdf;
+  material.source.grid = {int(table.incident.size()), int(table.azimuths.size()), int(table.polars.size())};
+  material.source.notes = std::move(file.notes);
+  if (file.brdf->negativeCount() > 0)
+    material.source.notes.push_back(std::to_string(file.brdf->negativeCount()) + " negative values were set to 0");
+}
+
+/// Of formats of single pairs of directions.
+template <io::ScatteredSamples (*read)(const io::ByteSource& source)>
+void readScatteredMaterial(const io::ByteSource& source, const TaskControl& control, Material& material) {
+  control.throwIfStopped();
+  setScattered(read(source), control, material);
+}
+
 void readPdvMaterial(const io::ByteSource& source, const TaskControl&, Material& material) {
   const factorization::PdvFactors factors = readPdv(source);
   material.brdf = factorization::makePdvBrdf(factors);
@@ -55,14 +93,16 @@ void readCodeMaterial(const io::ByteSource& source, const TaskControl&, Material
   setCode(readCode(source), material);
 }
 
-constexpr std::string_view merlSuffixes[] = {".binary"}, rglSuffixes[] = {".bsdf"}, pdvSuffixes[] = {".pdv"},
-                           codeSuffixes[] = {".code"};
+constexpr std::string_view merlSuffixes[] = {".binary"}, bsdfSuffixes[] = {".bsdf"}, utiaSuffixes[] = {".bin"},
+                           astmSuffixes[] = {".astm"}, goniophotometerSuffixes[] = {".txt"}, curetSuffixes[] = {".dat"},
+                           pdvSuffixes[] = {".pdv"}, codeSuffixes[] = {".code"};
 
 constexpr std::array formats{
     MaterialFormat{.id = FormatId::merl,
                    .name = "MERL",
                    .label = "MERL table",
                    .suffixes = merlSuffixes,
+                   .hasCommonSuffix = false,
                    .isMeasurement = true,
                    .holds = {.nonReciprocal = true},
                    .sniff = sniffMerl,
@@ -71,16 +111,78 @@ constexpr std::array formats{
     MaterialFormat{.id = FormatId::rgl,
                    .name = "RGL",
                    .label = "RGL material",
-                   .suffixes = rglSuffixes,
+                   .suffixes = bsdfSuffixes,
+                   .hasCommonSuffix = false,
                    .isMeasurement = true,
                    .holds = {.nonReciprocal = true, .anisotropic = true},
                    .sniff = io::expectTensorFile,
                    .read = readRglMaterial,
                    .write = nullptr},
+    MaterialFormat{.id = FormatId::utia,
+                   .name = "UTIA",
+                   .label = "UTIA material",
+                   .suffixes = utiaSuffixes,
+                   .hasCommonSuffix = true,
+                   .isMeasurement = true,
+                   .holds = {.nonReciprocal = true, .anisotropic = true},
+                   .sniff = io::expectUtia,
+                   .read = readUtiaMaterial,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::zemax,
+                   .name = "Zemax",
+                   .label = "Zemax BSDF",
+                   .suffixes = bsdfSuffixes,
+                   .hasCommonSuffix = false,
+                   .isMeasurement = true,
+                   .holds = {.nonReciprocal = true},
+                   .sniff = io::expectZemax,
+                   .read = readIncidenceMaterial<io::readZemax>,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::lightTools,
+                   .name = "LightTools",
+                   .label = "LightTools BSDF",
+                   .suffixes = bsdfSuffixes,
+                   .hasCommonSuffix = false,
+                   .isMeasurement = true,
+                   .holds = {.nonReciprocal = true},
+                   .sniff = io::expectLightTools,
+                   .read = readIncidenceMaterial<io::readLightTools>,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::astm,
+                   .name = "ASTM",
+                   .label = "ASTM E1392 points",
+                   .suffixes = astmSuffixes,
+                   .hasCommonSuffix = false,
+                   .isMeasurement = false,
+                   .holds = {},
+                   .sniff = io::expectAstm,
+                   .read = readScatteredMaterial<io::readAstm>,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::goniophotometer,
+                   .name = "pgII",
+                   .label = "pgII points",
+                   .suffixes = goniophotometerSuffixes,
+                   .hasCommonSuffix = true,
+                   .isMeasurement = false,
+                   .holds = {},
+                   .sniff = io::expectGoniophotometer,
+                   .read = readScatteredMaterial<io::readGoniophotometer>,
+                   .write = nullptr},
+    MaterialFormat{.id = FormatId::curet,
+                   .name = "CUReT",
+                   .label = "CUReT points",
+                   .suffixes = curetSuffixes,
+                   .hasCommonSuffix = true,
+                   .isMeasurement = false,
+                   .holds = {},
+                   .sniff = io::expectCuret,
+                   .read = readScatteredMaterial<io::readCuret>,
+                   .write = nullptr},
     MaterialFormat{.id = FormatId::pdv,
                    .name = "PDV factors",
                    .label = "PDV factors",
                    .suffixes = pdvSuffixes,
+                   .hasCommonSuffix = false,
                    .isMeasurement = false,
                    .holds = {.nonReciprocal = true},
                    .sniff = expectPdv,
@@ -90,6 +192,7 @@ constexpr std::array formats{
                    .name = "sparse code",
                    .label = "sparse code",
                    .suffixes = codeSuffixes,
+                   .hasCommonSuffix = false,
                    .isMeasurement = false,
                    .holds = {.nonReciprocal = true},
                    .sniff = expectCode,
@@ -106,21 +209,21 @@ const MaterialFormat& formatOf(FormatId id) { return *std::ranges::find(formats,
 const MaterialFormat* formatBySuffix(const std::filesystem::path& path) {
   const std::string suffix = lowerCase(path.extension().string());
   for (const MaterialFormat& format : formats)
-    if (std::ranges::find(format.suffixes, suffix) != format.suffixes.end()) return &format;
+    if (!format.hasCommonSuffix && std::ranges::find(format.suffixes, suffix) != format.suffixes.end()) return &format;
   return nullptr;
 }
 
 bool hasSuffixOf(FormatId id, const std::filesystem::path& path) { return formatBySuffix(path) == &formatOf(id); }
 
-bool isMaterialFile(const std::filesystem::path& path) {
-  if (formatBySuffix(path)) return true;
+const MaterialFormat* formatOfFile(const std::filesystem::path& path) {
   try {
-    sniffFormat(io::FileSource(path));
-    return true;
+    return &sniffFormat(io::FileSource(path));
   } catch (const Error&) {
-    return false;
+    return formatBySuffix(path);
   }
 }
+
+bool isMaterialFile(const std::filesystem::path& path) { return formatBySuffix(path) || formatOfFile(path); }
 
 const MaterialFormat& sniffFormat(const io::ByteSource& source) {
   std::string refusals;
@@ -144,7 +247,9 @@ const MaterialFormat& writableFormat(const std::filesystem::path& path) {
 std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction) {
   std::vector<std::string_view> suffixes;
   for (const MaterialFormat& format : formats)
-    if (isWanted(format)) suffixes.insert(suffixes.end(), format.suffixes.begin(), format.suffixes.end());
+    if (isWanted(format))
+      for (const std::string_view suffix : format.suffixes)
+        if (std::ranges::find(suffixes, suffix) == suffixes.end()) suffixes.push_back(suffix);
   std::string text;
   for (std::size_t i = 0; i < suffixes.size(); ++i) {
     if (i > 0) text.append(i + 1 < suffixes.size() ? ", " : " " + std::string(conjunction) + " ");

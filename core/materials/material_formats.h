@@ -15,7 +15,7 @@
 /// command line know of them. A new format is a row of it.
 namespace gonio::materials {
 
-enum class FormatId { merl, rgl, pdv, code };
+enum class FormatId { merl, rgl, utia, zemax, lightTools, astm, goniophotometer, curet, pdv, code };
 
 /// What a file of a format may hold beyond reciprocal, isotropic RGB.
 struct FormatCapabilities {
@@ -27,6 +27,7 @@ struct MaterialFormat {
   std::string_view name;                       ///< MaterialSource::format: "MERL"
   std::string_view label;                      ///< of a file, for people: "MERL table"
   std::span<const std::string_view> suffixes;  ///< with their dot; files are written with the first
+  bool hasCommonSuffix;                        ///< other kinds of files have it too: only the content decides
   bool isMeasurement;                          ///< else a model of a measurement: training sets do not take it
   FormatCapabilities holds;
   /// Looks at the start of a file (and its size). @throws FormatMismatch stating what was found and what was expected.
@@ -43,9 +44,12 @@ struct MaterialFormat {
 std::span<const MaterialFormat> materialFormats();
 const MaterialFormat& formatOf(FormatId id);
 
-/// By the suffix of a name, in either case; null where no format has it.
+/// By the suffix of a name, in either case; null where no format has it as its own. The first of formats that share it.
 const MaterialFormat* formatBySuffix(const std::filesystem::path& path);
 bool hasSuffixOf(FormatId id, const std::filesystem::path& path);
+
+/// By content, or where no format takes it (a broken file) by suffix; null for all other files.
+const MaterialFormat* formatOfFile(const std::filesystem::path& path);
 
 /// By suffix, or where a file of another name begins like one of a format.
 bool isMaterialFile(const std::filesystem::path& path);
@@ -56,7 +60,7 @@ const MaterialFormat& sniffFormat(const io::ByteSource& source);
 /// The format that a name asks materials to be written in. @throws Error when its suffix is of no such format.
 const MaterialFormat& writableFormat(const std::filesystem::path& path);
 
-/// Suffixes for people: ".binary, .bsdf, .pdv or .code". @param conjunction "or", "and".
+/// Suffixes for people, each once: ".binary, .bsdf, .pdv or .code". @param conjunction "or", "and".
 std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction);
 inline bool isAnyFormat(const MaterialFormat&) { return true; }
 inline bool isMeasurement(const MaterialFormat& format) { return format.isMeasurement; }

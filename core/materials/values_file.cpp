@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 
 #include "core/io/atomic_file.h"
+#include "core/io/colour_columns.h"
 #include "core/io/csv_text.h"
-#include "core/math/spectrum.h"
 #include "core/support/naming_file.h"
 #include "core/support/number_text.h"
 
@@ -22,50 +21,13 @@ namespace {
 using acquisition::MeasuredValues;
 using acquisition::SamplingPlan;
 
-constexpr double shortestWavelength = 100, longestWavelength = 3000;
-constexpr std::size_t leastWavelengths = 3;
-
-/// A value is the sum of fields times weights.
-struct ValueColumns {
-  std::vector<std::size_t> columns;
-  std::vector<Rgb> weights;
-};
 using NoiseColumns = std::array<std::size_t, 3>;
 
-/// "550", "550nm", "550.5 nm".
-std::optional<double> wavelengthOf(const std::string& name) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), value);
-  if (error != std::errc() || !(value >= shortestWavelength && value <= longestWavelength)) return std::nullopt;
-  const std::string rest(end, name.data() + name.size());
-  if (rest.empty() || rest == "nm" || rest == " nm") return value;
-  return std::nullopt;
-}
-
-ValueColumns wavelengthColumns(const io::CsvText& csv) {
-  std::map<double, std::size_t> byWavelength;
-  for (std::size_t column = 0; column < csv.names.size(); ++column)
-    if (const auto wavelength = wavelengthOf(csv.names[column]))
-      if (!byWavelength.emplace(*wavelength, column).second)
-        throw Error("line " + std::to_string(csv.namesLine) + ": found two columns of " + numberText(*wavelength) +
-                    " nm, expected one");
-  if (byWavelength.size() < leastWavelengths) return {};
-  std::vector<double> wavelengths;
-  ValueColumns result;
-  for (const auto& [wavelength, column] : byWavelength) {
-    wavelengths.push_back(wavelength);
-    result.columns.push_back(column);
-  }
-  result.weights = spectrumWeights(wavelengths);
-  return result;
-}
-
 /// r, g, b; or where there are none of these, wavelengths.
-ValueColumns valueColumns(const io::CsvText& csv) {
+io::ColourColumns valueColumns(const io::CsvText& csv) {
   if (!csv.column("r") && !csv.column("g") && !csv.column("b"))
-    if (ValueColumns spectrum = wavelengthColumns(csv); !spectrum.columns.empty()) return spectrum;
-  return {{csv.neededColumn("r"), csv.neededColumn("g"), csv.neededColumn("b")},
-          {Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1)}};
+    if (io::ColourColumns spectrum = io::wavelengthColumns(csv); !spectrum.empty()) return spectrum;
+  return io::rgbColumns(csv);
 }
 
 /// Of each channel its own, or one for all.
@@ -83,19 +45,15 @@ double notNegative(const io::CsvText& csv, const io::CsvText::Row& row, std::siz
   return value;
 }
 
-Rgb valueOf(const io::CsvText& csv, const io::CsvText::Row& row, const ValueColumns& values) {
-  Rgb sum(0);
-  for (std::size_t i = 0; i < values.columns.size(); ++i)
-    sum += notNegative(csv, row, values.columns[i]) * values.weights[i];
-  for (int channel = 0; channel < 3; ++channel)
-    if (!std::isfinite(sum[channel])) throw Error(io::lineText(row) + ": found values too large for a colour");
+Rgb valueOf(const io::CsvText& csv, const io::CsvText::Row& row, const io::ColourColumns& values) {
+  for (const std::size_t column : values.columns) notNegative(csv, row, column);
   // A colour outside sRGB has a negative channel.
-  return glm::max(sum, Rgb(0));
+  return glm::max(values.value(csv, row), Rgb(0));
 }
 
 /// One column for all tells the noise of each field: their errors are independent.
 Rgb noiseOf(const io::CsvText& csv, const io::CsvText::Row& row, const NoiseColumns& noise,
-            const ValueColumns& values) {
+            const io::ColourColumns& values) {
   if (noise[0] != noise[1])
     return {notNegative(csv, row, noise[0]), notNegative(csv, row, noise[1]), notNegative(csv, row, noise[2])};
   Rgb squares(0);
@@ -150,7 +108,7 @@ void writeValues(const SamplingPlan& plan, const MeasuredValues& values, const s
 
 MeasuredValues parseValues(std::string_view text, const SamplingPlan& plan) {
   const io::CsvText csv = io::readCsvText(text);
-  const ValueColumns columns = valueColumns(csv);
+  const io::ColourColumns columns = valueColumns(csv);
   const std::optional<NoiseColumns> noise = noiseColumns(csv);
   MeasuredValues values;
   for (const io::CsvText::Row* row : rowsOf(csv, plan)) {

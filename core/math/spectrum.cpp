@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 namespace gonio {
 
@@ -16,11 +17,14 @@ double bell(double x, double centre, double widthBelow, double widthAbove) {
   return std::exp(-0.5 * t * t);
 }
 
-/// IEC 61966-2-1.
-Rgb linearSrgb(const glm::dvec3& xyz) {
-  return {3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z, -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
-          0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z};
-}
+constexpr double daylightStep = 10;
+/// D65 from 380 to 780 nm (ISO 11664-2), in steps of daylightStep.
+constexpr double daylightTable[] = {49.9755, 54.6482, 82.7549, 91.486,  93.4318, 86.6823, 104.865, 117.008, 117.812,
+                                    114.861, 115.923, 108.811, 109.354, 107.802, 104.79,  107.689, 104.405, 104.046,
+                                    100,     96.3342, 95.788,  88.6856, 90.0062, 89.5991, 87.6987, 83.2886, 83.6992,
+                                    80.0268, 80.2146, 82.2778, 78.2842, 69.7213, 71.6091, 74.349,  61.604,  69.8856,
+                                    75.087,  63.5927, 46.4182, 66.8054, 63.3828};
+static_assert(std::size(daylightTable) == std::size_t((longestVisible - shortestVisible) / daylightStep) + 1);
 
 }  // namespace
 
@@ -31,12 +35,24 @@ glm::dvec3 colourMatching(double nanometres) {
           1.217 * bell(x, 437.0, 11.8, 36.0) + 0.681 * bell(x, 459.0, 26.0, 13.8)};
 }
 
+double daylightPower(double nanometres) {
+  const double at = (std::clamp(nanometres, shortestVisible, longestVisible) - shortestVisible) / daylightStep;
+  const auto below = std::min(std::size_t(at), std::size(daylightTable) - 2);
+  return std::lerp(daylightTable[below], daylightTable[below + 1], at - double(below));
+}
+
+Rgb linearSrgb(const glm::dvec3& xyz) {
+  return {3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z, -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
+          0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z};
+}
+
 std::vector<Rgb> spectrumWeights(std::span<const double> nanometres) {
   assert(!nanometres.empty() && std::is_sorted(nanometres.begin(), nanometres.end()));
   std::vector<Rgb> weights(nanometres.size(), Rgb(0));
   Rgb white(0);
-  for (double at = shortestVisible; at <= longestVisible; at += 1) {
-    const Rgb colour = linearSrgb(colourMatching(at));
+  for (int step = 0; step <= int(longestVisible - shortestVisible); ++step) {
+    const double at = shortestVisible + step;
+    const Rgb colour = linearSrgb(daylightPower(at) * colourMatching(at));
     white += colour;
     const auto above = std::lower_bound(nanometres.begin(), nanometres.end(), at);
     const auto right = std::size_t(std::min(above, nanometres.end() - 1) - nanometres.begin());

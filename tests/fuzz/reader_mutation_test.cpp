@@ -127,6 +127,12 @@ class ReaderMutationTest : public QObject {
   void seedsAreValid() {
     readMaterialBytes(merlSeed());
     readMaterialBytes(rglSeed());
+    readMaterialBytes(utiaSeed());
+    readMaterialBytes(zemaxSeed());
+    readMaterialBytes(lightToolsSeed());
+    readScatteredBytes<io::readAstm>(astmSeed());
+    readScatteredBytes<io::readGoniophotometer>(goniophotometerSeed());
+    readScatteredBytes<io::readCuret>(curetSeed());
     readPdvBytes(pdvSeed());
     readNpfBytes(npfSeed());
     readObjBytes(objSeed());
@@ -144,6 +150,12 @@ class ReaderMutationTest : public QObject {
 
   void merl() { check("merl.binary", merlSeed(), readMaterialBytes); }
   void rgl() { check("rgl.bsdf", rglSeed(), readMaterialBytes); }
+  void utia() { check("utia.bin", utiaSeed(), readMaterialBytes); }
+  void zemax() { check("table.bsdf", zemaxSeed(), readMaterialBytes); }
+  void lightTools() { check("blocks.bsdf", lightToolsSeed(), readMaterialBytes); }
+  void astm() { check("points.astm", astmSeed(), readScatteredBytes<io::readAstm>); }
+  void goniophotometer() { check("points.txt", goniophotometerSeed(), readScatteredBytes<io::readGoniophotometer>); }
+  void curet() { check("points.dat", curetSeed(), readScatteredBytes<io::readCuret>); }
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
   void npf() { check("npf.bin", npfSeed(), readNpfBytes); }
   void obj() { check("mesh.obj", objSeed(), readObjBytes); }

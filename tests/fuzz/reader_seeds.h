@@ -7,6 +7,7 @@
 
 #include "core/materials/basis_file.h"
 #include "core/materials/code_file.h"
+#include "tests/core/io/instrument_files.h"
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/smooth_materials.h"
 
@@ -15,11 +16,7 @@ namespace gonio::fuzz {
 
 using test::append;
 using test::Bytes;
-
-inline Bytes bytesOf(std::string_view text) {
-  const auto bytes = std::as_bytes(std::span(text));
-  return {bytes.begin(), bytes.end()};
-}
+using test::bytesOf;
 
 inline Bytes merlSeed() {
   Bytes bytes;
@@ -33,6 +30,28 @@ inline Bytes rglSeed() {
   for (std::size_t i = 0; i < rgl.rgb.size(); ++i) rgl.rgb[i] = float(i) * 0.1f - 0.3f;
   for (std::size_t i = 0; i < rgl.vndf.size(); ++i) rgl.vndf[i] = float(i % 5);
   return rgl.file();
+}
+
+inline Bytes utiaSeed() {
+  return test::utiaFile(test::utiaValues(
+      [](const Direction& wi, const Direction& wo) { return Rgb(1 + wi.x, wo.y - 0.2, wi.z * wo.z); }));
+}
+
+inline Rgb seedReflectance(const Direction& wi, const Direction& wo) { return {0.2, wi.z * wo.z, 0.1 + wo.x * wi.x}; }
+
+inline Bytes astmSeed() { return test::astmFile(seedReflectance, test::scatteredPairs(12)); }
+
+inline Bytes goniophotometerSeed() {
+  const Direction light = fromSpherical(0.5, 3);
+  return test::goniophotometerFile(seedReflectance, light, {{0, 0, 1}, fromSpherical(0.6, 0.1), fromSpherical(2, 1)});
+}
+
+inline Bytes curetSeed() { return test::curetFile(seedReflectance, test::scatteredPairs(205)); }
+
+inline Bytes zemaxSeed() { return test::zemaxFile(seedReflectance, {{0, 30, 60}, {0, 90, 180}, {0, 10, 40, 90}}); }
+
+inline Bytes lightToolsSeed() {
+  return test::lightToolsFile(seedReflectance, {{10, 50}, {0, 90, 180, 270}, {0, 30, 60}});
 }
 
 inline Bytes pdvSeed() {

@@ -9,6 +9,9 @@
 
 #include "core/editing/edit_document.h"
 #include "core/geometry/mesh_intersector.h"
+#include "core/io/astm_file.h"
+#include "core/io/curet_file.h"
+#include "core/io/goniophotometer_file.h"
 #include "core/io/image_io.h"
 #include "core/io/obj_file.h"
 #include "core/materials/basis_file.h"
@@ -41,6 +44,21 @@ inline void readMaterialBytes(std::span<const std::byte> bytes) {
   checkValues(*material.brdf);
   if (material.table && material.table->values().size() != material.table->grid().size())
     throw std::logic_error("a table of another size than its grid");
+}
+
+/// What was read holds a finite value, 0 or more, for each pair of directions above the horizon. The material of it is
+/// not made: that takes longer than all the rest.
+template <io::ScatteredSamples (*read)(const io::ByteSource& source)>
+void readScatteredBytes(std::span<const std::byte> bytes) {
+  const io::ScatteredSamples samples = read(io::MemorySource(bytes));
+  if (samples.values.size() != samples.directions.size()) throw std::logic_error("not one value a pair");
+  for (std::size_t i = 0; i < samples.values.size(); ++i) {
+    const auto& [wi, wo] = samples.directions[i];
+    if (!(wi.z > 0) || !(wo.z > 0)) throw std::logic_error("a direction below the horizon");
+    for (int channel = 0; channel < 3; ++channel)
+      if (const double value = samples.values[i][channel]; !std::isfinite(value) || value < 0)
+        throw std::logic_error("a value that is no BRDF's");
+  }
 }
 
 inline void readPdvBytes(std::span<const std::byte> bytes) {

@@ -9,6 +9,7 @@
 #include "app/gonio/document/material_files.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/material.h"
+#include "core/materials/material_formats.h"
 
 namespace gonio::app {
 
@@ -46,7 +47,9 @@ TrainingSet folderTraining(const QString& folder) {
   const QDir dir(folder);
   TrainingSet set{AcquisitionTrainingText::tr("files of %1").arg(dir.dirName()), {}};
   for (const QFileInfo& file : dir.entryInfoList(measurementFilePatterns(), QDir::Files | QDir::Readable, QDir::Name))
-    set.ids << file.absoluteFilePath();
+    if (const materials::MaterialFormat* format = materials::formatOfFile(file.filesystemAbsoluteFilePath());
+        format && format->isMeasurement)
+      set.ids << file.absoluteFilePath();
   return set;
 }
 

@@ -22,6 +22,7 @@ QStringList patterns(bool (*isWanted)(const materials::MaterialFormat&)) {
   for (const materials::MaterialFormat& format : materials::materialFormats())
     if (isWanted(format))
       for (const std::string_view suffix : format.suffixes) result << '*' + toQt(suffix);
+  result.removeDuplicates();
   return result;
 }
 

@@ -91,7 +91,10 @@ void LibraryController::showFolder(const QString& folder) {
   std::vector<widgets::LibraryItem> items;
   const QDir dir(folder);
   for (const QFileInfo& file : dir.entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name)) {
-    const std::string_view label = materials::formatBySuffix(file.fileName().toStdString())->label;
+    const materials::MaterialFormat* format = materials::formatOfFile(file.filesystemAbsoluteFilePath());
+    // A suffix such as .txt is that of other files too.
+    if (!format) continue;
+    const std::string_view label = format->label;
     const QString kind = QString::fromUtf8(label.data(), qsizetype(label.size()));
     items.push_back({file.absoluteFilePath(), file.completeBaseName(), tr("%1, %2").arg(kind, file.fileName())});
   }

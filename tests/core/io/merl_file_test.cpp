@@ -59,6 +59,23 @@ class MerlFileTest : public QObject {
     QVERIFY(read(merlFile(1, 2, 4, std::vector<double>(24, 1))).table->grid().reciprocal);
   }
 
+  /// As the LIRIS data set of perceived quality (2026 BRDFs, 90 x 90 x 360) and DTU's measurements (90 x 90 x 180, with
+  /// cells below -1 where nothing was measured) are stored.
+  void sizesAndMarksOfOtherDatabases() {
+    const HalfDifferenceGrid liris{90, 90, 360, false};
+    Bytes bytes = merlFile(90, 90, 360, std::vector<double>(3 * liris.size(), 150));
+    QCOMPARE(bytes.size(), std::size_t(69984012));
+    const auto table = read(bytes).table;
+    QVERIFY(table->grid() == liris && !table->isReciprocal());
+    QCOMPARE(table->values()[12345].x, float(0.1));
+    std::vector<double> raw = countingValues();
+    raw[5] = -1500;
+    raw[24 + 6] = -1e9;
+    const io::MerlTable marked = read(merlFile(2, 3, 4, raw));
+    QVERIFY(!marked.table->valid()[5] && !marked.table->valid()[6]);
+    QCOMPARE(marked.clampedCount, std::uint64_t(0));
+  }
+
   void hardCase11InvalidCellsAndSmallNegatives() {
     std::vector<double> raw = countingValues();
     raw[0] = raw[24] = raw[48] = -1;

@@ -23,6 +23,18 @@ Bytes fileOf(FormatId id) {
       return fuzz::merlSeed();
     case FormatId::rgl:
       return fuzz::rglSeed();
+    case FormatId::utia:
+      return fuzz::utiaSeed();
+    case FormatId::zemax:
+      return fuzz::zemaxSeed();
+    case FormatId::lightTools:
+      return fuzz::lightToolsSeed();
+    case FormatId::astm:
+      return fuzz::astmSeed();
+    case FormatId::goniophotometer:
+      return fuzz::goniophotometerSeed();
+    case FormatId::curet:
+      return fuzz::curetSeed();
     case FormatId::pdv:
       return fuzz::pdvSeed();
     case FormatId::code:
@@ -48,9 +60,10 @@ class MaterialFormatsTest : public QObject {
       QVERIFY(!format.label.empty() && format.sniff && format.read && !format.suffixes.empty());
       QVERIFY(names.insert(format.name).second);
       for (const std::string_view suffix : format.suffixes)
-        QVERIFY(suffix.starts_with('.') && suffixes.insert(suffix).second);
+        // RGL and the two formats of optical design programs share one.
+        QVERIFY(suffix.starts_with('.') && (suffixes.insert(suffix).second || suffix == ".bsdf"));
     }
-    QCOMPARE(names.size(), std::size_t(4));
+    QCOMPARE(names.size(), std::size_t(10));
   }
 
   /// Each format's file is sniffed as its own alone, whatever it is called, and holds no more than the table says.
@@ -64,6 +77,7 @@ class MaterialFormatsTest : public QObject {
       QVERIFY(&materials::sniffFormat(io::MemorySource(bytes)) == &format);
       const auto path = writeFile("materials/other.name", bytes);
       QVERIFY(materials::isMaterialFile(path) && !materials::formatBySuffix(path));
+      QVERIFY(materials::formatOfFile(path) == &format);
       const materials::Material material = materials::readMaterial(path);
       QCOMPARE(material.source.format, std::string(format.name));
       QVERIFY(format.holds.anisotropic || material.brdf->isIsotropic());
@@ -74,10 +88,17 @@ class MaterialFormatsTest : public QObject {
   void suffixesFindTheFormatInEitherCase() {
     QVERIFY(materials::formatBySuffix("/a.b/x.BINARY") == &materials::formatOf(FormatId::merl));
     QVERIFY(materials::hasSuffixOf(FormatId::code, "x.code") && !materials::hasSuffixOf(FormatId::pdv, "x.code"));
-    for (const char* none : {"x", "x.binary.txt", ".binary", "", "x.gonio"}) QVERIFY(!materials::formatBySuffix(none));
+    for (const char* none : {"x", "x.binary.txt", ".binary", "", "x.gonio", "x.bin", "x.exr"})
+      QVERIFY(!materials::formatBySuffix(none));
     QVERIFY(materials::isMaterialFile("/nowhere/x.pdv") && !materials::isMaterialFile("/nowhere/x.png"));
-    QCOMPARE(materials::suffixText(materials::isAnyFormat, "or"), std::string(".binary, .bsdf, .pdv or .code"));
-    QCOMPARE(materials::suffixText(materials::isMeasurement, "and"), std::string(".binary and .bsdf"));
+    // A common suffix needs the content, a broken file of an own suffix stays one.
+    const auto bin = writeFile("materials/words.bin", bytesOf("words"));
+    QVERIFY(!materials::isMaterialFile(bin) && !materials::formatOfFile(bin));
+    const auto broken = writeFile("materials/words.pdv", bytesOf("words"));
+    QVERIFY(materials::formatOfFile(broken) == &materials::formatOf(FormatId::pdv));
+    QCOMPARE(materials::suffixText(materials::isAnyFormat, "or"),
+             std::string(".binary, .bsdf, .bin, .astm, .txt, .dat, .pdv or .code"));
+    QCOMPARE(materials::suffixText(materials::isMeasurement, "and"), std::string(".binary, .bsdf and .bin"));
     QCOMPARE(materials::suffixText(materials::isWritable, "or"), std::string(".binary"));
   }
 
@@ -118,13 +139,28 @@ class MaterialFormatsTest : public QObject {
   }
 
   void refusedFileStatesWhatEachFormatFound() {
-    const auto path = writeFile("materials/notes.txt", std::as_bytes(std::span("these are only words")));
+    const auto path = writeFile("materials/notes.txt", bytesOf("these are only words.\n"));
     const std::string error = errorOf([&] { materials::readMaterial(path); });
     QVERIFY2(contains(error, "notes.txt: this file could not be read:") &&
                  contains(error, "\n  MERL: found axis counts") && contains(error, "\n  RGL: found") &&
                  contains(error, "expected the signature 'tensor_file'") &&
-                 contains(error, "\n  PDV factors: not a PDV file (signature missing)"),
+                 contains(error, "\n  PDV factors: not a PDV file (signature missing)") &&
+                 contains(error, "\n  UTIA: found 22 bytes; expected 1990656 bytes") &&
+                 contains(error, "\n  Zemax: found text without these keys; expected the keys AngleOfIncidence") &&
+                 contains(error, "\n  LightTools: found") && contains(error, "\n  ASTM: found") &&
+                 contains(error, "\n  pgII: found a first line that does not begin with #") &&
+                 contains(error, "\n  CUReT: found line 1"),
              error.c_str());
+  }
+
+  /// Three formats share the suffix .bsdf; training sets take measured files by what they are.
+  void sharedSuffixIsDecidedByTheContent() {
+    for (const FormatId id : {FormatId::rgl, FormatId::zemax, FormatId::lightTools}) {
+      const auto path = writeFile("materials/shared.bsdf", fileOf(id));
+      QVERIFY(materials::formatOfFile(path) == &materials::formatOf(id));
+      QCOMPARE(materials::readMaterial(path).source.format, std::string(materials::formatOf(id).name));
+    }
+    QVERIFY(materials::formatBySuffix("x.bsdf") == &materials::formatOf(FormatId::rgl));
   }
 
   /// A file that begins like one of a format is reported as a broken file of that format alone.

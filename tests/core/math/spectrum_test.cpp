@@ -30,6 +30,33 @@ class SpectrumTest : public QObject {
     for (const auto& [at, expected] : rows) QVERIFY(glm::length(colourMatching(at) - expected) < 0.06);
   }
 
+  /// Rows of the table of D65, one of its linear interpolation, and its ends.
+  void daylightIsD65() {
+    for (const auto& [at, expected] : {std::pair(380.0, 49.9755), {450, 117.008}, {560, 100}, {780, 63.3828}})
+      QCOMPARE(daylightPower(at), expected);
+    QCOMPARE(daylightPower(385), 0.5 * (49.9755 + 54.6482));
+    QCOMPARE(daylightPower(100), daylightPower(380));
+    QCOMPARE(daylightPower(1e300), daylightPower(780));
+  }
+
+  /// Chromaticity of the white that reflects all light: 0.3127, 0.3290 of D65, and linear sRGB of equal channels.
+  void whiteHasTheChromaticityOfDaylight() {
+    glm::dvec3 white(0);
+    for (double at = shortestVisible; at <= longestVisible; at += 1) white += daylightPower(at) * colourMatching(at);
+    const double sum = white.x + white.y + white.z;
+    QVERIFY(std::abs(white.x / sum - 0.3127) < 2e-4 && std::abs(white.y / sum - 0.3290) < 2e-4);
+    const Rgb rgb = linearSrgb(white / white.y);
+    QVERIFY(glm::length(rgb - Rgb(1)) < 2e-3);
+    QVERIFY(glm::length(linearSrgb({0.9505, 1, 1.089}) - Rgb(1)) < 1e-3);
+  }
+
+  void linearInTheValues() {
+    const std::vector<double> at{400, 500, 600, 700}, a{0.1, 0.7, 0.2, 0.4}, b{0.9, 0.3, 0, 0.5};
+    std::vector<double> sum;
+    for (std::size_t i = 0; i < a.size(); ++i) sum.push_back(2 * a[i] + 3 * b[i]);
+    QVERIFY(glm::length(rgbOf(at, sum) - 2.0 * rgbOf(at, a) - 3.0 * rgbOf(at, b)) < 1e-12);
+  }
+
   void evenSpectraAreGrey() {
     for (const std::vector<double>& at : {std::vector<double>{550}, {400, 500, 600, 700}, {300, 1000}, {100, 200}})
       QVERIFY(glm::length(rgbOf(at, std::vector<double>(at.size(), 0.3)) - Rgb(0.3)) < 1e-12);

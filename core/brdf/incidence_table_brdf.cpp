@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/incidence_table_brdf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/coordinates/azimuth_rotation.h"
+#include "core/support/error.h"
+
+namespace gonio {
+
+namespace {
+
+/// Rounding of angles in degrees that became radians, and of directions.
+constexpr double angleTolerance = 1e-9;
+
+using Axis = IncidenceTable::Axis;
+
+/// An axis with the directions of azimuth 0 and a quarter turn, for a light at azimuth 0.
+struct Frame {
+  Direction axis, zero, quarter{0, 1, 0};
+
+  Frame(Axis kind, double thetaI) : axis(0, 0, 1), zero(1, 0, 0) {
+    if (kind == Axis::normal) return;
+    axis = {-std::sin(thetaI), 0, std::cos(thetaI)};
+    zero = {std::cos(thetaI), 0, std::sin(thetaI)};
+  }
+  Direction direction(double polar, double azimuth) const {
+    return std::cos(polar) * axis + std::sin(polar) * (std::cos(azimuth) * zero + std::sin(azimuth) * quarter);
+  }
+  /// By atan2: accurate about the axis.
+  double polar(const Direction& w) const { return std::atan2(glm::length(glm::cross(axis, w)), glm::dot(axis, w)); }
+  double azimuth(const Direction& w) const { return std::atan2(glm::dot(w, quarter), glm::dot(w, zero)); }
+};
+
+/// A place between two nodes.
+struct Bracket {
+  std::size_t below, above;
+  double share;  ///< of `above`
+};
+
+/// Held at the ends.
+Bracket bracketOf(const std::vector<double>& nodes, double at) {
+  const auto next = std::size_t(std::upper_bound(nodes.begin(), nodes.end(), at) - nodes.begin());
+  if (next == 0) return {0, 0, 0};
+  if (next == nodes.size()) return {next - 1, next - 1, 0};
+  return {next - 1, next, (at - nodes[next - 1]) / (nodes[next] - nodes[next - 1])};
+}
+
+/// Of azimuths, (-pi, pi]: the last node is followed by the first, a turn on.
+Bracket azimuthBracket(const IncidenceTable& table, double azimuth) {
+  const std::vector<double>& nodes = table.azimuths;
+  if (table.symmetric) return bracketOf(nodes, std::abs(azimuth));
+  const double at = azimuth < 0 ? azimuth + 2 * pi : azimuth;
+  if (at >= nodes.front() && at <= nodes.back()) return bracketOf(nodes, at);
+  const double gap = nodes.front() + 2 * pi - nodes.back();
+  const double past = (at < nodes.front() ? at + 2 * pi : at) - nodes.back();
+  return {nodes.size() - 1, 0, gap > 0 ? past / gap : 0};
+}
+
+void checkNodes(const std::vector<double>& nodes, double highest, const char* name) {
+  if (nodes.empty()) throw Error(std::string("found no ") + name + ", expected at least one");
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (!(nodes[i] >= -angleTolerance && nodes[i] <= highest + angleTolerance) || (i > 0 && !(nodes[i] > nodes[i - 1])))
+      throw Error("found the " + std::string(name) + " " + std::to_string(degrees(nodes[i])) +
+                  " degrees, expected ascending angles from 0 to " + std::to_string(std::lround(degrees(highest))));
+}
+
+void check(const IncidenceTable& table) {
+  checkNodes(table.incident, halfPi, "angle of incidence");
+  checkNodes(table.azimuths, table.symmetric ? pi : 2 * pi, "azimuth");
+  checkNodes(table.polars, pi, "polar angle");
+  const std::size_t expected = table.incident.size() * table.azimuths.size() * table.polars.size();
+  if (table.values.size() != expected)
+    throw Error("found " + std::to_string(table.values.size()) + " values, expected " + std::to_string(expected));
+  for (std::size_t i = 0; i < expected; ++i)
+    if (!std::isfinite(table.values[i].x + table.values[i].y + table.values[i].z))
+      throw Error("value " + std::to_string(i) + " is not a finite number");
+}
+
+std::size_t cutNegative(std::vector<glm::vec3>& values) {
+  std::size_t count = 0;
+  for (glm::vec3& value : values)
+    for (int channel = 0; channel < 3; ++channel) {
+      count += value[channel] < 0;
+      value[channel] = std::max(value[channel], 0.0f);
+    }
+  return count;
+}
+
+/// One direction has one value.
+void uniteAxis(IncidenceTable& table) {
+  if (table.polars.front() > 0) return;
+  const std::size_t azimuths = table.azimuths.size(), polars = table.polars.size();
+  for (std::size_t i = 0; i < table.incident.size(); ++i) {
+    glm::dvec3 mean(0);
+    for (std::size_t a = 0; a < azimuths; ++a) mean += glm::dvec3(table.values[(i * azimuths + a) * polars]);
+    for (std::size_t a = 0; a < azimuths; ++a) table.values[(i * azimuths + a) * polars] = mean / double(azimuths);
+  }
+}
+
+std::vector<std::uint8_t> nodesAboveHorizon(const IncidenceTable& table) {
+  std::vector<std::uint8_t> result;
+  result.reserve(table.values.size());
+  for (const double thetaI : table.incident) {
+    const Frame frame(table.axis, thetaI);
+    for (const double azimuth : table.azimuths)
+      for (const double polar : table.polars) result.push_back(frame.direction(polar, azimuth).z >= -angleTolerance);
+  }
+  return result;
+}
+
+}  // namespace
+
+/// A sum of values by the sum of their weights.
+struct IncidenceTableBrdf::Weighted {
+  Rgb sum{0};
+  double weight = 0;
+};
+
+IncidenceTableBrdf::IncidenceTableBrdf(IncidenceTable table) : table_(std::move(table)) {
+  check(table_);
+  negativeCount_ = cutNegative(table_.values);
+  uniteAxis(table_);
+  aboveHorizon_ = nodesAboveHorizon(table_);
+}
+
+IncidenceTableBrdf::Weighted IncidenceTableBrdf::lookup(std::size_t incident, double polar, double azimuth) const {
+  const Bracket p = bracketOf(table_.polars, polar), a = azimuthBracket(table_, azimuth);
+  Weighted result;
+  for (const auto& [node, weightA] : {std::pair(a.below, 1 - a.share), {a.above, a.share}})
+    for (const auto& [step, weightP] : {std::pair(p.below, 1 - p.share), {p.above, p.share}}) {
+      const std::size_t index = (incident * table_.azimuths.size() + node) * table_.polars.size() + step;
+      if (!aboveHorizon_[index]) continue;
+      result.sum += weightA * weightP * Rgb(table_.values[index]);
+      result.weight += weightA * weightP;
+    }
+  return result;
+}
+
+Rgb IncidenceTableBrdf::value(const DirectionPair& pair) const {
+  const double thetaI = polarAngle(pair.wi);
+  const Direction wo = AzimuthRotation(-azimuth(pair.wi))(pair.wo);
+  const Frame mirror(Axis::mirror, thetaI);
+  const double polar = mirror.polar(wo), turn = mirror.azimuth(wo);
+  const Bracket bracket = bracketOf(table_.incident, thetaI);
+  Weighted result;
+  for (const auto& [incident, share] : {std::pair(bracket.below, 1 - bracket.share), {bracket.above, bracket.share}}) {
+    if (!(share > 0)) continue;
+    // The viewer that sees the same of the highlight under this angle of incidence.
+    const Direction seen = Frame(Axis::mirror, table_.incident[incident]).direction(polar, turn);
+    if (seen.z < -angleTolerance) continue;
+    const Frame normal(Axis::normal, 0);
+    const Weighted found = table_.axis == Axis::mirror ? lookup(incident, polar, turn)
+                                                       : lookup(incident, normal.polar(seen), normal.azimuth(seen));
+    if (!(found.weight > 0)) continue;
+    result.sum += share * found.sum / found.weight;
+    result.weight += share;
+  }
+  return result.weight > 0 ? result.sum / result.weight : Rgb(0);
+}
+
+void IncidenceTableBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    values[i] = isBelowHorizon(pairs[i].wi) || isBelowHorizon(pairs[i].wo) ? Rgb(0) : value(pairs[i]);
+}
+
+bool IncidenceTableBrdf::hasData(const DirectionPair& pair) const {
+  if (!Brdf::hasData(pair)) return false;
+  const auto isWithin = [](double angle, const std::vector<double>& nodes) {
+    return angle >= nodes.front() - angleTolerance && angle <= nodes.back() + angleTolerance;
+  };
+  const double thetaI = polarAngle(pair.wi);
+  const Direction wo = AzimuthRotation(-azimuth(pair.wi))(pair.wo);
+  return isWithin(thetaI, table_.incident) && isWithin(Frame(table_.axis, thetaI).polar(wo), table_.polars);
+}
+
+}  // namespace gonio

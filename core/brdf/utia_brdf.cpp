@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/utia_brdf.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/support/error.h"
+
+namespace gonio {
+
+namespace {
+
+constexpr std::size_t directions = UtiaBrdf::directionCount, azimuths = UtiaBrdf::azimuthCount;
+
+/// Rounding of directions at the last polar angle.
+constexpr double angleTolerance = 1e-9;
+
+/// The four nodes about a direction with their weights, which sum to 1.
+struct Nodes {
+  std::array<std::size_t, 4> index;
+  std::array<double, 4> weight;
+
+  explicit Nodes(const Direction& w) {
+    const double theta = std::min(polarAngle(w), UtiaBrdf::maxPolarAngle) / UtiaBrdf::polarStep;
+    const auto below = std::min(std::size_t(theta), UtiaBrdf::polarCount - 2);
+    const double turn = azimuth(w) / UtiaBrdf::azimuthStep, floor = std::floor(turn);
+    const std::size_t left = std::size_t(floor + double(azimuths)) % azimuths, right = (left + 1) % azimuths;
+    const double up = theta - double(below), aside = turn - floor;
+    index = {below * azimuths + left, below * azimuths + right, (below + 1) * azimuths + left,
+             (below + 1) * azimuths + right};
+    weight = {(1 - up) * (1 - aside), (1 - up) * aside, up * (1 - aside), up * aside};
+  }
+};
+
+/// Replaces values at polar angle 0, `stride` apart from `first`, by their mean.
+void unitePole(std::vector<glm::vec3>& values, std::size_t first, std::size_t stride) {
+  glm::dvec3 mean(0);
+  for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) mean += glm::dvec3(values[first + azimuth * stride]);
+  mean /= double(azimuths);
+  for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) values[first + azimuth * stride] = mean;
+}
+
+void check(const std::vector<glm::vec3>& values) {
+  if (values.size() != directions * directions)
+    throw Error("found " + std::to_string(values.size()) + " values, expected 288 x 288");
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isfinite(values[i].x + values[i].y + values[i].z))
+      throw Error("the value of incident direction " + std::to_string(i / directions) + " and viewing direction " +
+                  std::to_string(i % directions) + " is not a finite number");
+}
+
+}  // namespace
+
+UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values) : values_(std::move(values)) {
+  check(values_);
+  for (glm::vec3& value : values_)
+    for (int channel = 0; channel < 3; ++channel) {
+      negativeCount_ += value[channel] < 0;
+      value[channel] = std::max(value[channel], 0.0f);
+    }
+  for (std::size_t other = 0; other < directions; ++other) unitePole(values_, other, directions);
+  for (std::size_t other = 0; other < directions; ++other) unitePole(values_, other * directions, 1);
+}
+
+void UtiaBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    values[p] = Rgb(0);
+    if (isBelowHorizon(pairs[p].wi) || isBelowHorizon(pairs[p].wo)) continue;
+    const Nodes incident(pairs[p].wi), viewing(pairs[p].wo);
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t v = 0; v < 4; ++v)
+        values[p] +=
+            incident.weight[i] * viewing.weight[v] * Rgb(values_[incident.index[i] * directions + viewing.index[v]]);
+  }
+}
+
+bool UtiaBrdf::hasData(const DirectionPair& pair) const {
+  return Brdf::hasData(pair) && polarAngle(pair.wi) <= maxPolarAngle + angleTolerance &&
+         polarAngle(pair.wo) <= maxPolarAngle + angleTolerance;
+}
+
+}  // namespace gonio

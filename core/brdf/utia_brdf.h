@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/brdf/brdf.h"
+
+namespace gonio {
+
+/// An anisotropic material of the UTIA database (Filip and Vávra 2014, "Template-Based Sampling of Anisotropic BRDFs"):
+/// values for 288 incident by 288 viewing directions, each 6 polar angles (0 to 75 degrees, every 15) by 48 azimuths
+/// (every 7.5 degrees). Linear in the four angles between nodes, as in the interpolation that the authors publish,
+/// with these differences:
+/// - At the pole all azimuths are one direction: the 48 stored values of polar angle 0 are replaced by their mean, so
+///   that the BRDF is continuous there.
+/// - From 75 degrees to the horizon the value at 75 degrees stays (the published code extrapolates linearly, which can
+///   become negative); hasData() is false there.
+/// Not reciprocal, as measured. About 0.2 us a pair.
+class UtiaBrdf final : public Brdf {
+ public:
+  static constexpr std::size_t polarCount = 6, azimuthCount = 48, directionCount = polarCount * azimuthCount;
+  static constexpr double polarStep = radians(15), azimuthStep = radians(7.5);
+  static constexpr double maxPolarAngle = polarStep * double(polarCount - 1);
+
+  /// @param values of [incident direction][viewing direction], each polar angle * 48 + azimuth, linear RGB in 1/sr.
+  /// Negative values become 0 and are counted (negativeCount()).
+  /// @throws Error when there are not 288 x 288 or one is not finite, naming it.
+  explicit UtiaBrdf(std::vector<glm::vec3> values);
+
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
+  bool isIsotropic() const override { return false; }
+  bool isReciprocal() const override { return false; }
+  /// Whether both polar angles are at most 75 degrees.
+  bool hasData(const DirectionPair& pair) const override;
+
+  /// Channels of values that were below 0 and were set to 0.
+  std::size_t negativeCount() const { return negativeCount_; }
+
+ private:
+  std::vector<glm::vec3> values_;
+  std::size_t negativeCount_ = 0;
+};
+
+}  // namespace gonio

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/astm_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+
+#include "core/io/colour_columns.h"
+#include "core/io/csv_text.h"
+#include "core/io/format_mismatch.h"
+#include "core/io/text_lines.h"
+#include "core/math/spectrum.h"
+#include "core/support/lower_case.h"
+
+namespace gonio::io {
+
+namespace {
+
+/// Fields of a table take more memory than their text.
+constexpr std::uint64_t maxBytes = 1 << 24;
+/// Radians end at a full turn; rounded to a few digits.
+constexpr double maxRadians = 2 * pi + 0.01;
+
+const std::string expected = "lines NUM_POINTS and VARS (ASTM E1392)";
+
+struct Header {
+  std::optional<TextLine> points, variables;
+  std::string sample;  ///< what the file says of the sample; may be empty
+};
+
+/// Key and text of a line.
+std::pair<std::string_view, std::string_view> keyOf(std::string_view line) {
+  const auto end = std::min(line.find_first_of(" \t"), line.size());
+  const auto begin = std::min(line.find_first_not_of(" \t", end), line.size());
+  return {line.substr(0, end), line.substr(begin)};
+}
+
+Header readHeader(std::string_view text) {
+  Header header;
+  TextLines lines(text);
+  while (const auto line = lines.next()) {
+    const auto [key, rest] = keyOf(line->text);
+    if (key == "NUM_POINTS") header.points = line;
+    if (header.sample.empty() && key.find("SAMPLE") != std::string_view::npos) header.sample = std::string(rest);
+    if (key != "VARS") continue;
+    header.variables = line;
+    break;
+  }
+  if (!header.points || !header.variables) throw FormatMismatch("text without such lines", expected);
+  return header;
+}
+
+std::size_t pointsOf(const Header& header) {
+  const auto count = finiteNumber(keyOf(header.points->text).second);
+  if (!count || !(*count >= 1 && *count <= 1e9) || *count != std::floor(*count))
+    header.points->fail("NUM_POINTS and a whole number, 1 or more");
+  return std::size_t(*count);
+}
+
+std::optional<std::size_t> firstColumn(const CsvText& csv, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (const auto column = csv.column(name)) return column;
+  return std::nullopt;
+}
+
+/// theta_i, phi_i, theta_s, phi_s; phi_i may be missing.
+struct AngleColumns {
+  std::array<std::optional<std::size_t>, 4> columns;
+
+  explicit AngleColumns(const CsvText& csv)
+      : columns{csv.neededColumn("theta_i"), csv.column("phi_i"),
+                firstColumn(csv, {"theta_s", "theta_r", "theta_o", "theta_v"}),
+                firstColumn(csv, {"phi_s", "phi_r", "phi_o", "phi_v"})} {
+    if (!columns[2]) csv.neededColumn("theta_s");
+    if (!columns[3]) csv.neededColumn("phi_s");
+  }
+  bool contains(std::size_t column) const { return std::ranges::find(columns, column) != columns.end(); }
+  std::array<double, 4> at(const CsvText& csv, const CsvText::Row& row) const {
+    std::array<double, 4> angles{};
+    for (std::size_t i = 0; i < 4; ++i)
+      if (columns[i]) angles[i] = csv.number(row, *columns[i]);
+    return angles;
+  }
+};
+
+ColourColumns colourColumns(const CsvText& csv, const AngleColumns& angles) {
+  if (csv.column("r") || csv.column("g") || csv.column("b")) return rgbColumns(csv);
+  if (csv.column("x") && csv.column("y") && csv.column("z"))
+    return {{csv.neededColumn("x"), csv.neededColumn("y"), csv.neededColumn("z")},
+            {linearSrgb({1, 0, 0}), linearSrgb({0, 1, 0}), linearSrgb({0, 0, 1})}};
+  if (ColourColumns spectrum = wavelengthColumns(csv); !spectrum.empty()) return spectrum;
+  for (std::size_t column = 0; column < csv.names.size(); ++column)
+    if (!angles.contains(column)) return {{column}, {Rgb(1)}};
+  throw Error("line " + std::to_string(csv.namesLine) + ": found no column of values, expected R, G and B");
+}
+
+/// The factor by which the file's angles become radians.
+double unitOf(const CsvText& csv, const AngleColumns& angles) {
+  for (const CsvText::Row& row : csv.rows)
+    for (const double angle : angles.at(csv, row))
+      if (std::abs(angle) > maxRadians) return radians(1);
+  return 1;
+}
+
+}  // namespace
+
+void expectAstm(const ByteSource& source) { readHeader(textHead(source, expected)); }
+
+ScatteredSamples readAstm(const ByteSource& source) {
+  const std::string text = allText(source, maxBytes);
+  const Header header = readHeader(text);
+  const std::string_view names = keyOf(header.variables->text).second;
+  const CsvText csv =
+      readCsvText(std::string_view(text).substr(std::size_t(names.data() - text.data())), {}, header.variables->number);
+  if (csv.rows.size() != pointsOf(header))
+    header.points->fail("NUM_POINTS " + std::to_string(csv.rows.size()) + ", the number of rows");
+  const AngleColumns angles(csv);
+  const ColourColumns colours = colourColumns(csv, angles);
+  const double unit = unitOf(csv, angles);
+  ScatteredSamples samples;
+  samples.description = header.sample;
+  for (const CsvText::Row& row : csv.rows) {
+    const auto at = angles.at(csv, row);
+    samples.add({fromSpherical(unit * at[0], unit * at[1]), fromSpherical(unit * at[2], unit * at[3])},
+                colours.value(csv, row));
+  }
+  return samples;
+}
+
+}  // namespace gonio::io

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/math/types.h"
+
+namespace gonio::io {
+
+/// A measurement at single pairs of directions, without a grid: what the readers of such formats share. A whole
+/// material is made of it by core/materials/scattered_material.h.
+struct ScatteredSamples {
+  std::vector<DirectionPair> directions;  ///< both above the horizon
+  std::vector<Rgb> values;                ///< linear RGB in 1/sr without the cosine, finite and >= 0; one a pair
+  std::vector<Rgb> deviations;            ///< standard deviations of the values, 1/sr; empty where they are not known
+  std::size_t negativeCount = 0;          ///< channels that were below 0 and were set to 0
+  std::size_t belowHorizonCount = 0;      ///< rows that were left out: a direction at or below the horizon
+  std::string description;                ///< of the sample, from the file; may be empty
+
+  /// Adds a row, or counts it where a direction lies at or below the horizon.
+  /// @param value finite; negative channels become 0 and are counted.
+  void add(const DirectionPair& pair, const Rgb& value) {
+    if (!(pair.wi.z > horizonTolerance && pair.wo.z > horizonTolerance)) {
+      ++belowHorizonCount;
+      return;
+    }
+    Rgb kept = value;
+    for (int channel = 0; channel < 3; ++channel)
+      if (kept[channel] < 0) {
+        kept[channel] = 0;
+        ++negativeCount;
+      }
+    directions.push_back(pair);
+    values.push_back(kept);
+  }
+};
+
+}  // namespace gonio::io

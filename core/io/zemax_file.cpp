@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/zemax_file.h"
+
+#include "core/io/format_mismatch.h"
+
+namespace gonio::io {
+
+namespace {
+
+const std::string expected = "the keys AngleOfIncidence and ScatterRadial (Zemax tabular BSDF)";
+
+struct Header {
+  ScatterHeader common;
+  std::vector<double> rotations{0}, incident;  ///< degrees
+};
+
+void expectReflection(std::string_view type) {
+  if (type != "BRDF") throw FormatMismatch("the scatter type '" + std::string(type) + "'", "reflection: BRDF");
+}
+
+/// Up to the name of the first channel, which is returned.
+std::string_view readHeader(WordReader& words, Header& header) {
+  for (;;) {
+    const std::string_view key = words.word("the header up to Monochrome or TristimulusX");
+    if (header.common.readKey(key, words)) continue;
+    if (key == "Monochrome" || key.starts_with("Tristimulus")) return key;
+    if (key == "ScatterType")
+      expectReflection(words.word("the scatter type"));
+    else if (key == "SampleRotation")
+      header.rotations = words.numbers(words.count("sample rotations"), "sample rotation");
+    else if (key == "AngleOfIncidence")
+      header.incident = words.numbers(words.count("angles of incidence"), "angle of incidence");
+    else
+      words.skipLine();
+  }
+}
+
+std::size_t channelOf(std::string_view name, const Header& header, const WordReader& words) {
+  const bool isXyz = header.common.content == SpectralContent::xyz;
+  for (std::size_t channel = 0; isXyz && channel < 3; ++channel)
+    if (name == std::string("Tristimulus") + "XYZ"[channel]) return channel;
+  if (isXyz || name != "Monochrome")
+    words.fail(name, isXyz ? "TristimulusX, TristimulusY or TristimulusZ" : "Monochrome");
+  return 0;
+}
+
+/// The blocks of one channel, between DataBegin and DataEnd.
+void readChannel(WordReader& words, const Header& header, std::size_t channel, std::vector<ScatterBlock>& blocks) {
+  if (const std::string_view word = words.word("DataBegin"); word != "DataBegin") words.fail(word, "DataBegin");
+  for (std::size_t rotation = 0; rotation < header.rotations.size(); ++rotation)
+    for (ScatterBlock& block : blocks) {
+      if (const std::string_view word = words.word("TIS"); word != "TIS") words.fail(word, "TIS");
+      words.number("total integrated scatter");
+      block.add(channel, words.numbers(header.common.values(), "a value of the block"));
+    }
+  if (const std::string_view word = words.word("DataEnd"); word != "DataEnd") words.fail(word, "DataEnd");
+}
+
+IncidenceTable tableOf(const Header& header, const std::vector<ScatterBlock>& blocks) {
+  IncidenceTable table{.axis = IncidenceTable::Axis::mirror,
+                       .symmetric = header.common.symmetry == ScatterSymmetry::plane,
+                       .incident = inRadians(header.incident),
+                       .azimuths = inRadians(header.common.azimuths),
+                       .polars = inRadians(header.common.radials),
+                       .values = {}};
+  for (const ScatterBlock& block : blocks) {
+    const std::vector<glm::vec3> colours = block.colours(header.common);
+    table.values.insert(table.values.end(), colours.begin(), colours.end());
+  }
+  return table;
+}
+
+}  // namespace
+
+void expectZemax(const ByteSource& source) {
+  const std::string head = textHead(source, expected);
+  if (!hasKey(head, "AngleOfIncidence") || !hasKey(head, "ScatterRadial"))
+    throw FormatMismatch("text without these keys", expected);
+}
+
+IncidenceFile readZemax(const ByteSource& source) {
+  const std::string text = allText(source);
+  WordReader words(text);
+  Header header;
+  std::string_view name = readHeader(words, header);
+  header.common.check();
+  if (header.incident.empty()) throw Error("found no AngleOfIncidence before the data, expected its angles");
+  std::vector<ScatterBlock> blocks(header.incident.size());
+  for (; !name.empty(); name = words.next()) readChannel(words, header, channelOf(name, header, words), blocks);
+  IncidenceFile file;
+  file.brdf = std::make_shared<const IncidenceTableBrdf>(tableOf(header, blocks));
+  if (header.rotations.size() > 1)
+    file.notes.push_back("mean of " + std::to_string(header.rotations.size()) +
+                         " sample rotations: the material is shown as an isotropic one");
+  return file;
+}
+
+}  // namespace gonio::io

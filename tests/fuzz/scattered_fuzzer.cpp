@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "tests/fuzz/reader_targets.h"
+
+/// libFuzzer: all readers of scattered points, without the reconstruction that makes a material of them.
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const auto bytes = std::as_bytes(std::span(data, size));
+  for (const auto read : {gonio::fuzz::readScatteredBytes<gonio::io::readAstm>,
+                          gonio::fuzz::readScatteredBytes<gonio::io::readGoniophotometer>,
+                          gonio::fuzz::readScatteredBytes<gonio::io::readCuret>}) {
+    try {
+      read(bytes);
+    } catch (const gonio::Error&) {
+    }
+  }
+  return 0;
+}
