@@ -22,10 +22,10 @@ struct DifferentialEdit {
   bool operator==(const DifferentialEdit&) const = default;
 };
 
-/// By lobes where the model is a sum of them, else log-plus: both stay believable further from the fit than the
-/// additive edit does (docs/results/compositions.md).
+/// By lobes where the model is a sum of them: nearest to edits whose truth is known (docs/results/compositions.md).
+/// Else additive, as published.
 inline Composition defaultComposition(const models::Model& model) {
-  return model.hasLobes() ? Composition::lobes : Composition::logPlus;
+  return model.hasLobes() ? Composition::lobes : Composition::additive;
 }
 
 }  // namespace gonio::editing

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include "core/materials/near_measured_library.h"
 #include "core/materials/sgd_library.h"
 
 namespace gonio::app {
@@ -67,6 +68,7 @@ LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskCo
 QString sourceKind(const LoadedMaterial& loaded) {
   const auto text = [](const char* kind) { return QCoreApplication::translate("LoadedMaterial", kind); };
   if (loaded.blend) return text("Kept blend");
+  if (loaded.material.source.format == materials::nearMeasuredFormat) return text("Near-measured");
   return loaded.material.source.format == materials::sgdFormat ? text("Published fit") : text("Measured");
 }
 

@@ -105,7 +105,8 @@ void EditorParts::connectLibrary() {
     const QAbstractItemModel& shown = *libraryView.list()->model();
     QStringList ids;
     for (int row = 0; row < shown.rowCount(); ++row)
-      ids << shown.index(row, 0).data(widgets::LibraryModel::IdRole).toString();
+      if (const QModelIndex index = shown.index(row, 0); index.flags() & Qt::ItemIsEnabled)
+        ids << index.data(widgets::LibraryModel::IdRole).toString();
     return ids;
   });
 }

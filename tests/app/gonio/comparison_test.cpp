@@ -134,8 +134,9 @@ class ComparisonTest : public QObject {
     Editor editor;
     editor.document.setMaterial(lambertMaterial("grey", 0.5));
     QCOMPARE(editor.comparison.name(ComparedSubject::measured), "Measured");
-    for (const auto& [path, name] :
-         {std::pair("library:sgd/chrome", "Published fit"), {"library:rgl/paper_blue", "Measured"}}) {
+    for (const auto& [path, name] : {std::pair("library:sgd/chrome", "Published fit"),
+                                     {"library:merl-copy/chrome", "Near-measured"},
+                                     {"library:rgl/paper_blue", "Measured"}}) {
       auto loaded = std::make_shared<LoadedMaterial>(*lambertMaterial("", 0.5));
       loaded->material.source = materials::readMaterial(path).source;
       editor.document.setMaterial(loaded);
@@ -155,6 +156,11 @@ class ComparisonTest : public QObject {
     QVERIFY(std::abs(at(ComparedSubject::measured) - 0.5) < 1e-6);
     QVERIFY(std::abs(at(ComparedSubject::fit) - 0.3) < 1e-6);
     QVERIFY(std::abs(at(ComparedSubject::edited) - 0.6) < 1e-6);  // 0.5 + 0.4 - 0.3
+    setComposition(editor.document, editing::Composition::logPlus);
+    const double logPlus = (1 + 0.5 / pi) * (1 + 0.4 / pi) / (1 + 0.3 / pi) - 1;
+    QVERIFY(std::abs(at(ComparedSubject::edited) - logPlus * pi) < 1e-6);
+    editor.document.history().undo();
+    QVERIFY(std::abs(at(ComparedSubject::edited) - 0.6) < 1e-6);
     QVERIFY(editor.comparison.subject(ComparedSubject::reference).isEmpty());
     QCOMPARE(editor.comparison.name(ComparedSubject::fit), "Fit: Lambert");
   }

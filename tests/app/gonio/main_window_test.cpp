@@ -156,12 +156,12 @@ class MainWindowTest : public QObject {
   void acquisitionsLearnFromWhatTheLibraryShows() {
     auto* window = new MainWindow;
     AcquisitionControls& controls = window->parts().acquisition.controls();
-    controls.training().box().setCurrentIndex(3);
-    QCOMPARE(controls.training().box().currentText(), "What the library shows");
-    QCOMPARE(controls.planSettings().training.ids.size(), window->parts().library.model().rowCount());
+    controls.training().box().setCurrentIndex(4);
+    QCOMPARE(controls.training().box().currentText(), "Materials shown in the library");
+    QCOMPARE(controls.planSettings().training.ids.size(), window->parts().library.model().materialCount());
     window->parts().libraryView.search()->setText("paper_");
     const QStringList ids = controls.planSettings().training.ids;
-    QVERIFY(!ids.isEmpty() && ids.size() < window->parts().library.model().rowCount());
+    QVERIFY(!ids.isEmpty() && ids.size() < window->parts().library.model().materialCount());
     for (const QString& id : ids) QVERIFY2(id.startsWith("library:") && id.contains("paper_"), qPrintable(id));
     delete window;
   }

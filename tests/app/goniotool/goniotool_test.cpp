@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <QSet>
 #include <QTest>
 #include <cmath>
 #include <limits>
@@ -188,7 +189,7 @@ class GoniotoolTest : public QObject {
   void editIsTheDifferentialEdit() {
     const QString out = folder_.path("shiny.binary");
     const ToolResult result = runJson({"edit", plastic_, "--model", "ggx", "--set", "f0=0.5", "specular=1,2,0.5",
-                                       "roughness=2", "--strength", "0.5", "--out", out});
+                                       "roughness=2", "--strength", "0.5", "--compose", "additive", "--out", out});
     VERIFY_SUCCESS(result);
     QCOMPARE(result.json["edited"]["f0"].get<double>(), 0.5);
     QCOMPARE(result.json["clamped"][0]["name"].get<std::string>(), "roughness");
@@ -202,6 +203,26 @@ class GoniotoolTest : public QObject {
     const auto expected = editing::bakeEdits(readTable(plastic_), std::span(&edit, 1));
     materials::writeMaterial(*expected, folder_.path("expected.binary").toStdString());
     QCOMPARE(bytesOf(out), bytesOf(folder_.path("expected.binary")));
+    QCOMPARE(result.json["composition"].get<std::string>(), "additive");
+  }
+
+  /// Each composition is written as it is evaluated, and read again from a document.
+  void compositionsOfAnEdit() {
+    const QString out = folder_.path("composed.binary"), document = folder_.path("composed.gonio");
+    QSet<QByteArray> materials;
+    for (const QString composition : {"additive", "log-plus", "lobes"}) {
+      const QStringList change{"edit", plastic_, "--model", "layered", "--set", "coat-roughness=0.3", "--compose"};
+      VERIFY_SUCCESS(runJson(change + QStringList{composition, "--out", out}));
+      const QByteArray direct = bytesOf(out);
+      materials.insert(direct);
+      VERIFY_SUCCESS(runJson(change + QStringList{composition, "--out", document}));
+      VERIFY_SUCCESS(runJson({"edit", document, "--out", out}));
+      QCOMPARE(bytesOf(out), direct);
+    }
+    QCOMPARE(materials.size(), 3);
+    const ToolResult refused = runTool({"edit", plastic_, "--model", "phong", "--compose", "lobes", "--out", out});
+    QCOMPARE(refused.code, 2);
+    QVERIFY(refused.error.contains("a sum of lobes (ggx, layered), found phong"));
   }
 
   void documentsAreReplayed() {

@@ -26,6 +26,7 @@ EditDocument example() {
   for (const models::Model* model : models::allModels()) {
     DifferentialEdit edit;
     edit.model = model;
+    edit.composition = defaultComposition(*model);
     edit.fitted = edit.edited = models::defaultParameters(model->spec());
     for (std::size_t i = 0; i < edit.edited.values.size(); ++i)
       if (model->spec().parameters[i].perChannel) edit.edited.values[i] *= Rgb(1.0 / 3, 0.1 + 0.2, 1e-17);
@@ -70,11 +71,28 @@ class EditDocumentTest : public QObject {
       QVERIFY(differential(again, i).model == differential(document, i).model);
       QVERIFY(differential(again, i).fitted == differential(document, i).fitted);
       QVERIFY(differential(again, i).edited == differential(document, i).edited);
+      QVERIFY(differential(again, i).composition == differential(document, i).composition);
       QVERIFY(again.edits[i].strength == document.edits[i].strength);
       QVERIFY(again.edits[i].enabled == document.edits[i].enabled);
       QCOMPARE(again.edits[i].name, document.edits[i].name);
     }
     QVERIFY(toJson(again) == toJson(document));
+  }
+
+  void compositions() {
+    const EditDocument document = example();
+    std::size_t lobes = 0;
+    while (!differential(document, lobes).model->hasLobes()) ++lobes;
+    nlohmann::json json = toJson(document);
+    for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes}) {
+      json["edits"][lobes]["composition"] = compositionIds[std::size_t(composition)];
+      QVERIFY(differential(documentFromJson(json), lobes).composition == composition);
+    }
+    json["edits"][lobes].erase("composition");  // as version 4 wrote it
+    json["version"] = 4;
+    QVERIFY(differential(documentFromJson(json), lobes).composition == Composition::additive);
+    QVERIFY(contains(errorWith("/edits/0/composition", "sum"), "additive, log-plus or lobes"));
+    QVERIFY(contains(errorWith("/edits/0/composition", "lobes"), "is no sum of lobes"));
   }
 
   void sourceIsRelativeBesideAndBelowTheDocument() {
@@ -104,8 +122,8 @@ class EditDocumentTest : public QObject {
       return all;
     };
     QVERIFY(tells(errorWith("/format", "other"), "format", "the text \"other\""));
-    QVERIFY(tells(errorWith("/version", 5), "version", "the number 5"));
-    QVERIFY(contains(errorWith("/version", 5), "newer"));
+    QVERIFY(tells(errorWith("/version", 6), "version", "the number 6"));
+    QVERIFY(contains(errorWith("/version", 6), "newer"));
     QVERIFY(tells(errorWith("/version", 1.5), "version", "the number 1.5"));
     QVERIFY(tells(errorWith("/version", -1), "version", "the number -1"));
     QVERIFY(tells(errorWithout("/source", "path"), "source.path", "nothing"));
