@@ -7,6 +7,7 @@
 
 #include "core/io/format_mismatch.h"
 #include "core/io/tensor_file.h"
+#include "core/math/spectrum.h"
 
 namespace gonio::io {
 
@@ -47,16 +48,30 @@ SliceStack<float> stack(const TensorFile& file, std::string_view name, std::size
   return {size.x, size.y, file.floats(name, dimensions)};
 }
 
-/// The field `rgb`, [phi][theta][channel][row][column], with the channels brought together.
-SliceStack<glm::vec3> colours(const TensorFile& file, std::uint64_t& negativeCount) {
-  const std::vector<float> values = file.floats("rgb", 5);
-  const glm::u64vec2 size = gridSize(file, "rgb", 5);
-  const std::size_t plane = size.x * size.y;
-  SliceStack<glm::vec3> result{size.x, size.y, std::vector<glm::vec3>(values.size() / 3)};
-  for (std::size_t i = 0; i < values.size(); ++i)
-    result.values[i / (3 * plane) * plane + i % plane][int(i / plane % 3)] = values[i];
+/// The fields `rgb` or `spectra`, [phi][theta][channel or wavelength][row][column], with the channels brought together:
+/// each is a weighted sum of the planes of a slice.
+SliceStack<glm::vec3> colours(const TensorFile& file, std::string_view name, std::span<const Rgb> weights,
+                              std::uint64_t& negativeCount) {
+  const std::vector<float> values = file.floats(name, 5);
+  const glm::u64vec2 size = gridSize(file, name, 5);
+  const std::size_t plane = size.x * size.y, slice = plane * weights.size();
+  SliceStack<glm::vec3> result{size.x, size.y, {}};
+  result.values.reserve(values.size() / weights.size());
+  for (std::size_t start = 0; start < values.size(); start += slice)
+    for (std::size_t node = 0; node < plane; ++node) {
+      Rgb colour(0);
+      for (std::size_t w = 0; w < weights.size(); ++w) colour += double(values[start + w * plane + node]) * weights[w];
+      result.values.push_back(glm::vec3(colour));
+    }
   negativeCount = std::uint64_t(std::ranges::count_if(values, [](float value) { return value < 0; }));
   return result;
+}
+
+/// What the planes of `rgb` or `spectra` add to linear sRGB.
+std::vector<Rgb> planeWeights(const TensorFile& file, bool spectral) {
+  if (!spectral) return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<float> wavelengths = increasing(file, "wavelengths");
+  return spectrumWeights(std::vector<double>(wavelengths.begin(), wavelengths.end()));
 }
 
 /// The field `luminance`, [phi][theta][row][column], as it is; of the colours where there is none.
@@ -97,9 +112,10 @@ int reductionOf(const std::vector<float>& phis) {
 
 RglFile readRgl(const ByteSource& source) {
   const TensorFile file(source);
-  if (file.contains("spectra") && !file.contains("rgb"))
-    throw FormatMismatch("spectra in place of colours", "the material's _rgb file");
   RglFile result;
+  result.isSpectral = file.contains("spectra") && !file.contains("rgb");
+  const std::string_view colourField = result.isSpectral ? "spectra" : "rgb";
+  const std::vector<Rgb> weights = planeWeights(file, result.isSpectral);
   RglData data;
   data.incident = ParameterGrid(increasing(file, "phi_i"), increasing(file, "theta_i"));
   const std::vector<float>& phis = data.incident.phis();
@@ -107,8 +123,8 @@ RglFile readRgl(const ByteSource& source) {
   data.azimuthReduction = reductionOf(phis);
 
   const std::uint64_t phiCount = phis.size(), thetaCount = data.incident.slices() / phis.size();
-  const glm::u64vec2 colourSize = gridSize(file, "rgb", 5);
-  requireShape(file, "rgb", {phiCount, thetaCount, 3, colourSize.y, colourSize.x});
+  const glm::u64vec2 colourSize = gridSize(file, colourField, 5);
+  requireShape(file, colourField, {phiCount, thetaCount, weights.size(), colourSize.y, colourSize.x});
   const Tensor& jacobian = file.field("jacobian", TensorType::uint8, 1);
   if (jacobian.bytes.size() != 1) throw FormatMismatch("'jacobian' " + jacobian.describe(), "one value");
 
@@ -116,10 +132,10 @@ RglFile readRgl(const ByteSource& source) {
   data.ndf = stack(file, "ndf", 2);
   data.sigma = stack(file, "sigma", 2);
   data.vndf = vndf(file, {phiCount, thetaCount}, data);
-  data.rgb = colours(file, result.negativeCount);
+  data.rgb = colours(file, colourField, weights, result.negativeCount);
   data.luminance = luminance(file, {phiCount, thetaCount}, data.rgb);
   result.description = file.text("description");
-  for (const std::uint64_t size : file.floatField("rgb", 5).shape) result.grid.push_back(int(size));
+  for (const std::uint64_t size : file.floatField(colourField, 5).shape) result.grid.push_back(int(size));
   result.brdf = std::make_shared<const RglBrdf>(std::move(data));
   return result;
 }

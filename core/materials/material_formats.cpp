@@ -42,6 +42,7 @@ void readRglMaterial(const io::ByteSource& source, const TaskControl& control, M
   material.brdf = std::move(rgl.brdf);
   material.source.description = std::move(rgl.description);
   material.source.grid = std::move(rgl.grid);
+  if (rgl.isSpectral) material.source.notes.push_back("spectra are shown under D65, by the CIE 1931 observer");
   if (rgl.negativeCount > 0)
     material.source.notes.push_back(std::to_string(rgl.negativeCount) +
                                     " negative values (colours outside the sRGB gamut)");
@@ -114,7 +115,7 @@ constexpr std::array formats{
                    .suffixes = bsdfSuffixes,
                    .hasCommonSuffix = false,
                    .isMeasurement = true,
-                   .holds = {.nonReciprocal = true, .anisotropic = true},
+                   .holds = {.nonReciprocal = true, .anisotropic = true, .spectral = true},
                    .sniff = io::expectTensorFile,
                    .read = readRglMaterial,
                    .write = nullptr},

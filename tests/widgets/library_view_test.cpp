@@ -70,6 +70,38 @@ class LibraryViewTest : public QObject {
     QCOMPARE(opened[1][0].toString(), QStringLiteral("a"));
   }
 
+  /// Groups in the order of their first materials (by source) or of the alphabet (by kind), each below its heading.
+  void groupsStandBelowHeadings() {
+    LibraryModel model;
+    LibraryView view(&model);
+    view.resize(400, 400);
+    view.show();
+    model.setItems({{"a", "gold", "", "measured", "RGL", "Metal"},
+                    {"b", "chrome", "", "copy", "MERL", "Metal"},
+                    {"c", "felt", "", "measured", "RGL", "Fabric"}});
+    const auto rows = [&] {
+      QStringList result;
+      for (int row = 0; row < view.list()->model()->rowCount(); ++row) {
+        const QModelIndex index = view.list()->model()->index(row, 0);
+        result << (index.data(LibraryModel::HeadingRole).toBool() ? "# " : "") + index.data().toString();
+      }
+      return result;
+    };
+    QCOMPARE(rows(), QStringList({"chrome", "felt", "gold"}));
+    view.setGrouping(int(LibraryGrouping::source));
+    QCOMPARE(rows(), QStringList({"# RGL", "felt", "gold", "# MERL", "chrome"}));
+    view.setGrouping(int(LibraryGrouping::kind));
+    QCOMPARE(rows(), QStringList({"# Fabric", "felt", "# Metal", "chrome", "gold"}));
+    view.search()->setText("metal");  // a kind; the heading of what does not match goes
+    QCOMPARE(rows(), QStringList({"# Metal", "chrome", "gold"}));
+    QSignalSpy opened(&view, &LibraryView::openRequested);
+    QTest::keyClick(view.search(), Qt::Key_Return);
+    QCOMPARE(opened.count(), 1);
+    QCOMPARE(opened[0][0].toString(), QStringLiteral("b"));  // the first material, not the heading
+    QVERIFY(!view.visibleIds().contains(QString()));
+    QCOMPARE(model.pending(), QStringList({"a", "b", "c"}));
+  }
+
   void tellsWhatIsInSight() {
     LibraryModel model;
     LibraryView view(&model);

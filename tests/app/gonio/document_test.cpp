@@ -86,6 +86,7 @@ class DocumentTest : public QObject {
     setParameter(*m_document, index("specular"), Rgb(0.1, 0.3, 1.0 / 3)), note();
     resetParameter(*m_document, index("roughness")), note();
     resetParameters(*m_document), note();
+    setComposition(*m_document, editing::Composition::additive), note();
     m_document->chooseFit(fitOf(models::lambert())), note();
     setParameter(*m_document, 0, Rgb(0.7, 0.1, 0.2)), note();
     editing::DifferentialEdit edit = identityEdit(fitOf(models::ggx()));

@@ -13,6 +13,7 @@
 #include "core/io/format_mismatch.h"
 #include "core/io/tensor_file.h"
 #include "core/materials/material.h"
+#include "core/math/spectrum.h"
 #include "tests/core/io/synthetic_tensors.h"
 #include "tests/support/test_program.h"
 
@@ -131,6 +132,36 @@ class RglBrdfTest : public QObject {
     QVERIFY(close(value(rgl, wi, wo).x * wo.z, u2, 1e-5));
   }
 
+  /// An even spectrum is grey, and any spectrum the weighted sum of its wavelengths.
+  void spectraAreSeenUnderDaylight() {
+    const std::vector<float> wavelengths{400, 500, 560, 600, 700};
+    const std::vector<double> nanometres(wavelengths.begin(), wavelengths.end());
+    const std::vector<Rgb> weights = spectrumWeights(nanometres);
+    const auto spectral = [&](const std::vector<float>& spectrum) {
+      SyntheticRgl rgl;
+      std::vector<float> spectra;  // [phi 1][theta 2][wavelength 5][2][2]
+      for (int slice = 0; slice < 2; ++slice)
+        for (const float value : spectrum) spectra.insert(spectra.end(), 4, value);
+      std::vector<TensorField> fields = rgl.fields();
+      std::erase_if(fields, [](const TensorField& field) { return field.name == "rgb"; });
+      fields.push_back(floatField("wavelengths", {5}, wavelengths));
+      fields.push_back(floatField("spectra", {1, 2, 5, 2, 2}, spectra));
+      return read(tensorFile(fields));
+    };
+    const Direction wi = fromSpherical(0.3, 0), wo = fromSpherical(0.6, 2);
+    const Rgb white = value(SyntheticRgl(), wi, wo);  // rgb is 1 everywhere
+    const auto even = spectral({1, 1, 1, 1, 1});
+    QVERIFY(even.isSpectral);
+    QCOMPARE(even.grid, (std::vector<int>{1, 2, 5, 2, 2}));
+    const Rgb grey = even.brdf->evaluate(wi, wo);
+    const Rgb coloured = spectral({0.1f, 0.2f, 0.7f, 0.4f, 0.9f}).brdf->evaluate(wi, wo);
+    const Rgb sum = 0.1 * weights[0] + 0.2 * weights[1] + 0.7 * weights[2] + 0.4 * weights[3] + 0.9 * weights[4];
+    for (int c = 0; c < 3; ++c) {
+      QVERIFY(close(grey[c], white[c], 1e-6));
+      QVERIFY(close(coloured[c], sum[c] * white[c], 1e-6));
+    }
+  }
+
   /// Colours outside the sRGB gamut: cut, they would add up to another colour in a picture.
   void negativeValuesAreKeptAndCounted() {
     SyntheticRgl rgl;
@@ -190,7 +221,7 @@ class RglBrdfTest : public QObject {
       fields.push_back(replacement);
       return errorOf([&] { read(tensorFile(fields)); });
     };
-    QVERIFY(contains(error("rgb", byteField("spectra", "x")), "_rgb file"));
+    QVERIFY(contains(error("rgb", byteField("spectra", "x")), "wavelengths"));
     QVERIFY(contains(error("rgb", floatField("rgb", {1, 2, 1, 2, 2}, std::vector<float>(8))),
                      "expected float32 1 x 2 x 3"));
     QVERIFY(contains(error("vndf", floatField("vndf", {1, 3, 3, 3}, std::vector<float>(27, 1))), "vndf"));
