@@ -20,10 +20,10 @@ struct RglFile {
   std::uint64_t negativeCount = 0;  ///< negative values in it
 };
 
-/// Reads an `_rgb` or a `_spec` file of the database, isotropic or anisotropic. Spectra are seen under D65 by the CIE 1931
-/// observer (spectrumWeights()). A luminance serves sampling alone: where it is 0 or
-/// not finite the visible normals are sampled. A file without `luminance` and `vndf`, such as the bundled ones
-/// (scripts/bundle_rgl.py), has them computed from its colours and from `ndf` (or `visible_ndf`, of the same layout).
+/// Reads an `_rgb` or a `_spec` file of the database, isotropic or anisotropic. Spectra are seen under D65 by the CIE
+/// 1931 observer (spectrumWeights()). A luminance serves sampling alone: where it is 0 or not finite the visible
+/// normals are sampled. A file without `luminance` and `vndf`, such as the bundled ones (scripts/bundle_rgl.py), has
+/// them computed from its colours and from `ndf` (or `visible_ndf`, of the same layout).
 /// @throws FormatMismatch; Error naming the first value that is not finite.
 RglFile readRgl(const ByteSource& source);
 
