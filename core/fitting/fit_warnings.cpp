@@ -62,7 +62,7 @@ std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const C
     warnings.push_back("No reflectance above 0 in " + names + ": left black.");
   // Noise leaves a few; more of them mean that something was subtracted wrongly.
   if (double(table.clampedCount()) > noticeableShare * 3 * double(table.validCount()))
-    warnings.push_back(std::to_string(table.clampedCount()) + " values below 0 count as 0.");
+    warnings.push_back(std::to_string(table.clampedCount()) + " values below 0 are treated as 0 in the fit.");
   const auto isConstant = [&](const ChannelCensus& c) { return !isBlack(c) && c.smallest == c.largest; };
   if (const std::string names = namesOf(channels, isConstant); !names.empty() && census.used > 1)
     warnings.push_back("The same value in every cell of " + names +
