@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t bakeBlock = 4096;
 /// Pairs that are worked on at once: scratch stays on the stack, so single look-ups allocate nothing.
-constexpr std::size_t chunkSize = 64;
+constexpr std::size_t chunkSize = LobeChange::maxPairs;
 
 /// An edit that changes something, ready to evaluate.
 struct ActiveEdit {

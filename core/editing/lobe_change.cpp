@@ -3,6 +3,8 @@
 #include "core/editing/lobe_change.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 
 #include "core/editing/lobe_warp.h"
 #include "core/support/error.h"
@@ -41,7 +43,9 @@ std::vector<double> lobeScales(const DifferentialEdit& edit) {
 
 void LobeChange::evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
                           std::span<Rgb> changes) const {
-  std::vector<Rgb> ratios(pairs.size());
+  assert(pairs.size() <= maxPairs);
+  std::array<Rgb, maxPairs> scratch;
+  const auto ratios = std::span(scratch).first(pairs.size());
   fitted_->evaluate(pairs, ratios);
   for (std::size_t i = 0; i < pairs.size(); ++i) ratios[i] = ratioOf(values[i], ratios[i]);
   for (const Lobe& lobe : lobes_) add(lobe, base, pairs, ratios, changes);
@@ -49,21 +53,26 @@ void LobeChange::evaluate(const Brdf& base, std::span<const DirectionPair> pairs
 
 void LobeChange::add(const Lobe& lobe, const Brdf& base, std::span<const DirectionPair> pairs,
                      std::span<const Rgb> ratios, std::span<Rgb> changes) const {
-  std::vector<Rgb> fitted(pairs.size()), edited(pairs.size());
-  lobe.fitted->evaluate(pairs, fitted);
-  lobe.edited->evaluate(pairs, edited);
-  std::vector<Rgb> carried(ratios.begin(), ratios.end());
-  if (lobe.scale != 1) {
-    std::vector<DirectionPair> moved(pairs.size());
-    std::ranges::transform(pairs, moved.begin(),
-                           [&](const DirectionPair& pair) { return withScaledHalfTangent(pair, lobe.scale); });
-    std::vector<Rgb> measured(pairs.size()), model(pairs.size());
-    base.evaluate(moved, measured);
-    fitted_->evaluate(moved, model);
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (measured[i] != Rgb(0) || base.hasData(moved[i])) carried[i] = ratioOf(measured[i], model[i]);
-  }
+  std::array<Rgb, maxPairs> fitted, edited, carried;
+  const auto first = [&](auto& all) { return std::span(all).first(pairs.size()); };
+  lobe.fitted->evaluate(pairs, first(fitted));
+  lobe.edited->evaluate(pairs, first(edited));
+  std::ranges::copy(ratios, carried.begin());
+  if (lobe.scale != 1) carryRatios(lobe.scale, base, pairs, first(carried));
   for (std::size_t i = 0; i < pairs.size(); ++i) changes[i] += edited[i] * carried[i] - fitted[i] * ratios[i];
+}
+
+void LobeChange::carryRatios(double scale, const Brdf& base, std::span<const DirectionPair> pairs,
+                             std::span<Rgb> carried) const {
+  std::array<DirectionPair, maxPairs> moved;
+  std::array<Rgb, maxPairs> measured, model;
+  const auto first = [&](auto& all) { return std::span(all).first(pairs.size()); };
+  std::ranges::transform(pairs, moved.begin(),
+                         [&](const DirectionPair& pair) { return withScaledHalfTangent(pair, scale); });
+  base.evaluate(first(moved), first(measured));
+  fitted_->evaluate(first(moved), first(model));
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (measured[i] != Rgb(0) || base.hasData(moved[i])) carried[i] = ratioOf(measured[i], model[i]);
 }
 
 }  // namespace gonio::editing

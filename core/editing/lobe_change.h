@@ -23,7 +23,10 @@ class LobeChange {
   /// @throws Error where the model is no sum of lobes.
   explicit LobeChange(const DifferentialEdit& edit);
 
-  /// Added to `changes`, 1/sr, for pairs above the horizon. @param values of the base at the pairs.
+  /// Scratch stays on the stack, so that single look-ups allocate nothing.
+  static constexpr std::size_t maxPairs = 64;
+
+  /// Added to `changes`, 1/sr, for at most maxPairs pairs above the horizon. @param values of the base at the pairs.
   /// Evaluates the base once more for each lobe that changes its width.
   void evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
                 std::span<Rgb> changes) const;
@@ -41,6 +44,8 @@ class LobeChange {
   };
   void add(const Lobe& lobe, const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> ratios,
            std::span<Rgb> changes) const;
+  /// The ratios at the places that the lobe had, where they were measured.
+  void carryRatios(double scale, const Brdf& base, std::span<const DirectionPair> pairs, std::span<Rgb> carried) const;
 
   std::unique_ptr<const Brdf> fitted_;
   std::vector<Lobe> lobes_;  ///< those that change

@@ -4,62 +4,21 @@
 // CPU is that of all threads: what software OpenGL costs whatever else the machine does.
 #include <benchmark/benchmark.h>
 
-#include <QGuiApplication>
-
 #include "core/dictionary/decode.h"
 #include "core/factorization/pdv_operations.h"
 #include "core/io/rgl_file.h"
 #include "core/materials/dictionary_file.h"
 #include "core/models/model.h"
 #include "core/rendering/scene_file.h"
+#include "tests/benchmarks/preview_fixture.h"
 #include "tests/support/code_files.h"
-#include "tests/support/sphere_preview.h"
-#include "tests/widgets/offscreen_context.h"
 #include "widgets/interpolation/prepared_blend.h"
-#include "widgets/preview/gl/preview_renderer.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace {
 
 using namespace gonio;
-
-/// One application, context and renderer for all benchmarks of this program.
-class PreviewFixture {
- public:
-  static PreviewFixture& instance() {
-    static PreviewFixture fixture;
-    return fixture;
-  }
-
-  widgets::PreviewRenderer renderer;
-  editing::DifferentialEdit edit;
-  std::shared_ptr<const TabulatedBrdf> table;
-
-  void show(const editing::EditList& edits = {}) {
-    renderer.setSubject({widgets::EditedMaterial{table, edits}, lobe_});
-  }
-
- private:
-  PreviewFixture() : application_(argumentCount_, arguments_) {
-    context_ = std::make_unique<test::OffscreenContext>();
-    if (!context_->isValid()) throw std::runtime_error("no OpenGL 4.1 core context");
-    renderer.initialize();
-    const models::Model& model = models::findModel("ggx");
-    edit.model = &model;
-    edit.fitted = models::defaultParameters(model.spec());
-    table = bakeTable(*model.instantiate(edit.fitted));
-    lobe_ = std::make_shared<const TabulatedLobe>(*table);
-    show();
-    renderer.setSize({512, 512});
-  }
-
-  int argumentCount_ = 1;
-  char name_[8] = "preview";
-  char* arguments_[2] = {name_, nullptr};
-  QGuiApplication application_;
-  std::unique_ptr<test::OffscreenContext> context_;
-  std::shared_ptr<const TabulatedLobe> lobe_;
-};
+using benchmarks::PreviewFixture;
 
 void runFrames(benchmark::State& state, bool environment, bool edited) {
   PreviewFixture& fixture = PreviewFixture::instance();
