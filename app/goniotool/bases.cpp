@@ -11,22 +11,12 @@
 
 namespace gonio::tool {
 
-namespace {
-
-std::vector<std::string> bundledMaterials() {
-  std::vector<std::string> paths;
-  for (const materials::LibraryEntry& entry : materials::bundledLibrary())
-    paths.push_back(std::string(materials::libraryScheme) + entry.id);
-  return paths;
-}
-
-}  // namespace
-
 std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::string>& sources,
                                                        const std::vector<std::string>& excluded, int mostComponents,
                                                        const Tool& tool, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
-  const auto materials = trainingMaterials(trainingFiles(sources.empty() ? bundledMaterials() : sources, excluded));
+  const auto materials =
+      trainingMaterials(trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded));
   auto basis = std::make_shared<materials::BasisFile>();
   basis->components = dictionary::learnPrincipalComponents(
       materials.names.size(), materials.load, {.mostComponents = mostComponents},

@@ -7,7 +7,6 @@
 #include <mutex>
 
 #include "core/brdf/neural_brdf.h"
-#include "core/materials/library_list.h"
 #include "core/materials/measured_library.h"
 #include "core/materials/near_measured_library.h"
 
@@ -23,15 +22,14 @@ void raise(std::vector<float>& largest, const TabulatedBrdf& table) {
     largest[cell] = std::max(largest[cell], float(maxChannel(Rgb(table.values()[cell]))));
 }
 
-/// The measured materials and the copies of other databases. A copy is evaluated as the network that it is: its table
+/// Those of libraryTrainingPaths(). A copy is evaluated as the network that it is: its table
 /// of the MERL grid would take longer than all else.
 std::vector<std::function<std::shared_ptr<const Brdf>()>> trainingMaterials() {
   std::vector<std::function<std::shared_ptr<const Brdf>()>> result;
   for (const MeasuredMaterial& measured : measuredMaterials())
     result.push_back([&measured] { return measuredMaterial(measured).brdf; });
   for (const NearMeasuredMaterial& copy : nearMeasuredMaterials())
-    if (copy.source != rglCopySource)
-      result.push_back([&copy] { return std::make_shared<const NeuralBrdf>(copy.weights); });
+    if (!isMeasuredToo(copy)) result.push_back([&copy] { return std::make_shared<const NeuralBrdf>(copy.weights); });
   return result;
 }
 

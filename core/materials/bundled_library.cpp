@@ -78,6 +78,15 @@ std::string librarySha256(const std::string& path) {
   return found;
 }
 
+std::vector<std::string> libraryTrainingPaths() {
+  std::vector<std::string> paths;
+  const auto add = [&paths](const auto& entry) { paths.push_back(std::string(libraryScheme) + idOf(entry)); };
+  for (const MeasuredMaterial& measured : measuredMaterials()) add(measured);
+  for (const NearMeasuredMaterial& copy : nearMeasuredMaterials())
+    if (!isMeasuredToo(copy)) add(copy);
+  return paths;
+}
+
 Material readLibraryMaterial(const std::string& path, const TaskControl& control) {
   std::optional<Material> found;
   visitNamed(path, [&](const auto& entry) { found = materialOf(entry, control); });

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/materials/material.h"
 
@@ -14,6 +15,10 @@ inline constexpr std::string_view libraryScheme = "library:";
 
 /// MaterialSource::sha256 of the material of such a path, which is not read for it; empty where there is none.
 std::string librarySha256(const std::string& path);
+
+/// Paths of the materials from which others are learned, each material once: the measured ones, then the near-measured
+/// copies of those that are not among them. No published fits.
+std::vector<std::string> libraryTrainingPaths();
 
 /// The material of a path such as "library:rgl/NAME" (MeasuredMaterial), "library:merl-copy/NAME"
 /// (NearMeasuredMaterial) or "library:sgd/NAME" (SgdFit).

@@ -8,6 +8,7 @@
 #include "core/brdf/neural_brdf.h"
 #include "core/io/sha256.h"
 #include "core/materials/library_list.h"
+#include "core/materials/measured_library.h"
 
 extern "C" {
 // NeuralBrdf::weightCount numbers a material, in the order of the list (bundled_files.S).
@@ -47,6 +48,11 @@ const std::vector<NearMeasuredMaterial>& nearMeasuredMaterials() {
     return result;
   }();
   return materials;
+}
+
+bool isMeasuredToo(const NearMeasuredMaterial& copy) {
+  return copy.source == rglCopySource &&
+         std::ranges::any_of(measuredMaterials(), [&](const MeasuredMaterial& one) { return one.name == copy.name; });
 }
 
 Material nearMeasuredMaterial(const NearMeasuredMaterial& copy, const TaskControl& control) {

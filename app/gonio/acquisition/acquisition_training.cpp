@@ -30,7 +30,8 @@ QStringList libraryIds(const QString& collection) {
 }  // namespace
 
 TrainingSet libraryTraining() {
-  QStringList ids = measuredTraining().ids + nearMeasuredTraining().ids + libraryIds(QStringLiteral("dtu-copy/"));
+  QStringList ids;
+  for (const std::string& path : materials::libraryTrainingPaths()) ids << QString::fromStdString(path);
   return {AcquisitionTrainingText::tr("measured materials and near-measured copies"), ids};
 }
 TrainingSet measuredTraining() {

@@ -18,7 +18,7 @@ struct TrainingSet {
   bool operator==(const TrainingSet&) const = default;
 };
 
-/// Of the bundled library the measured materials and the copies of other databases.
+/// materials::libraryTrainingPaths().
 TrainingSet libraryTraining();
 /// The bundled library's measured materials, its near-measured copies of MERL, and its published fits.
 TrainingSet measuredTraining();

@@ -117,9 +117,13 @@ QString aboutPage() {
   page += QStringLiteral("</table><h3>%1</h3><p>%2</p>")
               .arg(HelpPagesText::tr("Data"),
                    HelpPagesText::tr(
-                       "The bundled library holds published figures: SGD fits of the MERL materials, Bagher, "
-                       "Soler and Holzschuch, Accurate fitting of measured reflectances using a Shifted Gamma "
-                       "micro-facet distribution, 2012. The environments are made by the project itself."));
+                       "The bundled library holds measured materials of the RGL database (Dupuy and Jakob, An Adaptive "
+                       "Parameterization for Efficient Material Acquisition and Rendering, 2018; CC0), near-measured "
+                       "copies of MERL, RGL and DTU materials (Sztrajman, Rainer, Ritschel and Weyrich, Neural BRDF "
+                       "Representation and Importance Sampling, 2021; MIT) and published SGD fits of the MERL "
+                       "materials (Bagher, Soler and Holzschuch, Accurate fitting of measured reflectances using a "
+                       "Shifted Gamma micro-facet distribution, 2012). The environments are made by the project "
+                       "itself."));
   return page;
 }
 
