@@ -15,7 +15,7 @@ namespace {
 
 struct EditArguments {
   std::string material, model, out;
-  std::vector<std::string> set;
+  std::vector<std::string> set, controls;
   double strength = 1;
   std::string composition;
 };
@@ -37,8 +37,16 @@ Rgb parseValue(const std::string& text, const std::string& assignment) {
     at = next + 1;
   }
   if (numbers.size() != 1 && numbers.size() != 3)
-    throw UsageError("edit: found --set '" + assignment + "', expected name=value or name=red,green,blue");
+    throw UsageError("edit: found '" + assignment + "', expected name=value or name=red,green,blue");
   return numbers.size() == 1 ? Rgb(numbers[0]) : Rgb(numbers[0], numbers[1], numbers[2]);
+}
+
+/// "diffuse, specular, roughness".
+std::string namesOf(const models::ModelSpec& spec) {
+  std::string names;
+  for (const models::ParameterSpec& parameter : spec.parameters)
+    names += (names.empty() ? "" : ", ") + std::string(parameter.id);
+  return names;
 }
 
 /// `values` with one assignment "name=value" made; a choice may be given by its name.
@@ -47,11 +55,8 @@ void assign(const models::ModelSpec& spec, const std::string& assignment, models
   const std::string name = assignment.substr(0, equals);
   const auto index = spec.find(name);
   if (!index || equals == std::string::npos) {
-    std::string known;
-    for (const models::ParameterSpec& parameter : spec.parameters)
-      known += (known.empty() ? "" : ", ") + std::string(parameter.id);
-    throw UsageError("edit: found --set '" + assignment + "', expected name=value with a parameter of " +
-                     std::string(spec.id) + ": " + known);
+    throw UsageError("edit: found '" + assignment + "', expected name=value with a name of " + std::string(spec.id) +
+                     ": " + namesOf(spec));
   }
   const models::ParameterSpec& parameter = spec.parameters[*index];
   const std::string text = assignment.substr(equals + 1);
@@ -62,7 +67,7 @@ void assign(const models::ModelSpec& spec, const std::string& assignment, models
     }
   const Rgb value = parseValue(text, assignment);
   if (!parameter.perChannel && value != Rgb(value.x))
-    throw UsageError("edit: " + name + " has one value for all channels, found --set '" + assignment + "'");
+    throw UsageError("edit: " + name + " has one value for all channels, found '" + assignment + "'");
   values.values[*index] = value;
 }
 
@@ -100,8 +105,9 @@ std::string averagedText() {
 }
 
 int replayDocument(const EditArguments& options, const Tool& tool) {
-  if (!options.model.empty() || !options.set.empty())
-    throw UsageError("edit: " + options.material + " is a document: it is replayed, without --model and --set");
+  if (!options.model.empty() || !options.set.empty() || !options.controls.empty())
+    throw UsageError("edit: " + options.material +
+                     " is a document: it is replayed, without --model, --set and --control");
   materials::writeMaterial(openMaterial(options.material, tool.control("replaying")), options.out);
   const auto edits = editing::readDocument(options.material).edits;
   const bool averaged =
@@ -115,8 +121,9 @@ int replayDocument(const EditArguments& options, const Tool& tool) {
 void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
                const std::vector<models::ClampedParameter>& clamped, std::size_t capped, const EditArguments& options,
                const Tool& tool) {
-  const auto& [model, before, after, composition] = std::get<editing::DifferentialEdit>(edit.content);
-  const models::ModelSpec& spec = model->spec();
+  const auto& change = std::get<editing::DifferentialEdit>(edit.content);
+  const models::ModelSpec& spec = change.model->spec();
+  const models::ParameterValues after = change.target();
   std::string text = options.out + ": " + std::string(spec.name) + "\n" + parametersText(spec, after);
   for (const models::ClampedParameter& one : clamped)
     text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range, used " +
@@ -125,11 +132,12 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
   if (averaged) text += averagedText();
   print(tool,
         {{"model", spec.id},
-         {"fitted", parametersJson(spec, before)},
+         {"fitted", parametersJson(spec, change.fitted)},
          {"edited", parametersJson(spec, after)},
          {"errors", errorsJson(fitted.errors)},
          {"strength", edit.strength},
-         {"composition", editing::compositionIds[std::size_t(composition)]},
+         {"composition", editing::compositionIds[std::size_t(change.composition)]},
+         {"controls", parametersJson(editing::artistControls(), change.controls)},
          {"clamped", clampedJson(clamped)},
          {"cappedValues", capped},
          {"averagedAzimuths", averaged ? editing::bakedAzimuths : 0},
@@ -148,6 +156,15 @@ editing::Composition compositionOf(const EditArguments& options, const models::M
   return composition;
 }
 
+/// @throws UsageError where there is no such control or the model has nothing that it changes.
+void probeControl(const std::string& assignment, const models::Model& model) {
+  models::ParameterValues values = models::defaultParameters(editing::artistControls());
+  assign(editing::artistControls(), assignment, values);
+  const std::string name = assignment.substr(0, assignment.find('='));
+  if (!editing::actsOn(editing::ArtistControl(*editing::artistControls().find(name)), model.spec()))
+    throw UsageError("edit: " + std::string(model.spec().id) + " has no parameter that --control " + name + " changes");
+}
+
 int edit(const EditArguments& options, const Tool& tool) {
   const bool fromDocument = isDocument(options.material);
   if (!writesDocument(options) || fromDocument) materials::writableFormat(options.out);
@@ -157,6 +174,7 @@ int edit(const EditArguments& options, const Tool& tool) {
   // Wrong assignments are told before the work starts.
   models::ParameterValues probe = models::defaultParameters(model.spec());
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, probe);
+  for (const std::string& assignment : options.controls) probeControl(assignment, model);
   compositionOf(options, model);
 
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
@@ -164,7 +182,9 @@ int edit(const EditArguments& options, const Tool& tool) {
   const fitting::FitResult fitted = fitting::fit(*table, model, {}, tool.control("fitting"));
   editing::DifferentialEdit change{&model, fitted.parameters, fitted.parameters, compositionOf(options, model)};
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, change.edited);
-  const auto clamped = models::clampToHardRange(model.spec(), change.edited);
+  auto clamped = models::clampToHardRange(model.spec(), change.edited);
+  for (const std::string& assignment : options.controls) assign(editing::artistControls(), assignment, change.controls);
+  std::ranges::copy(models::clampToHardRange(editing::artistControls(), change.controls), std::back_inserter(clamped));
   const editing::Edit edit{change, "", options.strength};
   const std::size_t capped = write(material, table, edit, options, tool);
   printEdit(edit, fitted, clamped, capped, options, tool);
@@ -180,6 +200,9 @@ void addEdit(CLI::App& app, Tool& tool) {
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--model", options->model, "The model that is fitted")->check(CLI::IsMember(modelIds()));
   command->add_option("--set", options->set, "name=value or name=red,green,blue; several may follow");
+  command->add_option(
+      "--control", options->controls,
+      "name=value of a control that means the same for every model: " + namesOf(editing::artistControls()));
   command
       ->add_option("--compose", options->composition,
                    "How the change is brought to the material: additive, log-plus or lobes (the default of the model)")

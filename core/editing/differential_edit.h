@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include "core/editing/artist_controls.h"
 #include "core/editing/composition.h"
 #include "core/models/model.h"
 
@@ -16,9 +17,13 @@ struct DifferentialEdit {
   models::ParameterValues fitted;
   models::ParameterValues edited;
   Composition composition = Composition::additive;
+  /// artistControls(), applied to `edited`.
+  models::ParameterValues controls = models::defaultParameters(artistControls());
 
+  /// The parameters of the edited model: `edited` with the controls applied.
+  models::ParameterValues target() const { return withControls(model->spec(), edited, controls); }
   /// Whether the edited model is the fitted one.
-  bool isIdentity() const { return edited == fitted; }
+  bool isIdentity() const { return target() == fitted; }
   bool operator==(const DifferentialEdit&) const = default;
 };
 

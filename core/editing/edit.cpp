@@ -46,7 +46,7 @@ ActiveEdit activated(const DifferentialEdit& edit, double strength) {
   assert(edit.model);
   if (edit.composition == Composition::lobes)
     return {.strength = strength, .composition = edit.composition, .lobes = std::make_shared<const LobeChange>(edit)};
-  return {edit.model->instantiate(edit.edited), edit.model->instantiate(edit.fitted), strength, edit.composition};
+  return {edit.model->instantiate(edit.target()), edit.model->instantiate(edit.fitted), strength, edit.composition};
 }
 
 ActiveEdit activated(const FactorEdit& edit, double strength) {

@@ -32,11 +32,14 @@ bool isSha256(const std::string& text) {
 nlohmann::json toJson(const DifferentialEdit& edit) {
   if (!edit.model) throw Error("an edit without a model cannot be written");
   const models::ModelSpec& spec = edit.model->spec();
-  return {{"type", differentialType},
-          {"model", spec.id},
-          {"fitted", models::parametersToJson(spec, edit.fitted)},
-          {"edited", models::parametersToJson(spec, edit.edited)},
-          {"composition", compositionIds[std::size_t(edit.composition)]}};
+  nlohmann::json json = {{"type", differentialType},
+                         {"model", spec.id},
+                         {"fitted", models::parametersToJson(spec, edit.fitted)},
+                         {"edited", models::parametersToJson(spec, edit.edited)},
+                         {"composition", compositionIds[std::size_t(edit.composition)]}};
+  if (edit.controls != models::defaultParameters(artistControls()))
+    json["controls"] = models::parametersToJson(artistControls(), edit.controls);
+  return json;
 }
 
 nlohmann::json toJson(const Edit& edit) {
@@ -68,11 +71,15 @@ Composition compositionFromJson(const JsonObject& object, const models::Model& m
 DifferentialEdit differentialEditFromJson(const JsonObject& object) {
   DifferentialEdit edit;
   edit.model = &modelFromJson(object);
-  const auto values = [&](const char* key) {
-    return models::parametersFromJson(edit.model->spec(), object.member(key, "an object"), object.place(key));
+  const auto values = [&](const models::ModelSpec& spec, const char* key) {
+    return models::parametersFromJson(spec, object.member(key, "an object"), object.place(key));
   };
-  edit.fitted = values("fitted");
-  edit.edited = values("edited");
+  edit.fitted = values(edit.model->spec(), "fitted");
+  edit.edited = values(edit.model->spec(), "edited");
+  if (object.contains("controls")) {
+    edit.controls = values(artistControls(), "controls");
+    models::clampToHardRange(artistControls(), edit.controls);
+  }
   if (object.contains("composition")) edit.composition = compositionFromJson(object, *edit.model);
   return edit;
 }

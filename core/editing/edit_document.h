@@ -20,15 +20,16 @@ inline constexpr std::string_view documentSuffix = ".gonio";
 bool isDocumentName(const std::filesystem::path& path);
 
 /// What a .gonio file holds: which source, which edits; never measured data. JSON, versioned:
-///   {"format": "gonio document", "version": 5, "source": {"path": "a.binary", "sha256": "..."},
+///   {"format": "gonio document", "version": 6, "source": {"path": "a.binary", "sha256": "..."},
 ///    "edits": [{"type": "differential", "model": "ggx", "fitted": {..}, "edited": {..},
-///               "composition": "lobes", "strength": 1, "enabled": true, "name": "wetter"}], "view": {..}}
-/// "name" is left out where the user gave none. Edits of factors hold what toJson(FactorEdit) writes beside strength,
-/// eye and name; a source that is blended of several is written by toJson(BlendSource).
-/// Version 2 knew no edits of factors, version 3 no blends, version 4 no compositions (all were additive): they refuse
-/// newer documents.
+///               "composition": "lobes", "controls": {"roughness": 2, ..}, "strength": 1, "enabled": true,
+///               "name": "wetter"}], "view": {..}}
+/// "name" is left out where the user gave none, "controls" (artistControls()) where none changes anything. Edits of
+/// factors hold what toJson(FactorEdit) writes beside strength, eye and name; a source that is blended of several is
+/// written by toJson(BlendSource). Version 2 knew no edits of factors, version 3 no blends, version 4 no compositions
+/// (all were additive), version 5 no controls: they refuse newer documents.
 struct EditDocument {
-  static constexpr int currentVersion = 5;
+  static constexpr int currentVersion = 6;
 
   /// Absolute, or relative to the folder of the document; "library:sgd/chrome" for a bundled material.
   std::string sourcePath;

@@ -16,7 +16,7 @@ bool holdsCurves(const EditList& list, const FactorEdit::Curves& curves) {
 }
 
 std::size_t ownBytes(const DifferentialEdit& edit, const EditList&) {
-  return (edit.fitted.values.size() + edit.edited.values.size()) * sizeof(Rgb);
+  return (edit.fitted.values.size() + edit.edited.values.size() + edit.controls.values.size()) * sizeof(Rgb);
 }
 
 std::size_t ownBytes(const FactorEdit& edit, const EditList& other) {

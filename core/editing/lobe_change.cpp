@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 
 #include "core/editing/lobe_warp.h"
 #include "core/support/error.h"
@@ -22,23 +23,36 @@ double scaleOf(const models::ModelLobe& fitted, const models::ModelLobe& edited)
   return fitted.roughness > 0 && edited.roughness > 0 ? fitted.roughness / edited.roughness : 1;
 }
 
+/// Scales that differ by rounding alone are made equal: lobes that widen alike then share their places.
+void alignScales(std::span<double> scales) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t k = 0; k < scales.size(); ++k)
+    for (std::size_t before = 0; before < k; ++before)
+      if (std::abs(scales[k] - scales[before]) < rounding * scales[k]) scales[k] = scales[before];
+}
+
+std::vector<double> scalesOf(std::span<const models::ModelLobe> fitted, std::span<const models::ModelLobe> edited) {
+  std::vector<double> scales;
+  for (std::size_t k = 0; k < fitted.size(); ++k) scales.push_back(scaleOf(fitted[k], edited[k]));
+  alignScales(scales);
+  return scales;
+}
+
 }  // namespace
 
 LobeChange::LobeChange(const DifferentialEdit& edit) : fitted_(edit.model->instantiate(edit.fitted)) {
   if (!edit.model->hasLobes())
     throw Error("the model " + std::string(edit.model->spec().id) +
                 " is no sum of lobes, so its edit cannot be composed by lobes; expected additive or log-plus");
-  std::vector<models::ModelLobe> fitted = edit.model->lobes(edit.fitted), edited = edit.model->lobes(edit.edited);
+  std::vector<models::ModelLobe> fitted = edit.model->lobes(edit.fitted), edited = edit.model->lobes(edit.target());
+  const std::vector<double> scales = scalesOf(fitted, edited);
   for (std::size_t k = 0; k < fitted.size(); ++k)
-    if (const double scale = scaleOf(fitted[k], edited[k]); scale > 0)
-      lobes_.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf), scale});
+    if (scales[k] > 0) lobes_.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf), scales[k]});
+  std::ranges::stable_sort(lobes_, {}, &Lobe::scale);
 }
 
 std::vector<double> lobeScales(const DifferentialEdit& edit) {
-  const std::vector<models::ModelLobe> fitted = edit.model->lobes(edit.fitted), edited = edit.model->lobes(edit.edited);
-  std::vector<double> scales;
-  for (std::size_t k = 0; k < fitted.size(); ++k) scales.push_back(scaleOf(fitted[k], edited[k]));
-  return scales;
+  return scalesOf(edit.model->lobes(edit.fitted), edit.model->lobes(edit.target()));
 }
 
 void LobeChange::evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
@@ -48,17 +62,23 @@ void LobeChange::evaluate(const Brdf& base, std::span<const DirectionPair> pairs
   const auto ratios = std::span(scratch).first(pairs.size());
   fitted_->evaluate(pairs, ratios);
   for (std::size_t i = 0; i < pairs.size(); ++i) ratios[i] = ratioOf(values[i], ratios[i]);
-  for (const Lobe& lobe : lobes_) add(lobe, base, pairs, ratios, changes);
+  std::array<Rgb, maxPairs> moved;
+  const auto carried = std::span(moved).first(pairs.size());
+  double scale = 1;
+  for (const Lobe& lobe : lobes_) {
+    if (lobe.scale != 1 && lobe.scale != scale) {
+      std::ranges::copy(ratios, carried.begin());
+      carryRatios(scale = lobe.scale, base, pairs, carried);
+    }
+    add(lobe, pairs, ratios, lobe.scale == 1 ? ratios : carried, changes);
+  }
 }
 
-void LobeChange::add(const Lobe& lobe, const Brdf& base, std::span<const DirectionPair> pairs,
-                     std::span<const Rgb> ratios, std::span<Rgb> changes) const {
-  std::array<Rgb, maxPairs> fitted, edited, carried;
-  const auto first = [&](auto& all) { return std::span(all).first(pairs.size()); };
-  lobe.fitted->evaluate(pairs, first(fitted));
-  lobe.edited->evaluate(pairs, first(edited));
-  std::ranges::copy(ratios, carried.begin());
-  if (lobe.scale != 1) carryRatios(lobe.scale, base, pairs, first(carried));
+void LobeChange::add(const Lobe& lobe, std::span<const DirectionPair> pairs, std::span<const Rgb> ratios,
+                     std::span<const Rgb> carried, std::span<Rgb> changes) {
+  std::array<Rgb, maxPairs> fitted, edited;
+  lobe.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
+  lobe.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i) changes[i] += edited[i] * carried[i] - fitted[i] * ratios[i];
 }
 

@@ -27,7 +27,7 @@ class LobeChange {
   static constexpr std::size_t maxPairs = 64;
 
   /// Added to `changes`, 1/sr, for at most maxPairs pairs above the horizon. @param values of the base at the pairs.
-  /// Evaluates the base once more for each lobe that changes its width.
+  /// Evaluates the base once more for each ratio by which lobes change their width: once where all widen alike.
   void evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
                 std::span<Rgb> changes) const;
 
@@ -42,13 +42,14 @@ class LobeChange {
     std::unique_ptr<const Brdf> fitted, edited;
     double scale;  ///< alpha / alpha', 1 of the body
   };
-  void add(const Lobe& lobe, const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> ratios,
-           std::span<Rgb> changes) const;
+  /// @param ratios, carried the ratio q at the pairs and where the lobe had them.
+  static void add(const Lobe& lobe, std::span<const DirectionPair> pairs, std::span<const Rgb> ratios,
+                  std::span<const Rgb> carried, std::span<Rgb> changes);
   /// The ratios at the places that the lobe had, where they were measured.
   void carryRatios(double scale, const Brdf& base, std::span<const DirectionPair> pairs, std::span<Rgb> carried) const;
 
   std::unique_ptr<const Brdf> fitted_;
-  std::vector<Lobe> lobes_;  ///< those that change
+  std::vector<Lobe> lobes_;  ///< those that change, by their scale
 };
 
 /// alpha / alpha' of each part of the edited model, 1 where it keeps its width; 0 where it does not change at all. What

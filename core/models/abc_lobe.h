@@ -30,14 +30,14 @@ constexpr ParameterSpec abcAmplitudeParameter(std::string_view formula) {
           .perChannel = true, .linear = true,
           .description = "Strength and tint of the highlight, which is not normalised: raise it as the highlight "
                          "narrows.",
-          .formula = formula, .reference = abcReference};
+          .formula = formula, .reference = abcReference, .role = ParameterRole::peak};
 }
 constexpr ParameterSpec abcNarrownessParameter(std::string_view formula) {
   return {.id = "b", .label = "Narrowness", .symbol = "B", .unit = "",
           .softMin = 10, .softMax = 1e6, .hardMin = 1e-3, .hardMax = 1e9, .defaultValue = 1000,
           .scale = ParameterScale::logarithmic,
           .description = "Where the falloff of the highlight begins: large is glossy.",
-          .formula = formula, .reference = abcReference};
+          .formula = formula, .reference = abcReference, .role = ParameterRole::sharpness};
 }
 constexpr ParameterSpec abcFalloffParameter(std::string_view formula) {
   return {.id = "c", .label = "Falloff", .symbol = "C", .unit = "",

@@ -25,11 +25,11 @@ enum Index { diffuse, firstLobe, normalisation = firstLobe + 3 * lobes, fresnelT
 
 // clang-format off
 constexpr ParameterSpec strengthParameter(std::string_view id, std::string_view label, std::string_view symbol,
-                                          double defaultValue, std::string_view description) {
+                                          double defaultValue, ParameterRole role, std::string_view description) {
   return {.id = id, .label = label, .symbol = symbol, .unit = "",
           .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 100, .defaultValue = defaultValue,
           .perChannel = true, .linear = true, .description = description, .formula = lobeFormula,
-          .reference = guenther};
+          .reference = guenther, .role = role};
 }
 
 constexpr ParameterSpec widthParameter(std::string_view id, std::string_view label, std::string_view symbol,
@@ -37,7 +37,8 @@ constexpr ParameterSpec widthParameter(std::string_view id, std::string_view lab
   return {.id = id, .label = label, .symbol = symbol, .unit = "",
           .softMin = 0.005, .softMax = 1, .hardMin = 1e-4, .hardMax = 5, .defaultValue = defaultValue,
           .scale = ParameterScale::logarithmic, .description = description,
-          .formula = "D = exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h)", .reference = guenther};
+          .formula = "D = exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h)", .reference = guenther,
+          .role = ParameterRole::width};
 }
 
 constexpr ParameterSpec reflectanceParameter(std::string_view id, std::string_view label, std::string_view symbol,
@@ -45,20 +46,20 @@ constexpr ParameterSpec reflectanceParameter(std::string_view id, std::string_vi
   return {.id = id, .label = label, .symbol = symbol, .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = defaultValue,
           .group = ParameterGroup::fresnel, .description = description, .formula = "F = F(cos theta_d, F_0)",
-          .reference = guenther};
+          .reference = guenther, .role = ParameterRole::normalReflectance};
 }
 
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.1),
-    strengthParameter("coat", "Coat", "k_1", 1, "Strength and tint of the clear coat's mirror image."),
+    strengthParameter("coat", "Coat", "k_1", 1, ParameterRole::coat, "Strength and tint of the clear coat's mirror image."),
     widthParameter("coat-roughness", "Coat roughness", "m_1", 0.02, "Blur of the clear coat's mirror image."),
     reflectanceParameter("coat-f0", "Coat reflectance", "F_1", 0.04,
                          "How mirror-like the clear coat is when seen head-on; lacquer is near 0.04."),
-    strengthParameter("flakes", "Flakes", "k_2", 0.3, "Strength and tint of the glow of flakes that lie flat."),
+    strengthParameter("flakes", "Flakes", "k_2", 0.3, ParameterRole::highlight, "Strength and tint of the glow of flakes that lie flat."),
     widthParameter("flakes-roughness", "Flakes roughness", "m_2", 0.15, "How far the flat flakes tilt."),
     reflectanceParameter("flakes-f0", "Flakes reflectance", "F_2", 0.5,
                          "How mirror-like the flat flakes are when seen head-on."),
-    strengthParameter("haze", "Haze", "k_3", 0.2, "Strength and tint of the wide glow of flakes in disorder."),
+    strengthParameter("haze", "Haze", "k_3", 0.2, ParameterRole::highlight, "Strength and tint of the wide glow of flakes in disorder."),
     widthParameter("haze-roughness", "Haze roughness", "m_3", 0.45, "How far the flakes in disorder tilt."),
     reflectanceParameter("haze-f0", "Haze reflectance", "F_3", 0.5,
                          "How mirror-like the flakes in disorder are when seen head-on."),

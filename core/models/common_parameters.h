@@ -15,7 +15,7 @@ constexpr ParameterSpec diffuseParameter(double defaultValue) {
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = defaultValue,
           .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
           .description = "Share of the light that the body of the material scatters evenly: its albedo.",
-          .formula = "k_d / pi", .reference = "Lambert 1760, Photometria"};
+          .formula = "k_d / pi", .reference = "Lambert 1760, Photometria", .role = ParameterRole::body};
 }
 
 constexpr ParameterSpec specularParameter(double defaultValue, std::string_view formula, std::string_view reference) {
@@ -23,7 +23,7 @@ constexpr ParameterSpec specularParameter(double defaultValue, std::string_view 
           .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 100, .defaultValue = defaultValue,
           .perChannel = true, .linear = true,
           .description = "Strength and tint of the highlight.",
-          .formula = formula, .reference = reference};
+          .formula = formula, .reference = reference, .role = ParameterRole::highlight};
 }
 
 /// Roughness of microfacet models: small is glossy. Below 1e-4 a lobe is narrower than any light or measurement.
@@ -33,7 +33,7 @@ constexpr ParameterSpec roughnessParameter(std::string_view symbol, std::string_
   return {.id = "roughness", .label = "Roughness", .symbol = symbol, .unit = "",
           .softMin = 0.005, .softMax = 1, .hardMin = 1e-4, .hardMax = hardMax, .defaultValue = defaultValue,
           .scale = ParameterScale::logarithmic,
-          .description = description, .formula = formula, .reference = reference};
+          .description = description, .formula = formula, .reference = reference, .role = ParameterRole::width};
 }
 
 constexpr ParameterSpec normalReflectanceParameter(double defaultValue = 0.04) {
@@ -42,7 +42,8 @@ constexpr ParameterSpec normalReflectanceParameter(double defaultValue = 0.04) {
           .group = ParameterGroup::fresnel,
           .description = "How mirror-like the surface is when seen head-on; metals are high, plastics near 0.04.",
           .formula = "F = F(cos theta_d, eta), eta = (1 + sqrt F_0) / (1 - sqrt F_0)",
-          .reference = "Cook and Torrance 1982, A Reflectance Model for Computer Graphics"};
+          .reference = "Cook and Torrance 1982, A Reflectance Model for Computer Graphics",
+          .role = ParameterRole::normalReflectance};
 }
 
 /// In place of normalReflectanceParameter() where the source fits an index (to 100).
@@ -51,7 +52,8 @@ constexpr ParameterSpec refractiveIndexParameter(std::string_view reference) {
           .softMin = 1, .softMax = 5, .hardMin = 1, .hardMax = 1000, .defaultValue = 1.5,
           .scale = ParameterScale::logarithmic, .group = ParameterGroup::fresnel,
           .description = "How mirror-like the surface is when seen head-on; glass and plastics are near 1.5.",
-          .formula = "F = F(cos theta_d, F_0), F_0 = ((eta - 1) / (eta + 1))^2", .reference = reference};
+          .formula = "F = F(cos theta_d, F_0), F_0 = ((eta - 1) / (eta + 1))^2", .reference = reference,
+          .role = ParameterRole::refractiveIndex};
 }
 
 constexpr ParameterSpec edgeTintParameter() {
@@ -86,6 +88,12 @@ constexpr ParameterSpec fresnelParameter(FresnelChoice ofSource) {
                          fresnelChoices, int(ofSource));
 }
 // clang-format on
+
+/// A parameter that means something else in one model.
+constexpr ParameterSpec withRole(ParameterSpec spec, ParameterRole role) {
+  spec.role = role;
+  return spec;
+}
 
 /// Index of the choice that a value stands for: the nearest.
 constexpr int chosen(double value) { return int(value + 0.5); }

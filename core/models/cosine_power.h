@@ -18,7 +18,7 @@ constexpr ParameterSpec exponentParameter(std::string_view formula, std::string_
           .softMin = 1, .softMax = 1e4, .hardMin = 1e-6, .hardMax = 1e6, .defaultValue = 50,
           .scale = ParameterScale::logarithmic,
           .description = "Sharpness of the highlight: large is glossy.",
-          .formula = formula, .reference = reference};
+          .formula = formula, .reference = reference, .role = ParameterRole::sharpness};
 }
 // clang-format on
 

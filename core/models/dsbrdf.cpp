@@ -32,7 +32,7 @@ constexpr ParameterSpec strength(std::string_view id, std::string_view label, st
   return {.id = id, .label = label, .symbol = symbol, .unit = "1/sr",
           .softMin = 0, .softMax = 10, .hardMin = 0, .hardMax = 1e6, .defaultValue = defaultValue,
           .perChannel = true, .linear = true,
-          .description = description, .formula = formulaText, .reference = nishino};
+          .description = description, .formula = formulaText, .reference = nishino, .role = ParameterRole::peak};
 }
 
 constexpr ParameterSpec kappa(std::string_view id, std::string_view label, std::string_view symbol,
@@ -48,7 +48,7 @@ constexpr ParameterSpec gamma(std::string_view id, std::string_view label, std::
   return {.id = id, .label = label, .symbol = symbol, .unit = "",
           .softMin = 1, .softMax = 1e4, .hardMin = 1e-3, .hardMax = 1e6, .defaultValue = defaultValue,
           .scale = ParameterScale::logarithmic,
-          .description = description, .formula = gammaFormula, .reference = nishino};
+          .description = description, .formula = gammaFormula, .reference = nishino, .role = ParameterRole::sharpness};
 }
 
 constexpr ParameterSpec parameters[] = {

@@ -29,11 +29,12 @@ constexpr std::size_t firstOf(int lobe) { return 1 + 3 * std::size_t(lobe); }
 
 // clang-format off
 constexpr ParameterSpec reflectanceParameter(std::string_view id, std::string_view label, std::string_view symbol,
-                                             double defaultValue, std::string_view description) {
+                                             double defaultValue, ParameterRole role,
+                                             std::string_view description) {
   return {.id = id, .label = label, .symbol = symbol, .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 100, .defaultValue = defaultValue,
           .perChannel = true, .linear = true,
-          .description = description, .formula = lobeFormula, .reference = sources};
+          .description = description, .formula = lobeFormula, .reference = sources, .role = role};
 }
 constexpr ParameterSpec widthParameter(std::string_view id, std::string_view label, std::string_view symbol,
                                        double defaultValue, std::string_view description) {
@@ -47,17 +48,17 @@ constexpr ParameterSpec widthParameter(std::string_view id, std::string_view lab
 
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
-    reflectanceParameter("base", "Base", "F_0,1", 0.05,
+    reflectanceParameter("base", "Base", "F_0,1", 0.05, ParameterRole::highlight,
                          "Strength and colour of the widest lobe, seen head-on: the sheen of a matte surface."),
-    reflectanceParameter("base-edge", "Base, edge", "F_90,1", 0.05, "The same toward grazing angles."),
+    reflectanceParameter("base-edge", "Base, edge", "F_90,1", 0.05, ParameterRole::edge, "The same toward grazing angles."),
     widthParameter("base-roughness", "Base, roughness", "alpha_1", 0.5, "Width of the widest lobe."),
-    reflectanceParameter("flakes", "Flakes", "F_0,2", 0.05,
+    reflectanceParameter("flakes", "Flakes", "F_0,2", 0.05, ParameterRole::highlight,
                          "Strength and colour of the middle lobe, seen head-on: metal flakes, a brushed metal."),
-    reflectanceParameter("flakes-edge", "Flakes, edge", "F_90,2", 0.05, "The same toward grazing angles."),
+    reflectanceParameter("flakes-edge", "Flakes, edge", "F_90,2", 0.05, ParameterRole::edge, "The same toward grazing angles."),
     widthParameter("flakes-roughness", "Flakes, roughness", "alpha_2", 0.2, "Width of the middle lobe."),
-    reflectanceParameter("coat", "Coat", "F_0,3", 0.05,
+    reflectanceParameter("coat", "Coat", "F_0,3", 0.05, ParameterRole::coat,
                          "Strength and colour of the sharpest lobe, seen head-on: a clear coat, a polish."),
-    reflectanceParameter("coat-edge", "Coat, edge", "F_90,3", 0.5, "The same toward grazing angles."),
+    reflectanceParameter("coat-edge", "Coat, edge", "F_90,3", 0.5, ParameterRole::coatEdge, "The same toward grazing angles."),
     widthParameter("coat-roughness", "Coat, roughness", "alpha_3", 0.05, "Width of the sharpest lobe."),
 };
 

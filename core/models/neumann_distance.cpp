@@ -27,7 +27,7 @@ constexpr ParameterSpec parameters[] = {
      .softMin = 0.01, .softMax = 1, .hardMin = 1e-4, .hardMax = 10, .defaultValue = 0.2,
      .scale = ParameterScale::logarithmic,
      .description = "Width of the highlight on the disk of projected directions: small is glossy.",
-     .formula = "|Dp| / s", .reference = neumann1996},
+     .formula = "|Dp| / s", .reference = neumann1996, .role = ParameterRole::width},
     choiceParameter("falloff", "Falloff", "f", "Whether the highlight ends like a Gaussian or has a long tail.",
                     "gaussian: exp(-|Dp|^2 / s^2) / (pi s^2); rational: (C - 1) / (pi s^2) (1 + |Dp|^2 / s^2)^-C",
                     neumann1996, falloffs),

@@ -22,7 +22,7 @@ constexpr ParameterSpec parameters[] = {
      .scale = ParameterScale::angle, .group = ParameterGroup::diffuse,
      .description = "How far the matte facets tilt: rough surfaces look flat, like the full moon; 0 is Lambert.",
      .formula = "A = 1 - sigma^2 / (2 (sigma^2 + 0.33)), B = 0.45 sigma^2 / (sigma^2 + 0.09)",
-     .reference = orenNayar1994},
+     .reference = orenNayar1994, .role = ParameterRole::width},
 };
 
 constexpr ModelSpec orenNayarSpec = {

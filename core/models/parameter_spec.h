@@ -7,8 +7,25 @@
 
 namespace gonio::models {
 
-enum class ParameterScale { linear, logarithmic, angle };
+/// How a slider spreads a range: evenly, by ratios, evenly in degrees, or by the cube root, which is nearly even in
+/// lightness (CIE 1976 L*) and reaches 0.
+enum class ParameterScale { linear, logarithmic, angle, lightness };
 enum class ParameterGroup { diffuse, specular, fresnel, shadowing, layer, coefficients, convention };
+
+/// What a parameter means in any model: by it the artist's controls find what they change.
+enum class ParameterRole {
+  other,
+  body,               ///< strength and colour of the body
+  highlight,          ///< strength and colour of a highlight (head-on where it has a strength for the edge too)
+  peak,               ///< the same as the value at its peak: its energy grows with the square of its width
+  edge,               ///< strength and colour of a highlight toward grazing angles
+  coat,               ///< strength and colour of the highlight of a clear coat
+  coatEdge,           ///< the same toward grazing angles
+  width,              ///< proportional to the width of a highlight
+  sharpness,          ///< proportional to the inverse square of the width
+  normalReflectance,  ///< F_0 of the highlight before it in the list of parameters
+  refractiveIndex     ///< index of refraction of the same
+};
 
 /// Everything there is to know of one parameter of a model. Sliders, tooltips, JSON, the command line, fitting and
 /// tests all read this record; nothing about a parameter is written anywhere else.
@@ -36,6 +53,7 @@ struct ParameterSpec {
   /// Of the second of two parameters along the axes x and y: the id of the first. A fit to isotropic data sets both
   /// equal.
   std::string_view isotropicTwin = {};
+  ParameterRole role = ParameterRole::other;
 };
 
 }  // namespace gonio::models

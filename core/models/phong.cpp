@@ -16,7 +16,8 @@ enum Index { diffuse, specular, exponent };
 // clang-format off
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
-    specularParameter(0.5, "k_s max(0, cos alpha)^n, alpha from the mirror direction", phong1975),
+    withRole(specularParameter(0.5, "k_s max(0, cos alpha)^n, alpha from the mirror direction", phong1975),
+             ParameterRole::peak),
     exponentParameter("cos^n alpha", phong1975),
 };
 

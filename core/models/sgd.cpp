@@ -37,7 +37,7 @@ constexpr ParameterSpec parameters[] = {
      .softMin = 1e-4, .softMax = 1, .hardMin = 1e-6, .hardMax = 10, .defaultValue = 0.03,
      .scale = ParameterScale::logarithmic, .perChannel = true,
      .description = "Width of the core of the highlight; small values are glossy.",
-     .formula = distributionFormula, .reference = bagher},
+     .formula = distributionFormula, .reference = bagher, .role = ParameterRole::width},
     {.id = "p", .label = "Tail", .symbol = "p", .unit = "",
      .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 5, .defaultValue = 0.5,
      .perChannel = true,

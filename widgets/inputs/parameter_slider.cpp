@@ -61,7 +61,8 @@ double ParameterSlider::shareOf(double value) const {
   if (!(m_max > m_min)) return 0;
   if (m_scale == models::ParameterScale::logarithmic)
     return value <= m_min ? 0 : std::clamp(std::log(value / m_min) / std::log(m_max / m_min), 0.0, 1.0);
-  return std::clamp((value - m_min) / (m_max - m_min), 0.0, 1.0);
+  const double share = std::clamp((value - m_min) / (m_max - m_min), 0.0, 1.0);
+  return m_scale == models::ParameterScale::lightness ? std::cbrt(share) : share;
 }
 
 double ParameterSlider::valueAt(double share) const {
@@ -69,7 +70,8 @@ double ParameterSlider::valueAt(double share) const {
   if (share <= 0) return m_min;
   if (share >= 1) return m_max;
   if (m_scale == models::ParameterScale::logarithmic) return m_min * std::pow(m_max / m_min, share);
-  return m_min + share * (m_max - m_min);
+  const double spread = m_scale == models::ParameterScale::lightness ? share * share * share : share;
+  return m_min + spread * (m_max - m_min);
 }
 
 double ParameterSlider::snapped(double share) const { return std::round(share * snapSteps) / snapSteps; }

@@ -13,6 +13,7 @@ struct EditEntry {
   double strength = 1;  ///< [0, 1]
   bool enabled = true;
   QString ownName = {};  ///< that the user gave it: what renaming starts from
+  QString effect = {};   ///< measured: a line below the strength; empty: none
 
   bool operator==(const EditEntry&) const = default;
 };

@@ -22,7 +22,8 @@ EditRow::EditRow(QWidget* parent)
       m_nameField(new QLineEdit),
       m_slider(new ParameterSlider),
       m_field(new NumberField),
-      m_delete(new QToolButton) {
+      m_delete(new QToolButton),
+      m_effect(new QLabel) {
   constexpr double percentScale = 100;
   const int em = fontMetrics().height();
   for (QToolButton* button : {m_eye, m_delete}) {
@@ -59,6 +60,9 @@ EditRow::EditRow(QWidget* parent)
   layout->addLayout(names, 0, 1);
   layout->addWidget(m_delete, 0, 2);
   layout->addLayout(strength, 1, 1, 1, 2);
+  layout->addWidget(m_effect, 2, 1, 1, 2);
+  m_effect->setMinimumWidth(1);
+  m_effect->setForegroundRole(QPalette::PlaceholderText);
   connect(m_eye, &QToolButton::clicked, this, &EditRow::enabledChosen);
   connect(m_delete, &QToolButton::clicked, this, &EditRow::deleteRequested);
   connect(m_slider, &ParameterSlider::editingStarted, this, &EditRow::editingStarted);
@@ -91,6 +95,8 @@ void EditRow::show(const EditEntry& entry) {
   m_slider->setAccessibleName(tr("Strength of %1").arg(entry.name));
   m_field->setValue(entry.strength);
   m_field->setAccessibleName(tr("Strength of %1").arg(entry.name));
+  m_effect->setText(entry.effect);
+  m_effect->setVisible(!entry.effect.isEmpty());
   m_delete->setToolTip(tr("Delete this edit"));
   m_delete->setAccessibleName(tr("Delete %1").arg(entry.name));
   for (QWidget* control : std::initializer_list<QWidget*>{m_slider, m_field}) control->setEnabled(entry.enabled);

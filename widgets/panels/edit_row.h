@@ -14,7 +14,7 @@ struct EditEntry;
 class NumberField;
 class ParameterSlider;
 
-/// One edit of an EditStack: eye, name and the button that deletes above, the strength below.
+/// One edit of an EditStack: eye, name and the button that deletes above, the strength below, then its measured effect.
 class EditRow : public QWidget {
   Q_OBJECT
 
@@ -47,6 +47,7 @@ class EditRow : public QWidget {
   ParameterSlider* m_slider;
   NumberField* m_field;
   QToolButton* m_delete;
+  QLabel* m_effect;
   QString m_fullName, m_ownName;
 };
 

@@ -58,6 +58,8 @@ void ColourSwatch::openDialog() {
   const Rgb before = m_colour;
   double scale = 1;
   QColorDialog dialog(displayColour(before, scale), this);
+  // Qt's own has an eyedropper (Pick Screen Colour), which reads the preview too; not every native one has.
+  dialog.setOption(QColorDialog::DontUseNativeDialog);
   dialog.setWindowTitle(tr("%1: tint").arg(accessibleName()));
   const auto tell = [&](const QColor& chosen) {
     const Rgb linear(fromSrgb(chosen.redF()), fromSrgb(chosen.greenF()), fromSrgb(chosen.blueF()));

@@ -34,6 +34,16 @@ const models::ParameterSpec& specOf(const DifferentialEdit& edit, int parameter)
   return edit.model->spec().parameters[std::size_t(parameter)];
 }
 
+const models::ParameterSpec& specOf(editing::ArtistControl control) {
+  return editing::artistControls().parameters[std::size_t(control)];
+}
+
+EditList withControl(const Document& document, int edit, editing::ArtistControl control, const Rgb& value) {
+  return editing::withEdit(document.edits(), std::size_t(edit), [&](Edit& one) {
+    std::get<DifferentialEdit>(one.content).controls.values[std::size_t(control)] = value;
+  });
+}
+
 /// The text names what the whole interaction did, from its begin.
 QString changeText(const Document& document, int edit, int parameter, const Rgb& value) {
   const auto at = std::size_t(edit);
@@ -85,7 +95,24 @@ void resetParameters(Document& document) {
   change(document, edit, EditStepText::tr("Reset all parameters"), [](Edit& one) {
     auto& active = std::get<DifferentialEdit>(one.content);
     active.edited = active.fitted;
+    active.controls = models::defaultParameters(editing::artistControls());
   });
+}
+
+void setControl(Document& document, editing::ArtistControl control, const Rgb& value) {
+  const int edit = activeIndex<DifferentialEdit>(document.state());
+  if (edit < 0) return;
+  document.replaceEdits(
+      withControl(document, edit, control, value),
+      EditStepText::tr("%1 to %2")
+          .arg(widgets::fromView(specOf(control).label), widgets::displayValue(specOf(control), value)));
+}
+
+void resetControl(Document& document, editing::ArtistControl control) {
+  const int edit = activeIndex<DifferentialEdit>(document.state());
+  if (edit < 0) return;
+  document.installEdits(withControl(document, edit, control, Rgb(specOf(control).defaultValue)),
+                        EditStepText::tr("Reset %1").arg(widgets::fromView(specOf(control).label).toLower()));
 }
 
 QString compositionName(editing::Composition composition) {

@@ -19,7 +19,12 @@ QString compositionName(editing::Composition composition);
 void setParameter(Document& document, int parameter, const Rgb& value);
 /// Back to the fitted value; never part of an interaction.
 void resetParameter(Document& document, int parameter);
+/// Parameters and controls.
 void resetParameters(Document& document);
+/// One of the artist's controls of the active differential edit; nothing where there is none.
+void setControl(Document& document, editing::ArtistControl control, const Rgb& value);
+/// Back to where it changes nothing; never part of an interaction.
+void resetControl(Document& document, editing::ArtistControl control);
 /// How its change is brought to the measurement; never part of an interaction.
 void setComposition(Document& document, editing::Composition composition);
 

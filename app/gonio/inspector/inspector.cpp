@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/inspector/inspector.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QMenu>
 #include <QSettings>
 #include <QVBoxLayout>
@@ -9,6 +11,7 @@
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/inspector/composition_choice.h"
 #include "app/gonio/inspector/direction_order.h"
+#include "app/gonio/inspector/edit_arguments.h"
 #include "app/gonio/inspector/plausibility_monitor.h"
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/inspector/source_facts.h"
@@ -18,6 +21,7 @@
 #include "widgets/panels/fact_list.h"
 #include "widgets/panels/model_panel.h"
 #include "widgets/panels/plausibility_badges.h"
+#include "widgets/parameters/control_panel.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -26,10 +30,10 @@ namespace gonio::app {
 using editing::DifferentialEdit;
 
 namespace {
-const QString sectionKeys[] = {QStringLiteral("inspector/source"), QStringLiteral("inspector/representation"),
-                               QStringLiteral("inspector/model"),  QStringLiteral("inspector/plausibility"),
-                               QStringLiteral("inspector/edits"),  QStringLiteral("inspector/parameters")};
-constexpr int representationSection = 1;  ///< folded at first: it computes while it is seen
+/// Folded at first: the one computes while it is seen, the other lists everything that the controls change.
+const QString representationKey = QStringLiteral("inspector/representation"),
+              parametersKey = QStringLiteral("inspector/parameters");
+bool isFoldedAtFirst(const QString& key) { return key == representationKey || key == parametersKey; }
 constexpr int preferredEms = 28;
 }  // namespace
 
@@ -44,44 +48,49 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
       m_model(new widgets::ModelPanel),
       m_plausibility(new widgets::PlausibilityBadges),
       m_monitor(new PlausibilityMonitor(document, tasks, *m_plausibility, this)),
+      m_controls(new widgets::ControlPanel),
       m_parameters(new widgets::ParameterPanel),
       m_edits(new widgets::EditStack) {
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(fontMetrics().height() / 2);
-  const auto addSection = [&](const QString& title, QWidget* widget) {
+  const auto addSection = [&](const QString& key, const QString& title, QWidget* widget) {
     auto* padded = new QWidget;
     auto* inner = new QVBoxLayout(padded);
     inner->setContentsMargins(6, 4, 2, 6);
     inner->addWidget(widget);
-    m_sections << new widgets::CollapsibleSection(title, padded);
-    layout->addWidget(m_sections.back());
+    auto* section = m_sections[key] = new widgets::CollapsibleSection(title, padded);
+    section->setExpanded(!isFoldedAtFirst(key));
+    layout->addWidget(section);
   };
   auto* source = new QWidget;
   auto* sourceRows = new QVBoxLayout(source);
   sourceRows->setContentsMargins(0, 0, 0, 0);
   sourceRows->addWidget(m_source);
   sourceRows->addWidget(new DirectionOrder(document));
-  addSection(tr("Source"), source);
-  addSection(tr("Representation"), m_representation);
-  m_sections[representationSection]->setExpanded(false);
+  addSection(QStringLiteral("inspector/source"), tr("Source"), source);
   auto* model = new QWidget;
   auto* modelRows = new QVBoxLayout(model);
   modelRows->setContentsMargins(0, 0, 0, 0);
   modelRows->addWidget(m_model);
   modelRows->addWidget(new CompositionChoice(document));
-  addSection(tr("Model"), model);
-  addSection(tr("Plausibility"), m_plausibility);
-  addSection(tr("Edits"), m_edits);
-  addSection(tr("Parameters"), m_parameters);
+  addSection(QStringLiteral("inspector/model"), tr("Model"), model);
+  addSection(QStringLiteral("inspector/edits"), tr("Edits"), m_edits);
+  addSection(QStringLiteral("inspector/controls"), tr("Controls"), m_controls);
+  addSection(parametersKey, tr("All parameters"), m_parameters);
+  addSection(QStringLiteral("inspector/plausibility"), tr("Plausibility"), m_plausibility);
+  addSection(representationKey, tr("Representation"), m_representation);
   layout->addStretch();
   setWidget(content);
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connectDocument();
+  connectControls();
   connectParameters();
+  offerArguments(*m_controls);
+  offerArguments(*m_parameters);
   connectEdits();
   showSource();
   showModel();
@@ -108,6 +117,32 @@ void Inspector::connectDocument() {
     if (m_document.material()) m_controller.chooseModel(*model);
     showModel();  // until the fit is there, the list shows the model in use
   });
+}
+
+/// The context menu of both lists of sliders.
+void Inspector::offerArguments(QWidget& panel) {
+  auto* copy = new QAction(tr("Copy as goniotool Arguments"), &panel);
+  copy->setToolTip(tr("What this edit changes, as text for goniotool edit"));
+  panel.addAction(copy);
+  panel.setContextMenuPolicy(Qt::ActionsContextMenu);
+  connect(copy, &QAction::triggered, this, [this] {
+    if (const auto* edit = m_document.active<DifferentialEdit>())
+      QApplication::clipboard()->setText(editArguments(*edit));
+  });
+}
+
+void Inspector::connectControls() {
+  using widgets::ControlPanel;
+  connect(m_controls, &ControlPanel::editingStarted, &m_document, &Document::beginInteraction);
+  connect(m_controls, &ControlPanel::editingFinished, &m_document, &Document::endInteraction);
+  connect(m_controls, &ControlPanel::controlEdited, this,
+          [this](editing::ArtistControl control, const Rgb& value) { setControl(m_document, control, value); });
+  connect(m_controls, &ControlPanel::controlResetRequested, this,
+          [this](editing::ArtistControl control) { resetControl(m_document, control); });
+  connect(m_controls, &ControlPanel::bodyEdited, this,
+          [this](int parameter, const Rgb& value) { setParameter(m_document, parameter, value); });
+  connect(m_controls, &ControlPanel::bodyResetRequested, this,
+          [this](int parameter) { resetParameter(m_document, parameter); });
 }
 
 void Inspector::connectParameters() {
@@ -148,12 +183,15 @@ QString Inspector::noSlidersText() const {
 }
 
 void Inspector::showValues() {
-  if (const auto* edit = m_document.active<DifferentialEdit>()) m_parameters->setValues(edit->edited, edit->fitted);
+  const auto* edit = m_document.active<DifferentialEdit>();
+  m_controls->setEdit(edit, m_noSliders);
+  if (edit) m_parameters->setValues(edit->edited, edit->fitted);
   showEdits();
 }
 
 void Inspector::connectEdits() {
   using widgets::EditStack;
+  connect(m_monitor, &PlausibilityMonitor::energiesChanged, this, &Inspector::showEdits);
   connect(m_edits, &EditStack::selectionChosen, &m_document, &Document::select);
   connect(m_edits, &EditStack::editingStarted, &m_document, &Document::beginInteraction);
   connect(m_edits, &EditStack::editingFinished, &m_document, &Document::endInteraction);
@@ -185,7 +223,8 @@ void Inspector::showEdits() {
                          : tr("A change of the parameters of %1 (sliders)")
                                .arg(widgets::fromView(std::get<DifferentialEdit>(edit.content).model->spec().name));
     if (edit.isIdentity() && edit.enabled && edit.strength > 0) tip += tr("\nIt changes nothing yet.");
-    entries.push_back({editName(edits, i), tip, edit.strength, edit.enabled, QString::fromStdString(edit.name)});
+    entries.push_back(
+        {editName(edits, i), tip, edit.strength, edit.enabled, QString::fromStdString(edit.name), energyText(i)});
   }
   for (QAction* action : m_edits->addMenu().actions()) action->setEnabled(m_document.material() != nullptr);
   m_edits->setEntries(
@@ -193,15 +232,29 @@ void Inspector::showEdits() {
       m_document.material() ? tr("No edits: the material is shown as measured.") : tr("Open a material to edit it."));
 }
 
-void Inspector::unfoldRepresentation() { m_sections[representationSection]->setExpanded(true); }
+/// Always one line: a line that came and went would move the sliders below it.
+QString Inspector::energyText(int edit) const {
+  const std::vector<editing::Energy>& energies = m_monitor->energies();
+  if (std::size_t(edit) + 1 >= energies.size()) return tr("Albedo: measuring");
+  const editing::Energy before = energies[std::size_t(edit)], after = energies[std::size_t(edit) + 1];
+  const auto change = [](double from, double to) {
+    const QString was = QString::number(from, 'f', 3), is = QString::number(to, 'f', 3);
+    return was == is ? was : QStringLiteral("%1 \u2192 %2").arg(was, is);
+  };
+  return tr("Albedo %1, at %2\u00b0 %3")
+      .arg(change(before.headOn, after.headOn), QString::number(degrees(editing::grazingView)),
+           change(before.grazing, after.grazing));
+}
+
+void Inspector::unfoldRepresentation() { m_sections[representationKey]->setExpanded(true); }
 
 void Inspector::saveState(QSettings& settings) const {
-  for (int i = 0; i < m_sections.size(); ++i) settings.setValue(sectionKeys[i], m_sections[i]->isExpanded());
+  for (const QString& key : m_sections.keys()) settings.setValue(key, m_sections[key]->isExpanded());
 }
 
 void Inspector::restoreState(const QSettings& settings) {
-  for (int i = 0; i < m_sections.size(); ++i)
-    m_sections[i]->setExpanded(settings.value(sectionKeys[i], i != representationSection).toBool());
+  for (const QString& key : m_sections.keys())
+    m_sections[key]->setExpanded(settings.value(key, !isFoldedAtFirst(key)).toBool());
 }
 
 }  // namespace gonio::app

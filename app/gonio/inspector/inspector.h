@@ -10,6 +10,7 @@ class QSettings;
 
 namespace gonio::widgets {
 class CollapsibleSection;
+class ControlPanel;
 class EditStack;
 class FactList;
 class ModelPanel;
@@ -23,14 +24,15 @@ class PlausibilityMonitor;
 class RepresentationPanel;
 class TableErrorMonitor;
 
-/// The right side of the window: Source, Representation, Model, Plausibility, Edits, Parameters of a document, in
-/// sections that fold.
+/// The right side of the window: Source, Model, Edits, Controls, Parameters, Plausibility and Representation of a
+/// document, in sections that fold.
 class Inspector : public QScrollArea {
   Q_OBJECT
 
  public:
   Inspector(Document& document, DocumentController& controller, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
+  widgets::ControlPanel* controls() const { return m_controls; }
   widgets::ParameterPanel* parameters() const { return m_parameters; }
   widgets::PlausibilityBadges* plausibility() const { return m_plausibility; }
   widgets::EditStack* edits() const { return m_edits; }
@@ -50,13 +52,17 @@ class Inspector : public QScrollArea {
 
  private:
   void connectDocument();
+  void connectControls();
   void connectParameters();
+  void offerArguments(QWidget& panel);
   void showSource();
   void showModel();
   QString noSlidersText() const;
   void showValues();
   void connectEdits();
   void showEdits();
+  /// What an edit does to the energy.
+  QString energyText(int edit) const;
 
   Document& m_document;
   DocumentController& m_controller;
@@ -67,11 +73,12 @@ class Inspector : public QScrollArea {
   widgets::ModelPanel* m_model;
   widgets::PlausibilityBadges* m_plausibility;
   PlausibilityMonitor* m_monitor;
+  widgets::ControlPanel* m_controls;
   widgets::ParameterPanel* m_parameters;
   widgets::EditStack* m_edits;
-  QList<widgets::CollapsibleSection*> m_sections;
-  const models::Model* m_shownModel = nullptr;  ///< of the sliders
-  QString m_noSliders;                          ///< stands in their place where there is no model
+  QMap<QString, widgets::CollapsibleSection*> m_sections;  ///< by the name under which they are remembered
+  const models::Model* m_shownModel = nullptr;             ///< of the sliders
+  QString m_noSliders;                                     ///< stands in their place where there is no model
 };
 
 }  // namespace gonio::app

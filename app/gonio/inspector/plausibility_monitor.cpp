@@ -11,6 +11,11 @@ namespace {
 const QString plausibilityKey = QStringLiteral("plausibility");
 /// After the last change: a slider that moves is not slowed down by checks of every step.
 constexpr int checkDelayMilliseconds = 120;
+
+struct Findings {
+  std::vector<metrics::PlausibilityCheck> checks;
+  std::vector<editing::Energy> energies;
+};
 }  // namespace
 
 PlausibilityMonitor::PlausibilityMonitor(Document& document, BackgroundTasks& tasks,
@@ -26,6 +31,8 @@ PlausibilityMonitor::PlausibilityMonitor(Document& document, BackgroundTasks& ta
 void PlausibilityMonitor::changed() {
   m_tasks.drop(plausibilityKey);
   m_current = !m_document.material();
+  m_energies.clear();
+  Q_EMIT energiesChanged();
   if (m_current) {
     m_delay.stop();
     return m_badges.clear();
@@ -36,14 +43,17 @@ void PlausibilityMonitor::changed() {
 
 void PlausibilityMonitor::check() {
   const std::vector<editing::Edit> edits = m_document.edits();
-  m_tasks.run<std::vector<metrics::PlausibilityCheck>>(
+  m_tasks.run<Findings>(
       {tr("Checking"), plausibilityKey, false, true},
       [base = m_document.base(), edits](const TaskControl& control) {
-        return editing::checkEditPlausibility(base, edits, control);
+        return Findings{editing::checkEditPlausibility(base, edits, control),
+                        editing::energiesThrough(base, edits, control)};
       },
-      [this](const std::vector<metrics::PlausibilityCheck>& checks) {
+      [this](const Findings& findings) {
         m_current = true;
-        m_badges.setChecks(checks);
+        m_badges.setChecks(findings.checks);
+        m_energies = findings.energies;
+        Q_EMIT energiesChanged();
       });
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
+#include "core/editing/edit_energy.h"
 
 namespace gonio::widgets {
 class PlausibilityBadges;
@@ -14,15 +15,22 @@ class PlausibilityBadges;
 
 namespace gonio::app {
 
-/// Checks the edited material after each change, in the background; the newest state wins.
+/// Checks the edited material after each change, and measures its energy from edit to edit, in the background; the
+/// newest state wins.
 class PlausibilityMonitor : public QObject {
   Q_OBJECT
 
  public:
   PlausibilityMonitor(Document& document, BackgroundTasks& tasks, widgets::PlausibilityBadges& badges,
                       QObject* parent = nullptr);
-  /// Whether the badges tell of the present state.
+  /// Whether the badges and the energies are those of the present state.
   bool isCurrent() const { return m_current; }
+  /// Before the first edit and behind each; empty while they are not those of the present state.
+  const std::vector<editing::Energy>& energies() const { return m_energies; }
+
+ Q_SIGNALS:
+  /// The energies are there, or are not any more.
+  void energiesChanged();
 
  private:
   void changed();
@@ -33,6 +41,7 @@ class PlausibilityMonitor : public QObject {
   widgets::PlausibilityBadges& m_badges;
   QTimer m_delay;
   bool m_current = true;
+  std::vector<editing::Energy> m_energies;
 };
 
 }  // namespace gonio::app

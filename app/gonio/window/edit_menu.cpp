@@ -15,6 +15,7 @@
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/document/edit_transfer.h"
 #include "app/gonio/inspector/inspector.h"
+#include "widgets/parameters/control_panel.h"
 #include "widgets/parameters/parameter_panel.h"
 
 namespace gonio::app {
@@ -63,6 +64,7 @@ void EditMenu::addEdits() {
                              [this] { m_controller.paste(editsFromClipboard(QApplication::clipboard()->mimeData())); });
   addSeparator();
   QAction* reset = addAction(tr("Reset Pa&rameter"), QKeySequence(Qt::Key_Backspace), this, [this, &document] {
+    if (const auto control = m_inspector.controls()->currentControl()) return resetControl(document, *control);
     const int parameter = m_inspector.parameters()->currentParameter();
     if (parameter >= 0) resetParameter(document, parameter);
   });

@@ -87,6 +87,9 @@ class DocumentTest : public QObject {
     resetParameter(*m_document, index("roughness")), note();
     resetParameters(*m_document), note();
     setComposition(*m_document, editing::Composition::additive), note();
+    setControl(*m_document, editing::ArtistControl::roughness, Rgb(2)), note();
+    setControl(*m_document, editing::ArtistControl::tint, Rgb(1, 0.5, 1.0 / 3)), note();
+    resetControl(*m_document, editing::ArtistControl::roughness), note();
     m_document->chooseFit(fitOf(models::lambert())), note();
     setParameter(*m_document, 0, Rgb(0.7, 0.1, 0.2)), note();
     editing::DifferentialEdit edit = identityEdit(fitOf(models::ggx()));

@@ -225,6 +225,26 @@ class GoniotoolTest : public QObject {
     QVERIFY(refused.error.contains("a sum of lobes (ggx, layered), found phong"));
   }
 
+  /// A control is the parameters that it changes, and a document keeps it.
+  void controlsOfAnEdit() {
+    const QString out = folder_.path("controlled.binary"), document = folder_.path("controlled.gonio");
+    const QStringList change{"edit",      plastic_,      "--model",   "ggx",
+                             "--control", "roughness=2", "--control", "tint=1,0.5,0.25"};
+    const ToolResult result = runJson(change + QStringList{"--out", out});
+    VERIFY_SUCCESS(result);
+    const double fitted = result.json["fitted"]["roughness"].get<double>();
+    QCOMPARE(result.json["edited"]["roughness"].get<double>(), 2 * fitted);
+    QCOMPARE(result.json["controls"]["roughness"].get<double>(), 2.0);
+    const QByteArray direct = bytesOf(out);
+    VERIFY_SUCCESS(runJson(change + QStringList{"--out", document}));
+    VERIFY_SUCCESS(runJson({"edit", document, "--out", out}));
+    QCOMPARE(bytesOf(out), direct);
+    const ToolResult refused =
+        runTool({"edit", plastic_, "--model", "ggx", "--control", "coat-strength=2", "--out", out});
+    QCOMPARE(refused.code, 2);
+    QVERIFY(refused.error.contains("ggx has no parameter that --control coat-strength changes"));
+  }
+
   void documentsAreReplayed() {
     const QString document = folder_.path("edit.gonio"), direct = folder_.path("direct.binary");
     const QStringList change{"--model", "ggx", "--set", "roughness=0.4"};

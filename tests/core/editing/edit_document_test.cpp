@@ -14,6 +14,7 @@ namespace edit_document_test {
 using namespace gonio;
 using namespace gonio::editing;
 using namespace gonio::test;
+using models::ParameterValues;
 namespace fs = std::filesystem;
 
 const std::string someHash(64, 'a');
@@ -95,6 +96,23 @@ class EditDocumentTest : public QObject {
     QVERIFY(contains(errorWith("/edits/0/composition", "lobes"), "is no sum of lobes"));
   }
 
+  /// Written where they change something; documents of version 5 have none.
+  void controls() {
+    EditDocument document = example();
+    for (std::size_t i = 0; i < document.edits.size(); ++i) QVERIFY(!toJson(document)["edits"][i].contains("controls"));
+    ParameterValues& controls = differential(document, 0).controls;
+    controls.values[std::size_t(ArtistControl::roughness)] = Rgb(1.0 / 3);
+    controls.values[std::size_t(ArtistControl::tint)] = Rgb(0.1, 0.2, 1e-17);
+    const EditDocument again = documentFromJson(toJson(document));
+    QVERIFY(differential(again, 0).controls == controls);
+    QVERIFY(differential(again, 0).target() == differential(document, 0).target());
+    QVERIFY(contains(errorWith("/edits/0/controls", {{"shine", 2}}), "shine"));
+    QVERIFY(contains(errorWith("/edits/0/controls", 2), "edits[0].controls"));
+    nlohmann::json json = toJson(document);
+    json["edits"][0]["controls"]["roughness"] = -5;
+    QCOMPARE(differential(documentFromJson(json), 0).controls.values[0].x, artistControls().parameters[0].hardMin);
+  }
+
   void sourceIsRelativeBesideAndBelowTheDocument() {
     const fs::path folder = outputPath("editing/materials/x").parent_path(), path = folder / "a.gonio";
     EditDocument document = example();
@@ -122,8 +140,8 @@ class EditDocumentTest : public QObject {
       return all;
     };
     QVERIFY(tells(errorWith("/format", "other"), "format", "the text \"other\""));
-    QVERIFY(tells(errorWith("/version", 6), "version", "the number 6"));
-    QVERIFY(contains(errorWith("/version", 6), "newer"));
+    QVERIFY(tells(errorWith("/version", 7), "version", "the number 7"));
+    QVERIFY(contains(errorWith("/version", 7), "newer"));
     QVERIFY(tells(errorWith("/version", 1.5), "version", "the number 1.5"));
     QVERIFY(tells(errorWith("/version", -1), "version", "the number -1"));
     QVERIFY(tells(errorWithout("/source", "path"), "source.path", "nothing"));

@@ -24,17 +24,19 @@ vec3 %1(vec3 wi, vec3 wo, out bool valid) {
   vec3 value = %2(wi, wo, valid);
   if (!valid || wi.z <= 0.0 || wo.z <= 0.0) return value;
   vec3 ratio = fitRatio(value, evaluate_%3(wi, wo, fitted%5));
-  vec3 change = vec3(0.0);
+  vec3 change = vec3(0.0), moved = ratio;
+  float scale = 1.0;
   for (int part = 0; part < LOBE_COUNT_%4; ++part) {
     if (scales%5[part] == 0.0) continue;
-    vec3 carried = ratio;
-    if (scales%5[part] != 1.0) {
+    if (scales%5[part] != 1.0 && scales%5[part] != scale) {
       vec3 movedIn = wi, movedOut = wo;
       bool measured;
-      scaleHalfTangent(movedIn, movedOut, scales%5[part]);
+      scale = scales%5[part];
+      scaleHalfTangent(movedIn, movedOut, scale);
       vec3 there = %2(movedIn, movedOut, measured);
-      if (measured) carried = fitRatio(there, evaluate_%3(movedIn, movedOut, fitted%5));
+      moved = measured ? fitRatio(there, evaluate_%3(movedIn, movedOut, fitted%5)) : ratio;
     }
+    vec3 carried = scales%5[part] == 1.0 ? ratio : moved;
     change += lobe_%3(part, wi, wo, edited%5) * carried - lobe_%3(part, wi, wo, fitted%5) * ratio;
   }
   return withChange(value, strength%5 * change);
@@ -58,7 +60,7 @@ struct ChainText {
   }
 
   void add(const DifferentialEdit& edit) {
-    const auto count = edit.model->shaderParameters(edit.edited).size();
+    const auto count = edit.model->shaderParameters(edit.fitted).size();
     uniforms += QString(" uniform vec3 edited%1[%2], fitted%1[%2];").arg(edits).arg(count);
     files << modelFile(*edit.model);
     if (edit.composition == editing::Composition::lobes) return addLobes(edit);
@@ -133,7 +135,7 @@ void EditChain::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& progra
     const QString suffix = QString::number(number++);
     program.setUniformValue(("strength" + suffix).toUtf8().constData(), float(edit.strength));
     if (const auto* differential = std::get_if<DifferentialEdit>(&edit.content)) {
-      setModelParameters(program, "edited" + suffix, *differential->model, differential->edited);
+      setModelParameters(program, "edited" + suffix, *differential->model, differential->target());
       setModelParameters(program, "fitted" + suffix, *differential->model, differential->fitted);
       if (differential->composition == editing::Composition::lobes) {
         const std::vector<float> scales = scaleUniforms(*differential);

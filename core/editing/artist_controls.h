@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <vector>
+
+#include "core/models/model.h"
+
+/// A few controls that mean the same for every model and material. They act on the parameters of a model by what these
+/// mean in it (models::ParameterRole), behind whatever else changes them, so that each can be moved and taken back
+/// alone.
+namespace gonio::editing {
+
+/// Indices of artistControls().
+enum class ArtistControl { roughness, specularStrength, tint, saturation, contrast, coatStrength, edgeBrightness };
+
+/// The controls in the form of a model's parameters: ranges, defaults, texts. At its default each changes nothing.
+const models::ModelSpec& artistControls();
+
+/// Whether a model has the parameters that a control changes.
+bool actsOn(ArtistControl control, const models::ModelSpec& model);
+
+/// Parameters with the controls applied, in the order of the list, and cut to their hard ranges; the same parameters,
+/// bit for bit, where all controls are at their defaults. O(parameters).
+models::ParameterValues withControls(const models::ModelSpec& model, models::ParameterValues parameters,
+                                     const models::ParameterValues& controls);
+
+/// What one control does to one parameter.
+struct ControlledParameter {
+  std::size_t parameter;
+  Rgb before, after;
+};
+/// What a control changes, with those before it in the list applied: for a line beside its slider.
+std::vector<ControlledParameter> changesBy(ArtistControl control, const models::ModelSpec& model,
+                                           const models::ParameterValues& parameters,
+                                           const models::ParameterValues& controls);
+
+}  // namespace gonio::editing

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/parameters/control_panel.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/models/registry.h"
+#include "tests/support/test_program.h"
+#include "widgets/parameters/parameter_line.h"
+#include "widgets/parameters/parameter_row.h"
+
+namespace control_panel_test {
+using namespace gonio;
+using namespace gonio::widgets;
+using editing::ArtistControl;
+
+class ControlPanelTest : public QObject {
+  Q_OBJECT
+ private:
+  static editing::DifferentialEdit editOf(const models::Model& model) {
+    editing::DifferentialEdit edit;
+    edit.model = &model;
+    edit.fitted = edit.edited = models::defaultParameters(model.spec());
+    return edit;
+  }
+  static ParameterLine* line(const ParameterRow* row) { return row->findChild<ParameterLine*>(); }
+
+ private Q_SLOTS:
+  void withoutAnEditItSaysWhy() {
+    ControlPanel panel;
+    panel.setEdit(nullptr, QStringLiteral("Open a material to edit it."));
+    QVERIFY(!panel.row(ArtistControl::roughness));
+    QCOMPARE(panel.findChild<QLabel*>()->text(), QStringLiteral("Open a material to edit it."));
+    const editing::DifferentialEdit edit = editOf(models::ggx());
+    panel.setEdit(&edit);
+    QVERIFY(panel.row(ArtistControl::roughness));
+    panel.setEdit(nullptr);
+    QVERIFY(!panel.row(ArtistControl::roughness) && !panel.bodyRow());
+  }
+
+  void whatTheModelDoesNotHaveIsGreyAndSaysSo() {
+    ControlPanel panel;
+    const editing::DifferentialEdit edit = editOf(models::ggx());
+    panel.setEdit(&edit);
+    for (std::size_t i = 0; i < editing::artistControls().parameters.size(); ++i)
+      QCOMPARE(panel.row(ArtistControl(i))->isEnabled(), editing::actsOn(ArtistControl(i), models::ggx().spec()));
+    QVERIFY(!panel.row(ArtistControl::coatStrength)->isEnabled());
+    QVERIFY(line(panel.row(ArtistControl::coatStrength))->label()->toolTip().contains("Layered lobes"));
+    const editing::DifferentialEdit layered = editOf(models::layered());
+    panel.setEdit(&layered);
+    QVERIFY(panel.row(ArtistControl::coatStrength)->isEnabled());
+  }
+
+  /// A step of the slider is offered, and what the owner made of it is shown with the parameters that it changed.
+  void aMovedControlStatesWhatItDid() {
+    ControlPanel panel;
+    editing::DifferentialEdit edit = editOf(models::ggx());
+    panel.setEdit(&edit);
+    int started = 0, finished = 0;
+    connect(&panel, &ControlPanel::editingStarted, &panel, [&] { ++started; });
+    connect(&panel, &ControlPanel::editingFinished, &panel, [&] { ++finished; });
+    connect(&panel, &ControlPanel::controlEdited, &panel, [&](ArtistControl control, const Rgb& value) {
+      edit.controls.values[std::size_t(control)] = value;
+      panel.setEdit(&edit);
+    });
+    QVERIFY(panel.changesText(ArtistControl::roughness).isEmpty());
+    NumberField* field = line(panel.row(ArtistControl::roughness))->field();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "2");
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(edit.controls.values[0].x, 2.0);
+    QVERIFY(started == 1 && finished == 1);
+    QCOMPARE(panel.changesText(ArtistControl::roughness), QString::fromUtf8("Roughness 0.3 \u2192 0.6"));
+    QVERIFY(panel.row(ArtistControl::roughness)->isModified());
+    QVERIFY(panel.changesText(ArtistControl::tint).isEmpty());
+  }
+
+  void theBodyIsTheModelsOwnParameter() {
+    ControlPanel panel;
+    const editing::DifferentialEdit edit = editOf(models::ggx());
+    panel.setEdit(&edit);
+    int parameter = -1;
+    Rgb value(0);
+    connect(&panel, &ControlPanel::bodyEdited, &panel, [&](int index, const Rgb& colour) {
+      parameter = index;
+      value = colour;
+    });
+    QCOMPARE(line(panel.bodyRow())->label()->text(), QStringLiteral("Diffuse colour"));
+    Q_EMIT line(panel.bodyRow())->valueEdited(0.5);
+    QCOMPARE(parameter, int(*models::ggx().spec().find("diffuse")));
+    QVERIFY(value == Rgb(0.5));
+    const editing::DifferentialEdit without = editOf(models::findModel("rational"));
+    panel.setEdit(&without);
+    QVERIFY(!panel.bodyRow());
+  }
+};
+
+GONIO_TEST(ControlPanelTest)
+}  // namespace control_panel_test
+
+#include "control_panel_test.moc"

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/parameters/control_panel.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/parameters/parameter_row.h"
+#include "widgets/parameters/parameter_text.h"
+
+namespace gonio::widgets {
+
+using editing::ArtistControl;
+
+namespace {
+
+/// The colour of the body is set where an artist looks for it.
+constexpr ArtistControl controlBeforeBody = ArtistControl::tint;
+
+const models::ParameterSpec& specOf(ArtistControl control) {
+  return editing::artistControls().parameters[std::size_t(control)];
+}
+
+}  // namespace
+
+QString changesText(ArtistControl control, const editing::DifferentialEdit& edit) {
+  const models::ModelSpec& spec = edit.model->spec();
+  QStringList changes;
+  for (const editing::ControlledParameter& one : editing::changesBy(control, spec, edit.edited, edit.controls)) {
+    const models::ParameterSpec& parameter = spec.parameters[one.parameter];
+    changes << ControlPanel::tr("%1 %2 \u2192 %3")
+                   .arg(fromView(parameter.label), displayValue(parameter, one.before),
+                        displayValue(parameter, one.after));
+  }
+  return changes.join(QStringLiteral("; "));
+}
+
+ControlPanel::ControlPanel(QWidget* parent) : QWidget(parent), m_layout(new QVBoxLayout(this)) {
+  m_layout->setContentsMargins(0, 0, 0, 0);
+  setEdit(nullptr);
+}
+
+void ControlPanel::setEdit(const editing::DifferentialEdit* edit, const QString& emptyText) {
+  if (!edit) return showEmpty(emptyText.isEmpty() ? tr("Fit a model to edit this material.") : emptyText);
+  if (m_controls.empty() || m_spec != &edit->model->spec()) build(edit->model->spec());
+  for (std::size_t i = 0; i < m_controls.size(); ++i)
+    m_controls[i].row->setValue(edit->controls.values[i], Rgb(specOf(ArtistControl(i)).defaultValue));
+  if (m_body)
+    m_body->setValue(edit->edited.values[std::size_t(m_bodyParameter)],
+                     edit->fitted.values[std::size_t(m_bodyParameter)]);
+  showChanges(*edit);
+}
+
+void ControlPanel::showEmpty(const QString& text) {
+  m_spec = nullptr;
+  m_controls.clear();
+  m_body = nullptr;
+  delete m_content;
+  auto* hint = new QLabel(text, this);
+  hint->setWordWrap(true);
+  hint->setEnabled(false);
+  m_content = hint;
+  m_layout->addWidget(m_content);
+}
+
+void ControlPanel::build(const models::ModelSpec& spec) {
+  m_spec = &spec;
+  m_controls.clear();
+  m_body = nullptr;
+  delete m_content;
+  m_content = new QWidget(this);
+  m_layout->addWidget(m_content);
+  auto* layout = new QVBoxLayout(m_content);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(fontMetrics().height() / 3);
+  for (std::size_t i = 0; i < editing::artistControls().parameters.size(); ++i) {
+    addControl(ArtistControl(i));
+    if (ArtistControl(i) == controlBeforeBody) addBody();
+  }
+}
+
+ParameterRow* ControlPanel::addRow(const models::ParameterSpec& spec) {
+  auto* row = new ParameterRow(spec, m_content);
+  m_content->layout()->addWidget(row);
+  connect(row, &ParameterRow::editingStarted, this, &ControlPanel::editingStarted);
+  connect(row, &ParameterRow::editingFinished, this, &ControlPanel::editingFinished);
+  return row;
+}
+
+void ControlPanel::addControl(ArtistControl control) {
+  ParameterRow* row = addRow(specOf(control));
+  connect(row, &ParameterRow::valueEdited, this,
+          [this, control](const Rgb& value) { Q_EMIT controlEdited(control, value); });
+  connect(row, &ParameterRow::resetRequested, this, [this, control] { Q_EMIT controlResetRequested(control); });
+  row->setActive(editing::actsOn(control, *m_spec),
+                 tr("%1 has no parameter that this would change. Layered lobes has one for every control.")
+                     .arg(fromView(m_spec->name)));
+  auto* changes = new QLabel(m_content);
+  changes->setWordWrap(true);
+  changes->setForegroundRole(QPalette::PlaceholderText);
+  changes->setIndent(fontMetrics().height());
+  changes->hide();
+  m_content->layout()->addWidget(changes);
+  m_controls.push_back({row, changes});
+}
+
+void ControlPanel::addBody() {
+  const auto body = std::ranges::find(m_spec->parameters, models::ParameterRole::body, &models::ParameterSpec::role);
+  if (body == m_spec->parameters.end()) return;
+  m_bodyParameter = int(body - m_spec->parameters.begin());
+  m_bodySpec = *body;
+  m_bodySpec->label = "Diffuse colour";
+  m_body = addRow(*m_bodySpec);
+  connect(m_body, &ParameterRow::valueEdited, this,
+          [this](const Rgb& value) { Q_EMIT bodyEdited(m_bodyParameter, value); });
+  connect(m_body, &ParameterRow::resetRequested, this, [this] { Q_EMIT bodyResetRequested(m_bodyParameter); });
+}
+
+void ControlPanel::showChanges(const editing::DifferentialEdit& edit) {
+  for (std::size_t i = 0; i < m_controls.size(); ++i) {
+    const QString text = widgets::changesText(ArtistControl(i), edit);
+    m_controls[i].changes->setText(text);
+    m_controls[i].changes->setVisible(!text.isEmpty());
+  }
+}
+
+ParameterRow* ControlPanel::row(ArtistControl control) const {
+  return m_controls.empty() ? nullptr : m_controls[std::size_t(control)].row;
+}
+
+QString ControlPanel::changesText(ArtistControl control) const {
+  return m_controls.empty() ? QString() : m_controls[std::size_t(control)].changes->text();
+}
+
+std::optional<ArtistControl> ControlPanel::currentControl() const {
+  const auto find = [&](const auto& wanted) -> std::optional<ArtistControl> {
+    for (std::size_t i = 0; i < m_controls.size(); ++i)
+      if (wanted(m_controls[i].row)) return ArtistControl(i);
+    return {};
+  };
+  if (const auto hovered = find([](const ParameterRow* row) { return row->underMouse(); })) return hovered;
+  const QWidget* focus = focusWidget();
+  return find([&](const ParameterRow* row) { return focus && row->isAncestorOf(focus); });
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_control_panel.cpp"
