@@ -79,7 +79,7 @@ Json clampedJson(const std::vector<models::ClampedParameter>& clamped) {
 }
 
 /// Writes the edited material, or the description of the edit; returns how many values had to be capped.
-std::size_t write(const materials::Material& material, const std::shared_ptr<const TabulatedBrdf>& base,
+std::size_t write(const materials::Material& material, const std::shared_ptr<const Brdf>& base,
                   const editing::Edit& edit, const EditArguments& options, const Tool& tool) {
   if (writesDocument(options)) {
     editing::EditDocument document;
@@ -90,7 +90,10 @@ std::size_t write(const materials::Material& material, const std::shared_ptr<con
     return 0;
   }
   std::size_t capped = 0;
-  const auto baked = editing::bakeEdits(base, std::span(&edit, 1), tool.control("baking"), &capped);
+  const TabulatedBrdf* table = base->asTable();
+  const auto baked = table ? editing::bakeEdits(std::shared_ptr<const TabulatedBrdf>(base, table), std::span(&edit, 1),
+                                                tool.control("baking"), &capped)
+                           : editing::bakeEdits(base, std::span(&edit, 1), tool.control("baking"));
   if (baked == base && material.table)
     materials::writeMaterial(material, options.out);
   else
@@ -178,15 +181,15 @@ int edit(const EditArguments& options, const Tool& tool) {
   compositionOf(options, model);
 
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
-  const auto table = material.tabulated(tool.control("tabulating"));
-  const fitting::FitResult fitted = fitting::fit(*table, model, {}, tool.control("fitting"));
+  const auto base = fitting::fitBase(material.brdf, material.tabulated(tool.control("tabulating")));
+  const fitting::FitResult fitted = fitting::fit(*base, model, {}, tool.control("fitting"));
   editing::DifferentialEdit change{&model, fitted.parameters, fitted.parameters, compositionOf(options, model)};
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, change.edited);
   auto clamped = models::clampToHardRange(model.spec(), change.edited);
   for (const std::string& assignment : options.controls) assign(editing::artistControls(), assignment, change.controls);
   std::ranges::copy(models::clampToHardRange(editing::artistControls(), change.controls), std::back_inserter(clamped));
   const editing::Edit edit{change, "", options.strength};
-  const std::size_t capped = write(material, table, edit, options, tool);
+  const std::size_t capped = write(material, base, edit, options, tool);
   printEdit(edit, fitted, clamped, capped, options, tool);
   return 0;
 }

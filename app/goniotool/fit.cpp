@@ -6,6 +6,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
+#include "core/editing/edit.h"
 #include "core/study/fit_ranking.h"
 #include "core/study/gamma_selection.h"
 
@@ -42,12 +43,12 @@ std::string text(const fitting::FitResult& result) {
 }
 
 /// One fit, or the one of the gamma whose picture is best, with what was tried in `json`.
-fitting::FitResult fitModel(const FitArguments& options, const materials::Material& material,
-                            const TabulatedBrdf& table, const models::Model& model, const Tool& tool, Json& trials) {
+fitting::FitResult fitModel(const FitArguments& options, const materials::Material& material, const Brdf& base,
+                            const models::Model& model, const Tool& tool, Json& trials) {
   const TaskControl control = tool.control("fitting " + options.model);
-  if (options.gamma != chooseGamma) return fitting::fit(table, model, options.fitOptions(), control);
+  if (options.gamma != chooseGamma) return fitting::fit(base, model, options.fitOptions(), control);
   const std::vector<study::GammaTrial> tried =
-      study::selectGamma(table, *material.brdf, model, options.fitOptions(),
+      study::selectGamma(base, *material.brdf, model, options.fitOptions(),
                          {.width = 128, .height = 128, .samples = 32, .lobe = {}}, control);
   for (const study::GammaTrial& trial : tried)
     trials.push_back({{"gamma", trial.gamma}, {"renderedSnr", decibelsJson(trial.renderedSnr)}});
@@ -58,11 +59,14 @@ int fitOne(const FitArguments& options, const materials::Material& material, con
   const auto table = material.tabulated(tool.control("tabulating"));
   const models::Model& model = models::findModel(options.model);
   Json trials = Json::array();
-  const fitting::FitResult result = fitModel(options, material, *table, model, tool, trials);
+  const fitting::FitResult result =
+      fitModel(options, material, *fitting::fitBase(material.brdf, table), model, tool, trials);
+  const auto fitted = model.instantiate(result.parameters);
   if (!options.out.empty())
-    materials::writeMaterial(*bakeTable(*model.instantiate(result.parameters), table->grid(), tool.control("baking")),
+    materials::writeMaterial(*bakeTable(*fitted, table->grid(), tool.control("baking"), editing::bakedAzimuths),
                              options.out);
   Json json = fitJson(result);
+  json["averagedAzimuths"] = options.out.empty() || fitted->isIsotropic() ? 0 : editing::bakedAzimuths;
   json["metric"] = options.metric;
   std::string heading;
   if (!trials.empty()) {

@@ -7,9 +7,98 @@
 
 namespace gonio {
 
+namespace {
+
+/// D(h) G1(wo) / (4 cos theta_o) of a distribution and its shadowed cosine; 0 without a half vector above the horizon.
+template <typename Distribution, typename ShadowedCosine>
+double visibleDensity(const Direction& w, const Direction& wo, const Distribution& distribution,
+                      const ShadowedCosine& shadowedCosine) {
+  constexpr double minSquaredLength = 1e-24;
+  const Direction sum = w + wo;
+  const double squaredLength = glm::dot(sum, sum);
+  if (!(squaredLength > minSquaredLength) || sum.z < 0) return 0;
+  const Direction above{wo.x, wo.y, std::max(0.0, wo.z)};
+  return distribution(sum / std::sqrt(squaredLength)) / (4 * shadowedCosine(above));
+}
+
+/// Solves F(x) = value for a distribution function F, which rises from 0 at `low` to 1 at `high`: Newton's steps,
+/// halved intervals where one leaves the bracket.
+template <typename Function>
+double inverseOf(const Function& valueAndSlope, double value, double low, double high) {
+  constexpr int maxSteps = 60;
+  double x = (low + high) / 2;
+  for (int step = 0; step < maxSteps; ++step) {
+    const auto [at, slope] = valueAndSlope(x);
+    (at > value ? high : low) = x;
+    const double next = x - (at - value) / slope;
+    const double previous = x;
+    x = next > low && next < high ? next : (low + high) / 2;
+    if (std::abs(x - previous) < 1e-12) break;
+  }
+  return x;
+}
+
+struct ValueAndSlope {
+  double value, slope;
+};
+
+/// Beyond, a Gaussian of slopes has less than 1e-15 of itself.
+constexpr double lastSlope = 5.7;
+
+/// A slope along the viewer's azimuth, of a surface of unit roughness seen at `sine`, `cosine`: its density is
+/// proportional to exp(-x^2) max(0, cosine - x sine).
+double visibleSlope(double sine, double cosine, double u) {
+  const double last = cosine < lastSlope * sine ? cosine / sine : lastSlope;
+  const auto integral = [&](double x) {
+    return cosine * (1 + std::erf(x)) / 2 + sine * std::exp(-x * x) / (2 * std::sqrt(pi));
+  };
+  const double total = integral(last);
+  return inverseOf(
+      [&](double x) {
+        return ValueAndSlope{integral(x) / total, std::exp(-x * x) * (cosine - x * sine) / (std::sqrt(pi) * total)};
+      },
+      u, -lastSlope, last);
+}
+
+double gaussianSlope(double u) {
+  return inverseOf(
+      [](double x) {
+        return ValueAndSlope{(1 + std::erf(x)) / 2, std::exp(-x * x) / std::sqrt(pi)};
+      },
+      u, -lastSlope, lastSlope);
+}
+
+}  // namespace
+
+double ggxDensity(const Direction& half, double alphaX, double alphaY) {
+  const double product = alphaX * alphaY;
+  const double slope =
+      half.x * half.x * (alphaY / alphaX) + half.y * half.y * (alphaX / alphaY) + product * half.z * half.z;
+  return product / (pi * slope * slope);
+}
+
+double ggxShadowedCosine(const Direction& w, double alphaX, double alphaY) {
+  const double x = alphaX * w.x, y = alphaY * w.y;
+  return (w.z + std::sqrt(x * x + y * y + w.z * w.z)) / 2;
+}
+
+double beckmannDensity(const Direction& half, double alphaX, double alphaY) {
+  if (!(half.z > 0)) return 0;
+  const double x = half.x / (alphaX * half.z), y = half.y / (alphaY * half.z);
+  // In the exponent: 1 / cos^4 overflows where the exponential underflows.
+  return std::exp(-(x * x + y * y) - 4 * std::log(half.z)) / (pi * alphaX * alphaY);
+}
+
+double beckmannShadowedCosine(const Direction& w, double alphaX, double alphaY) {
+  const double x = alphaX * w.x, y = alphaY * w.y, slope = std::sqrt(x * x + y * y);
+  if (!(slope > 0)) return w.z;
+  const double a = w.z / slope;
+  return w.z * (1 - std::erfc(a) / 2) + slope * std::exp(-a * a) / (2 * std::sqrt(pi));
+}
+
 Direction VisibleNormalLobe::sample(const Direction& wo, const glm::dvec2& u) const {
   // Section 3 of the paper.
-  const Direction stretched = glm::normalize(Direction{alpha * wo.x, alpha * wo.y, wo.z});
+  const Direction stretched = glm::normalize(Direction{alphaX * wo.x, alphaY * wo.y, wo.z});
   const double across = std::sqrt(stretched.x * stretched.x + stretched.y * stretched.y);
   const Direction tangent = across > 0 ? Direction{-stretched.y / across, stretched.x / across, 0} : Direction{1, 0, 0};
   const Direction bitangent = glm::cross(stretched, tangent);
@@ -19,19 +108,32 @@ Direction VisibleNormalLobe::sample(const Direction& wo, const glm::dvec2& u) co
   const double y = (1 - s) * std::sqrt(1 - x * x) + s * r * std::sin(phi);
   const double z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
   const Direction n = x * tangent + y * bitangent + z * stretched;
-  const Direction h = glm::normalize(Direction{alpha * n.x, alpha * n.y, std::max(0.0, n.z)});
+  const Direction h = glm::normalize(Direction{alphaX * n.x, alphaY * n.y, std::max(0.0, n.z)});
   return 2 * glm::dot(wo, h) * h - wo;
 }
 
 double VisibleNormalLobe::density(const Direction& w, const Direction& wo) const {
-  constexpr double minSquaredLength = 1e-24;
-  const Direction sum = w + wo;
-  const double squaredLength = glm::dot(sum, sum);
-  if (!(squaredLength > minSquaredLength) || sum.z < 0) return 0;
-  const double alpha2 = alpha * alpha, cosO = std::max(0.0, wo.z);
-  const double slope = (sum.x * sum.x + sum.y * sum.y + alpha2 * sum.z * sum.z) / squaredLength;
-  const double distribution = alpha2 / (pi * slope * slope);
-  return distribution * 0.5 / (cosO + std::sqrt(alpha2 + (1 - alpha2) * cosO * cosO));
+  return visibleDensity(
+      w, wo, [this](const Direction& h) { return ggxDensity(h, alphaX, alphaY); },
+      [this](const Direction& v) { return ggxShadowedCosine(v, alphaX, alphaY); });
+}
+
+Direction BeckmannVisibleLobe::sample(const Direction& wo, const glm::dvec2& u) const {
+  // The surface stretched to unit roughness, with the viewer in the plane of x: its slopes are stretched back.
+  const Direction stretched = glm::normalize(Direction{alphaX * wo.x, alphaY * wo.y, std::max(0.0, wo.z)});
+  const double sine = std::sqrt(stretched.x * stretched.x + stretched.y * stretched.y);
+  const glm::dvec2 axis = sine > 0 ? glm::dvec2(stretched.x, stretched.y) / sine : glm::dvec2(1, 0);
+  const double along = visibleSlope(sine, stretched.z, u.x), across = gaussianSlope(u.y);
+  // A slope is minus the normal's horizontal part.
+  const double x = -alphaX * (axis.x * along - axis.y * across), y = -alphaY * (axis.y * along + axis.x * across);
+  const Direction h = glm::normalize(Direction(x, y, 1));
+  return 2 * glm::dot(wo, h) * h - wo;
+}
+
+double BeckmannVisibleLobe::density(const Direction& w, const Direction& wo) const {
+  return visibleDensity(
+      w, wo, [this](const Direction& h) { return beckmannDensity(h, alphaX, alphaY); },
+      [this](const Direction& v) { return beckmannShadowedCosine(v, alphaX, alphaY); });
 }
 
 }  // namespace gonio

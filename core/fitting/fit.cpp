@@ -17,8 +17,9 @@ namespace {
 constexpr double preparationShare = 0.05, errorsShare = 0.05;
 
 /// Channels that are fitted together: all, or each alone where the model has no shared parameter to tie them.
-std::vector<std::vector<int>> channelGroups(const models::ModelSpec& spec, const models::ParameterValues& base) {
-  const std::vector<std::size_t> nonlinear = parametersOf(spec, base, FitRole::nonlinear);
+std::vector<std::vector<int>> channelGroups(const models::ModelSpec& spec, const models::ParameterValues& base,
+                                            DataSymmetry symmetry) {
+  const std::vector<std::size_t> nonlinear = parametersOf(spec, base, FitRole::nonlinear, symmetry);
   const bool allPerChannel =
       std::ranges::all_of(nonlinear, [&](std::size_t i) { return spec.parameters[i].perChannel; });
   if (!nonlinear.empty() && allPerChannel) return {{0}, {1}, {2}};
@@ -46,11 +47,11 @@ models::ParameterValues fitParameters(const FitData& data, const models::Model& 
                                       const models::ParameterValues& base, const std::stop_token& stop,
                                       ProgressMeter& progress) {
   models::ParameterValues parameters = base;
-  if (data.census().used == 0) return parameters;
+  if (data.usedCells() == 0) return parameters;
   const FitTarget& search = data.search();
-  const FitTarget& polish = data.polish(parametersOf(model.spec(), base, FitRole::nonlinear).size());
+  const FitTarget& polish = data.polish(parametersOf(model.spec(), base, FitRole::nonlinear, data.symmetry()).size());
   progress.add(preparationShare);
-  const std::vector<std::vector<int>> groups = channelGroups(model.spec(), base);
+  const std::vector<std::vector<int>> groups = channelGroups(model.spec(), base, data.symmetry());
   std::vector<models::ParameterValues> fitted(groups.size(), base);
   const double share = (1 - preparationShare - errorsShare) / double(groups.size());
   parallelForBlocks(groups.size(), 1, [&](std::size_t g, std::size_t) {
@@ -74,24 +75,23 @@ FitResult fit(const FitData& data, const models::Model& model, const TaskControl
   ProgressMeter progress(control);
   FitResult result;
   result.model = &model;
-  result.usedCells = data.census().used;
-  result.invalidCells = data.census().invalid;
-  result.grazingCells = data.census().grazing;
+  result.usedCells = data.usedCells();
+  result.invalidCells = data.invalidCells();
+  result.grazingCells = data.grazingCells();
   result.warnings = data.warnings();
   result.parameters =
       model.canonical(fitParameters(data, model, baseParameters(model.spec(), choices), control.stop, progress));
   result.cancelled = control.stop.stop_requested();
-  result.errors = metrics::brdfErrors(data.table(), *model.instantiate(result.parameters), data.options().maxPolarAngle,
-                                      data.options().gamma);
+  result.errors = data.errors(*model.instantiate(result.parameters));
   progress.add(1);
   result.seconds = secondsSince(start);
   return result;
 }
 
-FitResult fit(const TabulatedBrdf& table, const models::Model& model, const FitOptions& options,
-              const TaskControl& control, const models::ParameterValues& choices) {
+FitResult fit(const Brdf& base, const models::Model& model, const FitOptions& options, const TaskControl& control,
+              const models::ParameterValues& choices) {
   const auto start = Clock::now();
-  FitResult result = fit(FitData(table, options), model, control, choices);
+  FitResult result = fit(FitData(base, options), model, control, choices);
   result.seconds = secondsSince(start);
   return result;
 }

@@ -44,16 +44,21 @@ struct Patch {
   }
 };
 
-void append(FitCells& result, const TabulatedBrdf& table, std::size_t cell, double weight) {
-  const DirectionPair pair = table.grid().directions(cell);
-  result.pairs.push_back(pair);
-  result.cosI.push_back(std::max(0.0, pair.wi.z));
-  result.cosO.push_back(std::max(0.0, pair.wo.z));
-  result.rootWeight.push_back(weight);
-  for (int channel = 0; channel < 3; ++channel) result.values[channel].push_back(table.values()[cell][channel]);
+}  // namespace
+
+void FitCells::append(const DirectionPair& pair, const Rgb& value, double weight) {
+  pairs.push_back(pair);
+  cosI.push_back(std::max(0.0, pair.wi.z));
+  cosO.push_back(std::max(0.0, pair.wo.z));
+  rootWeight.push_back(weight);
+  for (int channel = 0; channel < 3; ++channel) values[std::size_t(channel)].push_back(value[channel]);
 }
 
-}  // namespace
+void FitCells::normaliseWeights() {
+  double total = 0;
+  for (const double weight : rootWeight) total += weight;
+  for (double& weight : rootWeight) weight = std::sqrt(weight / total);
+}
 
 CellCensus takeCensus(const TabulatedBrdf& table, double maxPolarAngle) {
   constexpr std::size_t block = 4096;
@@ -79,17 +84,16 @@ FitCells stratifiedCells(const TabulatedBrdf& table, const CellCensus& census, i
   const int strataD = std::min(thetaDStrata, grid.thetaDCount), strataF = std::min(phiDStrata, grid.phiDCount);
   FitCells result;
   Patch patch;
-  double total = 0;
   for (int i = 0; i < grid.thetaHCount; ++i)
     for (int d = 0; d < strataD; ++d)
       for (int f = 0; f < strataF; ++f) {
         patch.collect(grid, census, i, stratum(d, strataD, grid.thetaDCount), stratum(f, strataF, grid.phiDCount));
         if (!(patch.measure > 0)) continue;
         const std::uint64_t seed = (std::uint64_t(i) * std::uint64_t(strataD) + std::uint64_t(d)) * strataF + f;
-        append(result, table, patch.cells[scramble(seed) % patch.cells.size()], patch.measure);
-        total += patch.measure;
+        const std::size_t cell = patch.cells[scramble(seed) % patch.cells.size()];
+        result.append(grid.directions(cell), Rgb(table.values()[cell]), patch.measure);
       }
-  for (double& weight : result.rootWeight) weight = std::sqrt(weight / total);
+  result.normaliseWeights();
   return result;
 }
 

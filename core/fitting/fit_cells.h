@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
+#include "core/fitting/fit_parameters.h"
 
 namespace gonio::fitting {
 
@@ -24,8 +25,12 @@ struct FitCells {
   std::vector<double> cosI, cosO;             ///< cosines of the polar angles of wi and wo, >= 0
   std::vector<double> rootWeight;             ///< sqrt of the weight; the weights add up to 1
   std::array<std::vector<double>, 3> values;  ///< reflectance by channel, 1/sr
+  DataSymmetry symmetry = DataSymmetry::isotropic;
 
   std::size_t size() const { return pairs.size(); }
+  /// @param weight a cell's share of what is compared, of any scale: rootWeight is set by normaliseWeights().
+  void append(const DirectionPair& pair, const Rgb& value, double weight);
+  void normaliseWeights();
 };
 
 /// A stratified part of the cells that count: each theta_h row is cut into about `thetaDStrata` x `phiDStrata` patches,

@@ -13,32 +13,63 @@ struct Strata {
   int thetaD, phiD;
 };
 constexpr Strata searchStrata{8, 5}, fineStrata{18, 18}, coarseStrata{14, 10};
+/// Of anisotropic data: about half of the strata count, the others reach below the horizon.
+constexpr AzimuthStrata searchAzimuths{60, 4, 3, 10}, fineAzimuths{90, 6, 6, 16}, coarseAzimuths{90, 5, 4, 12},
+    allAzimuths{90, 10, 9, 24};
 constexpr std::size_t fewParameters = 3;
 constexpr double searchTolerance = 1e-7, polishTolerance = 1e-13;
 
+/// What is fitted as a table but is none.
+std::shared_ptr<const TabulatedBrdf> tableOf(const Brdf& base) {
+  return base.asTable() || !base.isIsotropic() ? nullptr : bakeTable(base);
+}
+
 }  // namespace
 
-FitData::FitData(const TabulatedBrdf& table, const FitOptions& options)
-    : table_(table),
-      options_(options),
-      census_(takeCensus(table, options.maxPolarAngle)),
-      warnings_(measurementWarnings(table, census_)) {}
+FitData::FitData(const Brdf& base, const FitOptions& options)
+    : base_(base), options_(options), baked_(tableOf(base)), table_(baked_ ? baked_.get() : base.asTable()) {
+  if (table_) {
+    census_ = takeCensus(*table_, options.maxPolarAngle);
+    warnings_ = measurementWarnings(*table_, census_);
+  } else {
+    allCells_ = azimuthCells(base, options.maxPolarAngle, allAzimuths, azimuths_);
+    warnings_ = measurementWarnings(allCells_, azimuths_.negative);
+  }
+}
 
-FitTarget FitData::makeTarget(int thetaDStrata, int phiDStrata, double costTolerance) const {
-  return {stratifiedCells(table_, census_, thetaDStrata, phiDStrata), MetricTransform(options_.metric, options_.gamma),
-          costTolerance};
+std::vector<double> FitData::errors(const Brdf& fitted) const {
+  if (table_) return metrics::brdfErrors(*table_, fitted, options_.maxPolarAngle, options_.gamma);
+  std::vector<Rgb> values;
+  std::vector<double> measures;
+  for (std::size_t i = 0; i < allCells_.size(); ++i) {
+    values.emplace_back(allCells_.values[0][i], allCells_.values[1][i], allCells_.values[2][i]);
+    measures.push_back(allCells_.rootWeight[i] * allCells_.rootWeight[i]);
+  }
+  return metrics::brdfErrors(allCells_.pairs, values, measures, fitted, options_.gamma);
+}
+
+FitTarget FitData::makeTarget(Part part, double costTolerance) const {
+  const MetricTransform metric(options_.metric, options_.gamma);
+  if (table_) {
+    const Strata strata = part == Part::search ? searchStrata : part == Part::fine ? fineStrata : coarseStrata;
+    return {stratifiedCells(*table_, census_, strata.thetaD, strata.phiD), metric, costTolerance};
+  }
+  AzimuthCensus census;
+  const AzimuthStrata strata = part == Part::search ? searchAzimuths
+                               : part == Part::fine ? fineAzimuths
+                                                    : coarseAzimuths;
+  return {azimuthCells(base_, options_.maxPolarAngle, strata, census), metric, costTolerance};
 }
 
 const FitTarget& FitData::search() const {
-  if (!search_) search_ = makeTarget(searchStrata.thetaD, searchStrata.phiD, searchTolerance);
+  if (!search_) search_ = makeTarget(Part::search, searchTolerance);
   return *search_;
 }
 
 const FitTarget& FitData::polish(std::size_t nonlinearParameters) const {
   const bool isFine = nonlinearParameters <= fewParameters;
   std::optional<FitTarget>& target = isFine ? fine_ : coarse_;
-  const Strata strata = isFine ? fineStrata : coarseStrata;
-  if (!target) target = makeTarget(strata.thetaD, strata.phiD, polishTolerance);
+  if (!target) target = makeTarget(isFine ? Part::fine : Part::coarse, polishTolerance);
   return *target;
 }
 

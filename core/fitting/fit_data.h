@@ -4,20 +4,27 @@
 
 #include <optional>
 
+#include "core/fitting/azimuth_cells.h"
 #include "core/fitting/fit.h"
 #include "core/fitting/projected_problem.h"
 
 namespace gonio::fitting {
 
-/// What the fits of all models to one table share: which cells count, and the parts of them that are compared.
+/// What the fits of all models to one material share: which cells count, and the parts of them that are compared.
 class FitData {
  public:
-  /// `table` lives as long as this. Some 0.1 s for a MERL table.
-  FitData(const TabulatedBrdf& table, const FitOptions& options);
+  /// `base` lives as long as this. Of a table its cells, some 0.1 s for a MERL table; of an anisotropic BRDF cells over
+  /// all azimuths of both directions (azimuthCells()), about 0.2 s; any other is sampled as a MERL table first.
+  FitData(const Brdf& base, const FitOptions& options);
 
-  const TabulatedBrdf& table() const { return table_; }
   const FitOptions& options() const { return options_; }
-  const CellCensus& census() const { return census_; }
+  /// A model without these parameters along two axes fits data of either kind.
+  DataSymmetry symmetry() const { return table_ ? DataSymmetry::isotropic : DataSymmetry::anisotropic; }
+  std::size_t usedCells() const { return table_ ? census_.used : azimuths_.used; }
+  std::size_t invalidCells() const { return table_ ? census_.invalid : azimuths_.invalid; }
+  std::size_t grazingCells() const { return table_ ? census_.grazing : azimuths_.grazing; }
+  /// Over all cells, in the order of metrics::allBrdfMetrics(). In parallel.
+  std::vector<double> errors(const Brdf& fitted) const;
   /// What is amiss with the measurement, for people; usually nothing.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
@@ -28,11 +35,17 @@ class FitData {
   const FitTarget& polish(std::size_t nonlinearParameters) const;
 
  private:
-  FitTarget makeTarget(int thetaDStrata, int phiDStrata, double costTolerance) const;
+  /// How finely the cells are looked at.
+  enum class Part { search, fine, coarse };
+  FitTarget makeTarget(Part part, double costTolerance) const;
 
-  const TabulatedBrdf& table_;
+  const Brdf& base_;
   FitOptions options_;
-  CellCensus census_;
+  std::shared_ptr<const TabulatedBrdf> baked_;  ///< of an isotropic base without a table
+  const TabulatedBrdf* table_;                  ///< null of anisotropic data
+  CellCensus census_;                           ///< of the table
+  AzimuthCensus azimuths_;                      ///< else
+  FitCells allCells_;                           ///< of anisotropic data
   std::vector<std::string> warnings_;
   mutable std::optional<FitTarget> search_, fine_, coarse_;
 };

@@ -16,8 +16,15 @@ constexpr double noticeableShare = 0.01;
 
 /// One channel over the cells that count.
 struct ChannelCensus {
-  float smallest = std::numeric_limits<float>::infinity(), largest = -smallest;
+  double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
   double total = 0, heaviest = 0;  ///< of value times measure of the cell
+
+  void add(double value, double measure) {
+    smallest = std::min(smallest, value);
+    largest = std::max(largest, value);
+    total += value * measure;
+    heaviest = std::max(heaviest, value * measure);
+  }
 };
 
 using Channels = std::array<ChannelCensus, 3>;
@@ -29,15 +36,7 @@ Channels takeChannelCensus(const TabulatedBrdf& table, const CellCensus& census)
   for (std::size_t cell = 0; cell < census.counts.size(); ++cell) {
     if (cell % std::size_t(grid.phiDCount) == 0) measure = grid.cellMeasure(cell);  // the same for all phi_d
     if (!census.counts[cell]) continue;
-    for (int c = 0; c < 3; ++c) {
-      ChannelCensus& channel = channels[std::size_t(c)];
-      const float value = table.values()[cell][c];
-      channel.smallest = std::min(channel.smallest, value);
-      channel.largest = std::max(channel.largest, value);
-      const double weight = value * measure;
-      channel.total += weight;
-      channel.heaviest = std::max(channel.heaviest, weight);
-    }
+    for (int c = 0; c < 3; ++c) channels[std::size_t(c)].add(table.values()[cell][c], measure);
   }
   return channels;
 }
@@ -50,29 +49,41 @@ std::string namesOf(const Channels& channels, Predicate matches) {
   return names;
 }
 
-}  // namespace
-
-std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellCensus& census) {
-  if (census.used == 0)
-    return {"The measurement has no valid cell within the polar angles that count: nothing was fitted."};
-  const Channels channels = takeChannelCensus(table, census);
+/// @param used cells; @param negative channels below 0, of `valid` cells.
+std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, std::size_t negative,
+                                    std::size_t valid) {
+  if (used == 0) return {"The measurement has no valid cell within the polar angles that count: nothing was fitted."};
   std::vector<std::string> warnings;
   const auto isBlack = [](const ChannelCensus& c) { return !(c.largest > 0); };
   if (const std::string names = namesOf(channels, isBlack); !names.empty())
     warnings.push_back("No reflectance above 0 in " + names + ": left black.");
   // Noise leaves a few; more of them mean that something was subtracted wrongly.
-  if (double(table.clampedCount()) > noticeableShare * 3 * double(table.validCount()))
-    warnings.push_back(std::to_string(table.clampedCount()) + " values below 0 are treated as 0 in the fit.");
+  if (double(negative) > noticeableShare * 3 * double(valid))
+    warnings.push_back(std::to_string(negative) + " values below 0 are treated as 0 in the fit.");
   const auto isConstant = [&](const ChannelCensus& c) { return !isBlack(c) && c.smallest == c.largest; };
-  if (const std::string names = namesOf(channels, isConstant); !names.empty() && census.used > 1)
+  if (const std::string names = namesOf(channels, isConstant); !names.empty() && used > 1)
     warnings.push_back("The same value in every cell of " + names +
                        ": a diffuse term explains it, the parameters of the highlight stay at their defaults.");
   // In a measurement the mirror peak, the heaviest cell, weighs some thousandths.
-  const auto isSpike = [&](const ChannelCensus& c) { return c.heaviest > 0.5 * c.total && census.used > 1; };
+  const auto isSpike = [&](const ChannelCensus& c) { return c.heaviest > 0.5 * c.total && used > 1; };
   if (const std::string names = namesOf(channels, isSpike); !names.empty())
     warnings.push_back("One cell holds more than half of what is reflected in " + names +
                        ": the fit may follow an outlier.");
   return warnings;
+}
+
+}  // namespace
+
+std::vector<std::string> measurementWarnings(const TabulatedBrdf& table, const CellCensus& census) {
+  return warningsOf(takeChannelCensus(table, census), census.used, table.clampedCount(), table.validCount());
+}
+
+std::vector<std::string> measurementWarnings(const FitCells& cells, std::size_t negative) {
+  Channels channels;
+  for (std::size_t c = 0; c < channels.size(); ++c)
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      channels[c].add(cells.values[c][i], cells.rootWeight[i] * cells.rootWeight[i]);
+  return warningsOf(channels, cells.size(), negative, cells.size());
 }
 
 }  // namespace gonio::fitting

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/fitting/fit_parameters.h"
@@ -143,6 +144,29 @@ std::vector<models::ParameterValues> startingPoints(const models::Model& model, 
   return starts;
 }
 
+std::vector<models::ParameterValues> grainStarts(const models::ModelSpec& spec, const models::ParameterValues& about) {
+  constexpr double stretches[] = {0.06, 0.15};  // units to either side of the mean
+  constexpr int directions = 8;
+  std::vector<models::ParameterValues> starts;
+  for (std::size_t r = 0; r < spec.parameters.size(); ++r) {
+    if (!spec.parameters[r].anisotropicOnly) continue;
+    for (const double stretch : stretches)
+      for (int direction = 0; direction < directions; ++direction) {
+        models::ParameterValues values = about;
+        values.values[r] = Rgb(pi * (double(direction) / directions - 0.5));
+        for (std::size_t y = 0; y < spec.parameters.size(); ++y)
+          if (const auto x = spec.find(spec.parameters[y].isotropicTwin)) {
+            const UnitScale scale(spec.parameters[y]);
+            const double middle = (scale.toUnit(about.values[*x].x) + scale.toUnit(about.values[y].x)) / 2;
+            values.values[*x] = Rgb(scale.toValue(middle - stretch));
+            values.values[y] = Rgb(scale.toValue(middle + stretch));
+          }
+        starts.push_back(std::move(values));
+      }
+  }
+  return starts;
+}
+
 void ProgressMeter::add(double share) {
   const std::lock_guard lock(mutex_);
   done_ = std::min(1.0, done_ + std::max(0.0, share));
@@ -152,14 +176,18 @@ void ProgressMeter::add(double share) {
 models::ParameterValues fitGroup(const models::Model& model, const FitTarget& search, const FitTarget& polish,
                                  const models::ParameterValues& base, const std::vector<int>& channels,
                                  const std::stop_token& stop, ProgressMeter& progress, double share) {
-  const std::vector<std::size_t> all = parametersOf(model.spec(), base, FitRole::nonlinear);
+  const DataSymmetry symmetry = search.cells.symmetry;
+  const std::vector<std::size_t> all = parametersOf(model.spec(), base, FitRole::nonlinear, symmetry);
   std::vector<std::size_t> early;
   for (const std::size_t i : all)
     if (model.spec().parameters[i].group != models::ParameterGroup::shadowing) early.push_back(i);
   const bool isStaged = early.size() < all.size();
   GroupFit group(model, channels, stop, progress, share);
-  std::vector<Candidate> candidates =
-      selectDistinct(group.rate(search, startingPoints(model, base, early), early, startsShare), refinedStarts);
+  std::vector<Candidate> rated = group.rate(search, startingPoints(model, base, early), early, startsShare);
+  if (symmetry == DataSymmetry::anisotropic)
+    std::ranges::move(group.rate(search, grainStarts(model.spec(), cheapest(rated).parameters), early, 0),
+                      std::back_inserter(rated));
+  std::vector<Candidate> candidates = selectDistinct(std::move(rated), refinedStarts);
   std::vector<models::ParameterValues> finalists{base, candidates[0].parameters};
   group.refine(search, candidates, early, searchOptions, isStaged ? searchShare / 2 : searchShare);
   if (isStaged) {

@@ -25,6 +25,10 @@ class ProgressMeter {
 std::vector<models::ParameterValues> startingPoints(const models::Model& model, const models::ParameterValues& base,
                                                     const std::vector<std::size_t>& free);
 
+/// Starts of anisotropic data about one that was found: its parameters along two axes drawn apart by some factors, the
+/// grain in directions all round the half-turn. None for a model without a grain.
+std::vector<models::ParameterValues> grainStarts(const models::ModelSpec& spec, const models::ParameterValues& about);
+
 /// Fits the parameters of some colour channels together: starts spread over the soft ranges, the best of them refined
 /// on few cells, the best of these on many. Parameters of shadowing join late: they only bend what the others explain.
 /// Deterministic for any number of threads. Never worse, over the cells of `polish`, than the best start. A stop

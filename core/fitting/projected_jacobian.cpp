@@ -95,7 +95,7 @@ std::vector<Rgb> ProjectedProblem::perturbedModel(std::size_t first, std::size_t
       else
         values.values[linear_[j]][channels_[slot]] = p;
     }
-  copyToTwins(model_.spec(), values);
+  copyToTwins(model_.spec(), values, target_.cells.symmetry);
   std::vector<Rgb> result;
   evaluateModel(values, result);
   return result;

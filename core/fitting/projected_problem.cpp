@@ -52,9 +52,9 @@ ProjectedProblem::ProjectedProblem(const models::Model& model, const FitTarget& 
       sharesBases_(!model.spec().dependsOnWavelength),
       bestCost_(std::numeric_limits<double>::infinity()) {
   const std::span<const models::ParameterSpec> specs = model.spec().parameters;
-  linear_ = parametersOf(model.spec(), base, FitRole::linear);
+  linear_ = parametersOf(model.spec(), base, FitRole::linear, target.cells.symmetry);
   // With channels fitted together, per-channel values outside the unknowns still make their bases differ.
-  for (const std::size_t i : parametersOf(model.spec(), base, FitRole::nonlinear))
+  for (const std::size_t i : parametersOf(model.spec(), base, FitRole::nonlinear, target.cells.symmetry))
     if (specs[i].perChannel && channels_.size() > 1) sharesBases_ = false;
   for (const std::size_t parameter : freeParameters) {
     const UnitScale scale(specs[parameter]);
@@ -93,7 +93,7 @@ models::ParameterValues ProjectedProblem::valuesAt(std::span<const double> units
           std::any_of(unknowns_.begin(), unknowns_.end(), [&](const Unknown& u) { return u.parameter == parameter; });
       if (!isUnknown) value = Rgb(value[channels_[0]]);
     }
-  copyToTwins(model_.spec(), values);
+  copyToTwins(model_.spec(), values, target_.cells.symmetry);
   return values;
 }
 
@@ -201,7 +201,7 @@ models::ParameterValues ProjectedProblem::bestParameters() const {
   for (std::size_t slot = 0; slot < bestLinear_.size(); ++slot)
     for (std::size_t j = 0; j < linear_.size(); ++j)
       values.values[linear_[j]][channels_[slot]] = bestLinear_[slot][Eigen::Index(j)];
-  copyToTwins(model_.spec(), values);
+  copyToTwins(model_.spec(), values, target_.cells.symmetry);
   return values;
 }
 

@@ -17,11 +17,18 @@ namespace gonio::metrics {
 
 namespace {
 
-/// The reference's cells of one block that pass a filter, with both values.
+/// The reference's cells of one block that pass a filter.
 struct Cells {
   std::vector<std::size_t> indices;
   std::vector<DirectionPair> pairs;
   std::vector<Rgb> test;
+};
+
+/// What is compared: pairs of directions with both values and their weights.
+struct Compared {
+  std::span<const DirectionPair> pairs;
+  std::span<const Rgb> reference, test;
+  std::span<const double> measures;
 };
 
 /// Leaves out cells that the test, being a table as well, does not know.
@@ -88,17 +95,7 @@ struct Sums {
 /// Sums the metrics asked for over one block of cells. Metrics of one factor and domain share their differences.
 class BlockSums {
  public:
-  BlockSums(const TabulatedBrdf& reference, const Cells& cells, double gamma)
-      : reference_(reference), cells_(cells), gamma_(gamma), measures_(cells.indices.size()) {
-    const auto rowLength = std::size_t(reference.grid().phiDCount);
-    std::size_t row = std::size_t(-1);
-    for (std::size_t i = 0; i < measures_.size(); ++i) {
-      const std::size_t cell = cells.indices[i];
-      // The same for all phi_d.
-      measures_[i] = cell / rowLength == row ? measures_[i - 1] : reference.grid().cellMeasure(cell);
-      row = cell / rowLength;
-    }
-  }
+  BlockSums(const Compared& cells, double gamma) : cells_(cells), gamma_(gamma) {}
 
   Sums sum(std::span<const BrdfMetric> wanted) {
     Sums sums;
@@ -120,17 +117,17 @@ class BlockSums {
 
  private:
   void computeDifferences(const MetricRecord& record) {
-    differences_.resize(cells_.indices.size());
+    differences_.resize(cells_.pairs.size());
     if (record.domain == MetricDomain::lab) {
       for (std::size_t i = 0; i < differences_.size(); ++i)
-        differences_[i] = labOf(glm::max(Rgb(0), referenceAt(i))) - labOf(glm::max(Rgb(0), cells_.test[i]));
+        differences_[i] = labOf(glm::max(Rgb(0), cells_.reference[i])) - labOf(glm::max(Rgb(0), cells_.test[i]));
       return;
     }
     visitDifference(record.domain, gamma_, [&](const auto& difference) {
       for (std::size_t i = 0; i < differences_.size(); ++i) {
         const DirectionPair& pair = cells_.pairs[i];
         const double factor = metricFactor(record.factor, pair.wi.z, pair.wo.z);
-        const Rgb r = glm::max(Rgb(0), referenceAt(i)) * factor, t = glm::max(Rgb(0), cells_.test[i]) * factor;
+        const Rgb r = glm::max(Rgb(0), cells_.reference[i]) * factor, t = glm::max(Rgb(0), cells_.test[i]) * factor;
         differences_[i] = {difference(r.x, t.x), difference(r.y, t.y), difference(r.z, t.z)};
       }
     });
@@ -140,7 +137,7 @@ class BlockSums {
     const double terms = record.domain == MetricDomain::lab ? 1 : 3;
     for (std::size_t i = 0; i < differences_.size(); ++i) {
       const DirectionPair& pair = cells_.pairs[i];
-      const double weight = measures_[i] * metricWeight(record.weight, pair.wi.z, pair.wo.z);
+      const double weight = cells_.measures[i] * metricWeight(record.weight, pair.wi.z, pair.wo.z);
       const Rgb& d = differences_[i];
       weightSum += terms * weight;
       deviation +=
@@ -148,26 +145,27 @@ class BlockSums {
     }
   }
 
-  Rgb referenceAt(std::size_t i) const { return Rgb(reference_.values()[cells_.indices[i]]); }
-
-  const TabulatedBrdf& reference_;
-  const Cells& cells_;
+  Compared cells_;
   double gamma_;
-  std::vector<double> measures_;
   std::vector<Rgb> differences_;
 };
 
-/// In the order of metricRecords(); 0 for metrics that are not wanted.
-std::vector<double> errorsBy(std::span<const BrdfMetric> wanted, const TabulatedBrdf& reference, const Brdf& test,
-                             double maxPolarAngle, double gamma) {
-  const std::size_t count = reference.grid().size();
-  const double minCosine = smallestCosine(maxPolarAngle);
-  const GridDirections directions(reference.grid());
-  std::vector<Sums> blocks((count + block - 1) / block);
-  parallelForBlocks(count, block, [&](std::size_t begin, std::size_t end) {
-    const Cells cells = cellsOfBlock(reference, directions, test, begin, end, minCosine);
-    blocks[begin / block] = BlockSums(reference, cells, gamma).sum(wanted);
-  });
+Sums sumsOfBlock(std::span<const BrdfMetric> wanted, const TabulatedBrdf& reference, const Cells& cells, double gamma) {
+  std::vector<Rgb> values(cells.indices.size());
+  std::vector<double> measures(cells.indices.size());
+  const auto rowLength = std::size_t(reference.grid().phiDCount);
+  std::size_t row = std::size_t(-1);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t cell = cells.indices[i];
+    values[i] = Rgb(reference.values()[cell]);
+    // The same for all phi_d.
+    measures[i] = cell / rowLength == row ? measures[i - 1] : reference.grid().cellMeasure(cell);
+    row = cell / rowLength;
+  }
+  return BlockSums({cells.pairs, values, cells.test, measures}, gamma).sum(wanted);
+}
+
+std::vector<double> errorsOf(std::span<const Sums> blocks) {
   std::vector<double> errors(metricRecords().size(), 0.0);
   for (std::size_t m = 0; m < errors.size(); ++m) {
     double deviation = 0, weight = 0;
@@ -181,6 +179,20 @@ std::vector<double> errorsBy(std::span<const BrdfMetric> wanted, const Tabulated
   return errors;
 }
 
+/// In the order of metricRecords(); 0 for metrics that are not wanted.
+std::vector<double> errorsBy(std::span<const BrdfMetric> wanted, const TabulatedBrdf& reference, const Brdf& test,
+                             double maxPolarAngle, double gamma) {
+  const std::size_t count = reference.grid().size();
+  const double minCosine = smallestCosine(maxPolarAngle);
+  const GridDirections directions(reference.grid());
+  std::vector<Sums> blocks((count + block - 1) / block);
+  parallelForBlocks(count, block, [&](std::size_t begin, std::size_t end) {
+    const Cells cells = cellsOfBlock(reference, directions, test, begin, end, minCosine);
+    blocks[begin / block] = sumsOfBlock(wanted, reference, cells, gamma);
+  });
+  return errorsOf(blocks);
+}
+
 }  // namespace
 
 double brdfError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf& test, double maxPolarAngle,
@@ -190,6 +202,20 @@ double brdfError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf& 
 
 std::vector<double> brdfErrors(const TabulatedBrdf& reference, const Brdf& test, double maxPolarAngle, double gamma) {
   return errorsBy(allBrdfMetrics(), reference, test, maxPolarAngle, gamma);
+}
+
+std::vector<double> brdfErrors(std::span<const DirectionPair> pairs, std::span<const Rgb> values,
+                               std::span<const double> measures, const Brdf& test, double gamma) {
+  std::vector<Sums> blocks((pairs.size() + block - 1) / block);
+  parallelForBlocks(pairs.size(), block, [&](std::size_t begin, std::size_t end) {
+    const std::size_t count = end - begin;
+    std::vector<Rgb> tested(count);
+    test.evaluate(pairs.subspan(begin, count), tested);
+    const Compared compared{pairs.subspan(begin, count), values.subspan(begin, count), tested,
+                            measures.subspan(begin, count)};
+    blocks[begin / block] = BlockSums(compared, gamma).sum(allBrdfMetrics());
+  });
+  return errorsOf(blocks);
 }
 
 double brdfSignalToNoiseRatio(const TabulatedBrdf& reference, const Brdf& test) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/brdf/tabulated_brdf.h"
@@ -21,6 +22,11 @@ double brdfError(BrdfMetric metric, const TabulatedBrdf& reference, const Brdf& 
 /// All metrics in one pass, in the order of allBrdfMetrics(). Some 0.2 s for a MERL table and a cheap test.
 std::vector<double> brdfErrors(const TabulatedBrdf& reference, const Brdf& test,
                                double maxPolarAngle = defaultMaxPolarAngle, double gamma = defaultGamma);
+
+/// All metrics over pairs of directions at or above the horizon, of materials that no half-difference table holds.
+/// @param values of the reference, 1/sr; @param measures weights of the pairs, of any scale.
+std::vector<double> brdfErrors(std::span<const DirectionPair> pairs, std::span<const Rgb> values,
+                               std::span<const double> measures, const Brdf& test, double gamma = defaultGamma);
 
 /// 10 log10(sum |r|^2 / sum |r - t|^2) with r = rho cos theta_i cos theta_o over the reference's valid cells, dB.
 /// Contract for 0 as signalToNoiseRatio of pictures.

@@ -2,22 +2,27 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cmath>
+#include <utility>
+#include <vector>
+
 #include "core/models/cosine_power.h"
 
-/// Pairs of parameters along the tangent x and the bitangent y. Both equal: an isotropic surface.
+/// Pairs of parameters along the grain of a surface (x) and across it (y), and the direction of the grain. Both equal:
+/// an isotropic surface, whose grain means nothing.
 namespace gonio::models {
 
 // clang-format off
 constexpr ParameterSpec roughnessXParameter(std::string_view formula, std::string_view reference) {
   ParameterSpec spec = roughnessParameter(
-      "alpha_x", "Width of the highlight along the tangent; brushed metal is narrow along one axis, wide along the other.",
+      "alpha_x", "Width of the highlight along the grain; brushed metal is narrow along its grain, wide across it.",
       formula, reference);
   spec.id = "roughness-x";
   spec.label = "Roughness x";
   return spec;
 }
 constexpr ParameterSpec roughnessYParameter(std::string_view formula, std::string_view reference) {
-  ParameterSpec spec = roughnessParameter("alpha_y", "Width of the highlight along the bitangent.", formula, reference);
+  ParameterSpec spec = roughnessParameter("alpha_y", "Width of the highlight across the grain.", formula, reference);
   spec.id = "roughness-y";
   spec.label = "Roughness y";
   spec.isotropicTwin = "roughness-x";
@@ -30,7 +35,7 @@ constexpr ParameterSpec exponentXParameter(std::string_view formula, std::string
   spec.symbol = "n_x";
   spec.softMax = 1e5;
   spec.defaultValue = 100;
-  spec.description = "Sharpness of the highlight along the tangent: large is glossy.";
+  spec.description = "Sharpness of the highlight along the grain: large is glossy.";
   return spec;
 }
 constexpr ParameterSpec exponentYParameter(std::string_view formula, std::string_view reference) {
@@ -38,10 +43,53 @@ constexpr ParameterSpec exponentYParameter(std::string_view formula, std::string
   spec.id = "exponent-y";
   spec.label = "Shininess y";
   spec.symbol = "n_y";
-  spec.description = "Sharpness of the highlight along the bitangent.";
+  spec.description = "Sharpness of the highlight across the grain.";
   spec.isotropicTwin = "exponent-x";
   return spec;
 }
+/// A half-turn is the whole of it; the hard range is twice that, so that no fit and no slider ends at a seam.
+constexpr ParameterSpec rotationParameter() {
+  return {.id = "rotation", .label = "Rotation", .symbol = "psi", .unit = "rad",
+          .softMin = -halfPi, .softMax = halfPi, .hardMin = -pi, .hardMax = pi, .defaultValue = 0,
+          .scale = ParameterScale::angle,
+          .description = "Direction of the grain: the angle from the tangent to the axis of x, counter-clockwise.",
+          .formula = "h_x, h_y: h turned by -psi about the normal",
+          .reference = "Ward 1992, Measuring and Modeling Anisotropic Reflection",
+          .anisotropicOnly = true};
+}
 // clang-format on
+
+/// Where a model has its grain among its parameters.
+struct GrainIndices {
+  std::size_t x, y, rotation;
+};
+
+/// The same surface with the grain along x, where the highlight is narrower, and a rotation in [-pi/2, pi/2); 0 where
+/// both axes are equal. For Model::canonical().
+/// @param widthRises whether a larger parameter is a wider highlight (a roughness) or a narrower one (an exponent).
+inline ParameterValues alongGrain(ParameterValues values, const GrainIndices& at, bool widthRises) {
+  Rgb &x = values.values[at.x], &y = values.values[at.y], &rotation = values.values[at.rotation];
+  if (x == y) {
+    rotation = Rgb(0);
+    return values;
+  }
+  double angle = rotation.x;
+  if ((x.x > y.x) == widthRises) {
+    std::swap(x, y);
+    angle += halfPi;
+  }
+  angle -= pi * std::floor(angle / pi + 0.5);
+  rotation = Rgb(angle < halfPi ? angle : -halfPi);  // the difference may round up
+  return values;
+}
+
+/// The parameters as they are and, behind them, (cos, sin, 0) of the rotation: Model::shaderParameters() of models with
+/// a grain.
+inline std::vector<glm::vec3> withGrainAxis(const ParameterValues& values, std::size_t rotation) {
+  std::vector<glm::vec3> result(values.values.begin(), values.values.end());
+  const double angle = values.values[rotation].x;
+  result.emplace_back(float(std::cos(angle)), float(std::sin(angle)), 0.0f);
+  return result;
+}
 
 }  // namespace gonio::models

@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view ashikhmin2007 =
     "Ashikhmin and Premoze 2007, Distribution-Based BRDFs (Gaussian of slopes; its normalisation derived here)";
 
-enum Index { diffuse, specular, roughnessX, roughnessY, normalReflectance, fresnelTerm, edgeTint };
+enum Index { diffuse, specular, roughnessX, roughnessY, normalReflectance, fresnelTerm, edgeTint, rotation };
 
 // clang-format off
 constexpr ParameterSpec parameters[] = {
@@ -25,6 +25,7 @@ constexpr ParameterSpec parameters[] = {
     normalReflectanceParameter(),
     fresnelParameter(FresnelChoice::schlick),
     edgeTintParameter(),
+    rotationParameter(),
 };
 
 constexpr ModelSpec ashikhminPremozeSpec = {
@@ -42,14 +43,19 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Fresnel fresnel(FresnelChoice(chosen(p.values[fresnelTerm].x)), p.values[normalReflectance].x,
                         p.values[edgeTint].x);
   return makeWardBrdf(
-      p.values[diffuse], p.values[specular], p.values[roughnessX].x, p.values[roughnessY].x,
+      p.values[diffuse], p.values[specular], p.values[roughnessX].x, p.values[roughnessY].x, p.values[rotation].x,
       [fresnel](const SurfaceGeometry& g) { return fresnel(g.cosD) / (g.cosI + g.cosO - g.cosI * g.cosO); });
 }
+
+std::vector<glm::vec3> shaderParameters(const ParameterValues& p) { return withGrainAxis(p, rotation); }
+
+ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {roughnessX, roughnessY, rotation}, true); }
 
 }  // namespace
 
 const Model& ashikhminPremoze() {
-  static const Model model(ashikhminPremozeSpec, {.create = create});
+  static const Model model(ashikhminPremozeSpec,
+                           {.create = create, .shaderParameters = shaderParameters, .canonical = canonical});
   return model;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/brdf/half_vector_lobe.h"
+#include "core/brdf/turned_lobe.h"
 #include "core/models/anisotropic_parameters.h"
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
@@ -15,7 +16,7 @@ namespace {
 constexpr std::string_view ashikhmin2000 = "Ashikhmin and Shirley 2000, An Anisotropic Phong BRDF Model";
 constexpr std::string_view diffuseTerms[] = {"coupled", "lambert"};
 
-enum Index { diffuse, specular, exponentX, exponentY, normalReflectance, fresnelTerm, edgeTint, diffuseTerm };
+enum Index { diffuse, specular, exponentX, exponentY, normalReflectance, fresnelTerm, edgeTint, diffuseTerm, rotation };
 
 // clang-format off
 constexpr ParameterSpec parameters[] = {
@@ -35,6 +36,7 @@ constexpr ParameterSpec parameters[] = {
                     "coupled: 28 k_d / (23 pi) (1 - F_0)(1 - (1 - cos theta_i / 2)^5)(1 - (1 - cos theta_o / 2)^5); "
                     "lambert: k_d / pi",
                     ashikhmin2000, diffuseTerms),
+    rotationParameter(),
 };
 
 constexpr ModelSpec ashikhminShirleySpec = {
@@ -60,21 +62,27 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb ks = p.values[specular] * (std::sqrt((nx + 1) * (ny + 1)) / (8 * pi));
   const Fresnel fresnel(FresnelChoice(chosen(p.values[fresnelTerm].x)), f0, p.values[edgeTint].x);
   return makeGeometryBrdf(
-      [=](const SurfaceGeometry& g) {
-        const double slopes = nx * g.half.x * g.half.x + ny * g.half.y * g.half.y;
+      [=, toGrain = AzimuthRotation(-p.values[rotation].x)](const SurfaceGeometry& g) {
+        const Direction half = toGrain(g.half);
+        const double slopes = nx * half.x * half.x + ny * half.y * half.y;
         const double power = halfVectorPower(g, g.sin2H > 0 ? slopes / g.sin2H : 0);
         const double lobe = power * fresnel(g.cosD) / (g.cosD * std::max(g.cosI, g.cosO));
         return (coupled ? entering(g.cosI) * entering(g.cosO) : 1) * kd + ks * lobe;
       },
       diffuseAnd(maxChannel(p.values[diffuse]), maxChannel(p.values[specular]) * fresnel(0.5),
-                 HalfVectorLobe{CosinePowerNormals{nx, ny}}),
+                 TurnedLobe(HalfVectorLobe{CosinePowerNormals{nx, ny}}, p.values[rotation].x)),
       nx == ny);
 }
+
+std::vector<glm::vec3> shaderParameters(const ParameterValues& p) { return withGrainAxis(p, rotation); }
+
+ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {exponentX, exponentY, rotation}, false); }
 
 }  // namespace
 
 const Model& ashikhminShirley() {
-  static const Model model(ashikhminShirleySpec, {.create = create});
+  static const Model model(ashikhminShirleySpec,
+                           {.create = create, .shaderParameters = shaderParameters, .canonical = canonical});
   return model;
 }
 

@@ -53,6 +53,9 @@ struct ParameterSpec {
   /// Of the second of two parameters along the axes x and y: the id of the first. A fit to isotropic data sets both
   /// equal.
   std::string_view isotropicTwin = {};
+  /// Whether it means nothing where the pairs along x and y are equal: a fit to isotropic data leaves it at its
+  /// default.
+  bool anisotropicOnly = false;
   ParameterRole role = ParameterRole::other;
 };
 

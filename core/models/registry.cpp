@@ -32,6 +32,8 @@ std::span<const Model* const> allModels() {
       &torranceSparrow(),
       &cookTorrance(),
       &ggx(),
+      &ggxAnisotropic(),
+      &beckmannAnisotropic(),
       &layered(),
       &abcSmooth(),
       &abc(),

@@ -28,6 +28,8 @@ const Model& orenNayar();
 const Model& torranceSparrow();
 const Model& cookTorrance();
 const Model& ggx();
+const Model& ggxAnisotropic();
+const Model& beckmannAnisotropic();
 const Model& layered();
 const Model& abcSmooth();
 const Model& abc();

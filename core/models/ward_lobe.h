@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/brdf/half_vector_lobe.h"
+#include "core/brdf/turned_lobe.h"
 #include "core/models/surface_geometry.h"
 
 namespace gonio::models {
@@ -13,30 +14,36 @@ inline constexpr std::string_view ward1992 = "Ward 1992, Measuring and Modeling 
 
 /// exp(-(h_x^2 / alpha_x^2 + h_y^2 / alpha_y^2) / h_z^2) / (4 pi alpha_x alpha_y): the Gaussian of surface slopes that
 /// the models of Ward's family share (Ward 1992, eq. 5a without the square root; Walter 2005, Notes on the Ward BRDF:
-/// no azimuth is needed).
+/// no azimuth is needed). x runs along a grain that is turned by `rotation` (rad) from the tangent.
 class WardLobe {
  public:
-  WardLobe(double alphaX, double alphaY)
-      : inverseX2_(1 / (alphaX * alphaX)),
+  WardLobe(double alphaX, double alphaY, double rotation)
+      : toGrain_(-rotation),
+        inverseX2_(1 / (alphaX * alphaX)),
         inverseY2_(1 / (alphaY * alphaY)),
         normaliser_(1 / (4 * pi * alphaX * alphaY)) {}
 
   double operator()(const SurfaceGeometry& g) const {
-    const double slopes = g.half.x * g.half.x * inverseX2_ + g.half.y * g.half.y * inverseY2_;
-    return normaliser_ * std::exp(-slopes / (g.half.z * g.half.z));
+    const Direction half = toGrain_(g.half);
+    const double slopes = half.x * half.x * inverseX2_ + half.y * half.y * inverseY2_;
+    return normaliser_ * std::exp(-slopes / (half.z * half.z));
   }
 
  private:
+  AzimuthRotation toGrain_;
   double inverseX2_, inverseY2_, normaliser_;
 };
 
 /// k_d / pi + k_s WardLobe * fade: the models differ in `double fade(const SurfaceGeometry&)` alone.
 template <typename Fade>
-std::unique_ptr<const Brdf> makeWardBrdf(const Rgb& kd, const Rgb& ks, double alphaX, double alphaY, Fade fade) {
-  return makeGeometryBrdf([kd = kd / pi, ks, lobe = WardLobe(alphaX, alphaY),
-                           fade](const SurfaceGeometry& g) { return kd + ks * (lobe(g) * fade(g)); },
-                          diffuseAnd(maxChannel(kd), maxChannel(ks), HalfVectorLobe{BeckmannNormals{alphaX, alphaY}}),
-                          alphaX == alphaY);
+std::unique_ptr<const Brdf> makeWardBrdf(const Rgb& kd, const Rgb& ks, double alphaX, double alphaY, double rotation,
+                                         Fade fade) {
+  return makeGeometryBrdf(
+      [kd = kd / pi, ks, lobe = WardLobe(alphaX, alphaY, rotation), fade](const SurfaceGeometry& g) {
+        return kd + ks * (lobe(g) * fade(g));
+      },
+      diffuseAnd(maxChannel(kd), maxChannel(ks), TurnedLobe(HalfVectorLobe{BeckmannNormals{alphaX, alphaY}}, rotation)),
+      alphaX == alphaY);
 }
 
 }  // namespace gonio::models

@@ -6,14 +6,18 @@
 #include <cmath>
 #include <limits>
 
+#include "core/fitting/fit_parameters.h"
+
 namespace gonio::study {
 
 std::vector<RankedFit> rankFits(const StudySubject& subject, const RankingOptions& options,
                                 const TaskControl& control) {
   std::vector<RankedFit> ranking;
+  const auto symmetry =
+      subject.reference->isIsotropic() ? fitting::DataSymmetry::isotropic : fitting::DataSymmetry::anisotropic;
   const auto add = [&](const StudiedRepresentation& studied) {
-    ranking.push_back(
-        {*studied.fit, studied.record.renderedSnr, studied.picture, std::size_t(studied.record.representation.budget)});
+    ranking.push_back({*studied.fit, studied.record.renderedSnr, studied.picture,
+                       fitting::fittedParameterCount(studied.fit->model->spec(), symmetry)});
     if (options.modelDone) options.modelDone(ranking.back());
   };
   const StudyOptions study{

@@ -15,7 +15,7 @@ constexpr int gammaCount = int((metrics::largestGamma - metrics::smallestGamma) 
 
 }  // namespace
 
-std::vector<GammaTrial> selectGamma(const TabulatedBrdf& table, const Brdf& reference, const models::Model& model,
+std::vector<GammaTrial> selectGamma(const Brdf& base, const Brdf& reference, const models::Model& model,
                                     const fitting::FitOptions& options, const RenderOptions& picture,
                                     const TaskControl& control) {
   std::vector<GammaTrial> trials;
@@ -25,7 +25,7 @@ std::vector<GammaTrial> selectGamma(const TabulatedBrdf& table, const Brdf& refe
       fitting::FitOptions gammaOptions = options;
       gammaOptions.metric = metrics::BrdfMetric::gamma;
       gammaOptions.gamma = metrics::smallestGamma + i * gammaStep;
-      fitting::FitResult result = fitting::fit(table, model, gammaOptions, {control.stop, {}});
+      fitting::FitResult result = fitting::fit(base, model, gammaOptions, {control.stop, {}});
       control.throwIfStopped();
       const ComparisonPicture rendered = comparison.render(*model.instantiate(result.parameters), {control.stop, {}});
       trials.push_back({gammaOptions.gamma, std::move(result), comparison.signalToNoiseRatio(rendered)});

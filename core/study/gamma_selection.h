@@ -19,12 +19,12 @@ struct GammaTrial {
 /// quarter), of which the one whose picture matches best is taken; here the one of the highest rendered SNR, the first
 /// among equals. Nine fits of the model, and pictures.
 /// @param options all but the metric and its gamma.
-/// @param reference what the pictures are compared with: the table, or the material that it samples.
+/// @param base what is fitted, as fitting::fit() takes it.
+/// @param reference what the pictures are compared with: the base, or the material that it samples.
 /// @return the best first, the others in the order of their gammas. A stop request leaves the trials that are done;
 /// none are left when it came before the first. It never throws Cancelled.
 std::vector<GammaTrial> selectGamma(
-    const TabulatedBrdf& table, const Brdf& reference, const models::Model& model,
-    const fitting::FitOptions& options = {},
+    const Brdf& base, const Brdf& reference, const models::Model& model, const fitting::FitOptions& options = {},
     const RenderOptions& picture = {.width = 128, .height = 128, .samples = 32, .lobe = {}},
     const TaskControl& control = {});
 

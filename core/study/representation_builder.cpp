@@ -82,13 +82,16 @@ BuiltRepresentation RepresentationBuilder::table(const Representation& represent
 }
 
 BuiltRepresentation RepresentationBuilder::fit(const Representation& representation, const TaskControl& control) {
-  if (!fitData_) fitData_.emplace(*subject_.table, options_.fit);
+  if (!fitData_) {
+    fitBase_ = fitting::fitBase(subject_.reference, subject_.table);
+    fitData_.emplace(*fitBase_, options_.fit);
+  }
   const models::Model& model = models::findModel(representation.id);
   const fitting::FitResult result = fitting::fit(*fitData_, model, control);
   control.throwIfStopped();
   return {.brdf = model.instantiate(result.parameters),
           .nodes = nullptr,
-          .bytes = fitting::fittedParameterCount(model.spec()) * sizeof(float),
+          .bytes = fitting::fittedParameterCount(model.spec(), fitData_->symmetry()) * sizeof(float),
           .encodeSeconds = result.seconds,
           .fit = result};
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 // p: diffuse, specular, exponent x, exponent y, f0, fresnel, edge tint,
-//    diffuse term (0 coupled, 1 lambert)
+//    diffuse term (0 coupled, 1 lambert), rotation; behind them its cosine and sine
 #include "cosine_power.glsl"
 #include "fresnel.glsl"
+#include "grain.glsl"
 
-const int PARAMETER_COUNT_ASHIKHMIN_SHIRLEY = 8;
+const int PARAMETER_COUNT_ASHIKHMIN_SHIRLEY = 10;
 
 float entering(float cosine) {
   float m = 1.0 - 0.5 * cosine, m2 = m * m;
@@ -15,6 +16,7 @@ float entering(float cosine) {
 vec3 evaluate_ashikhmin_shirley(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_ASHIKHMIN_SHIRLEY]) {
   SurfaceGeometry g;
   if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  g.h = inGrain(g.h, p[9].xy);
   float nx = p[2].x, ny = p[3].x, f0 = p[4].x;
   float exponent = g.sin2H > 0.0 ? (nx * g.h.x * g.h.x + ny * g.h.y * g.h.y) / g.sin2H : 0.0;
   float lobe = sqrt((nx + 1.0) * (ny + 1.0)) / (8.0 * pi) * halfVectorPower(g, exponent) *

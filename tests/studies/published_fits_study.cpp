@@ -62,8 +62,7 @@ void addFactors(const fitting::FitData& data, const models::Model& model, const 
 void compare(const fitting::FitData& data, const test::PublishedSet& set, const test::PublishedFit& published,
              Summary& summary) {
   const auto error = [&](const models::ParameterValues& parameters) {
-    return metrics::brdfError(set.metric, data.table(), *set.model->instantiate(parameters),
-                              data.options().maxPolarAngle);
+    return data.errors(*set.model->instantiate(parameters))[std::size_t(set.metric)];
   };
   const fitting::FitResult ours = fit(data, *set.model, {}, published.parameters);
   const double ratio = ours.errors[std::size_t(set.metric)] / error(published.parameters);

@@ -130,7 +130,7 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
   m_tasks.run<fitting::FitResult>(
       {tr("Fitting %1").arg(name), fitKey},
       [material, &model, choices](const TaskControl& control) {
-        return fitting::fit(*material->table(control), model, {}, control, choices);
+        return fitting::fit(*material->fitBase(control), model, {}, control, choices);
       },
       [this, name, done = std::move(done)](const fitting::FitResult& fit) {
         if (!fit.cancelled) {
@@ -260,7 +260,7 @@ void DocumentController::paste(const editing::EditList& edits) {
           if (auto* curves = std::get_if<editing::FactorEdit>(&edit.content))
             *curves = carriedOver(*curves, *material->table(control), control);
         for (const models::Model* model : missing) {
-          carried.fits.push_back(fitting::fit(*material->table(control), *model, {}, control));
+          carried.fits.push_back(fitting::fit(*material->fitBase(control), *model, {}, control));
           if (carried.fits.back().cancelled) throw Cancelled();
         }
         return carried;

@@ -25,6 +25,10 @@ std::shared_ptr<const TabulatedBrdf> LoadedMaterial::table(const TaskControl& co
   return m_sampled->table;
 }
 
+std::shared_ptr<const Brdf> LoadedMaterial::fitBase(const TaskControl& control) const {
+  return base->isIsotropic() ? table(control) : base;
+}
+
 std::size_t LoadedMaterial::bytes() const {
   if (const TabulatedBrdf* own = base->asTable()) return own->bytes();
   const std::scoped_lock lock(m_sampled->mutex);

@@ -35,6 +35,9 @@ struct LoadedMaterial {
   /// The table that fits, factors and codes are made of: the base, or sampled from it at the first call (up to a
   /// second, in which others wait). Not for the GUI thread. @throws Cancelled.
   std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control = {}) const;
+  /// What models are fitted to: the base where it is anisotropic, else table(). Not for the GUI thread. @throws
+  /// Cancelled.
+  std::shared_ptr<const Brdf> fitBase(const TaskControl& control = {}) const;
   /// In memory: of the tables that there are now.
   std::size_t bytes() const;
 

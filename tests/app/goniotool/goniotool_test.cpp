@@ -10,6 +10,7 @@
 #include "core/metrics/brdf_metrics.h"
 #include "core/models/parameters_json.h"
 #include "tests/app/goniotool/goniotool_runner.h"
+#include "tests/support/grain.h"
 #include "tests/support/test_program.h"
 
 namespace goniotool_test {
@@ -150,6 +151,23 @@ class GoniotoolTest : public QObject {
     VERIFY_SUCCESS(chosen);
     QCOMPARE(chosen.json["trials"].size(), std::size_t(9));
     QCOMPARE(chosen.json["gamma"].get<double>(), chosen.json["trials"][0]["gamma"].get<double>());
+  }
+
+  /// An anisotropic file is fitted with its azimuths: the rotation of its grain comes out.
+  void fitOfAnAnisotropicFile() {
+    const QString file = folder_.path("brushed.bin"), out = folder_.path("brushed-fit.binary");
+    writeUtiaFile(*grainBrdf({"ggx-anisotropic", 0.25, 0.6, radians(30)}), file.toStdString());
+    const ToolResult brushed = runJson({"fit", file, "--model", "ggx-anisotropic", "--out", out});
+    VERIFY_SUCCESS(brushed);
+    const nlohmann::json& parameters = brushed.json["parameters"];
+    QVERIFY(std::abs(parameters["rotation"].get<double>() - radians(30)) < radians(0.5));
+    QVERIFY(parameters["roughness-y"].get<double>() > 1.5 * parameters["roughness-x"].get<double>());
+    QCOMPARE(brushed.json["averagedAzimuths"].get<int>(), editing::bakedAzimuths);
+    const ToolResult plain = runJson({"fit", file, "--model", "ggx"});
+    VERIFY_SUCCESS(plain);
+    QCOMPARE(plain.json["usedCells"].get<int>(), brushed.json["usedCells"].get<int>());
+    QCOMPARE(plain.json["averagedAzimuths"].get<int>(), 0);
+    QVERIFY(plain.json["errors"]["log"].get<double>() > 3 * brushed.json["errors"]["log"].get<double>());
   }
 
   void editOfNothingKeepsEveryByte() {

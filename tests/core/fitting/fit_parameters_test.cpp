@@ -23,10 +23,12 @@ class FitParametersTest : public QObject {
     for (const models::Model* model : models::allModels()) {
       const models::ModelSpec& spec = model->spec();
       const models::ParameterValues base = models::defaultParameters(spec);
-      std::size_t sum = 0;
-      for (const FitRole role : {FitRole::linear, FitRole::nonlinear, FitRole::twin, FitRole::fixed})
-        sum += parametersOf(spec, base, role).size();
-      QCOMPARE(sum, spec.parameters.size());
+      for (const DataSymmetry symmetry : {DataSymmetry::isotropic, DataSymmetry::anisotropic}) {
+        std::size_t sum = 0;
+        for (const FitRole role : {FitRole::linear, FitRole::nonlinear, FitRole::twin, FitRole::fixed})
+          sum += parametersOf(spec, base, role, symmetry).size();
+        QCOMPARE(sum, spec.parameters.size());
+      }
       for (const std::size_t i : parametersOf(spec, base, FitRole::nonlinear))
         QVERIFY(spec.parameters[i].choices.empty());
     }
@@ -36,6 +38,9 @@ class FitParametersTest : public QObject {
     QCOMPARE(fittedParameterCount(models::findModel("lambert").spec()), std::size_t(3));
     // Two colours, one roughness: the one along y follows.
     QCOMPARE(fittedParameterCount(models::findModel("ward-anisotropic").spec()), std::size_t(7));
+    // Of anisotropic data both roughnesses and the rotation.
+    QCOMPARE(fittedParameterCount(models::findModel("ward-anisotropic").spec(), DataSymmetry::anisotropic),
+             std::size_t(9));
     QCOMPARE(fittedParameterCount(models::findModel("sgd").spec()), std::size_t(30));
   }
 

@@ -120,6 +120,27 @@ class ModelLimitsTest : public QObject {
       }
   }
 
+  /// The anisotropic microfacets with equal axes are the isotropic ones, whatever the rotation; and closed forms at
+  /// normal incidence, where nothing is masked: F / (4 pi alpha_x alpha_y).
+  void hardCase49EqualAxesOfMicrofacets() {
+    std::mt19937_64 random(2);
+    for (const double roughness : {0.02, 0.2, 1.0})
+      for (const double masking : {0.0, 1.0})
+        for (int n = 0; n < 300; ++n) {
+          const Direction wi = randomDirection(random), wo = randomDirection(random);
+          const double one = red(ggx(), {{"roughness", roughness}, {"masking", masking}}, wi, wo);
+          const auto two = {std::pair<std::string_view, double>{"roughness-x", roughness},
+                            {"roughness-y", roughness},
+                            {"rotation", 0.7},
+                            {"masking", masking}};
+          QVERIFY(agrees(red(ggxAnisotropic(), two, wi, wo), one, 1e-11));
+        }
+    for (const Model* model : {&ggxAnisotropic(), &beckmannAnisotropic()})
+      QVERIFY(
+          agrees(red(*model, {{"diffuse", 0}, {"f0", 1}, {"roughness-x", 0.1}, {"roughness-y", 0.4}}, normal, normal),
+                 1 / (4 * pi * 0.04)));
+  }
+
   /// Lafortune's lobe where the closed form can be read off: C_xy = 0 is a power of both cosines.
   void lafortuneAlongTheNormal() {
     const Direction wi = fromSpherical(0.4, 0), wo = fromSpherical(1.1, 2);

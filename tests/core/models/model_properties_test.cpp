@@ -108,6 +108,44 @@ class ModelPropertiesTest : public QObject {
       }
   }
 
+  /// A rotation of the grain is a rotation of the surface, the other way round of the directions.
+  void rotationsTurnTheSurface() {
+    std::mt19937_64 random(3);
+    for (const Model* model : allModels()) {
+      const auto index = model->spec().find("rotation");
+      if (!index) continue;
+      for (int n = 0; n < draws; ++n) {
+        const ParameterValues values = randomParameters(model->spec(), random);
+        ParameterValues straight = values;
+        straight.values[*index] = Rgb(0);
+        const double angle = values.values[*index].x;
+        const auto turned = model->instantiate(values), plain = model->instantiate(straight);
+        for (int m = 0; m < 100; ++m) {
+          const Direction wi = randomDirection(random), wo = randomDirection(random);
+          QVERIFY2(near(turned->evaluate(rotated(wi, angle), rotated(wo, angle)), plain->evaluate(wi, wo), 1e-9),
+                   model->spec().id.data());
+        }
+      }
+    }
+  }
+
+  /// Canonical parameters are of the same surface, in their ranges, and stay as they are.
+  void canonicalParametersGiveTheSameValues() {
+    std::mt19937_64 random(7);
+    for (const Model* model : allModels())
+      for (int n = 0; n < draws; ++n) {
+        const ParameterValues values = randomParameters(model->spec(), random);
+        ParameterValues canonical = model->canonical(values);
+        QVERIFY(clampToHardRange(model->spec(), canonical).empty());
+        QVERIFY(model->canonical(canonical) == canonical);
+        const auto one = model->instantiate(values), other = model->instantiate(canonical);
+        for (int m = 0; m < 50; ++m) {
+          const Direction wi = randomDirection(random), wo = randomDirection(random);
+          QVERIFY2(near(one->evaluate(wi, wo), other->evaluate(wi, wo), 1e-9), model->spec().id.data());
+        }
+      }
+  }
+
   void batchIsTheSameAsOneByOne() {
     forRandomMaterials([](const Brdf& brdf, std::mt19937_64& random) {
       std::vector<DirectionPair> pairs(50);

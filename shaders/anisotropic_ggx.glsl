@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+// Twins of the functions of core/brdf/visible_normal_lobe.h; x runs along the grain.
+#include "math.glsl"
+
+float ggxDensity(vec3 h, vec2 alpha) {
+  float area = alpha.x * alpha.y;
+  float slope = h.x * h.x * (alpha.y / alpha.x) + h.y * h.y * (alpha.x / alpha.y) + area * h.z * h.z;
+  return area / (pi * slope * slope);
+}
+float ggxShadowedCosine(vec3 w, vec2 alpha) { return 0.5 * (w.z + length(vec3(alpha * w.xy, w.z))); }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+// p: diffuse, specular, roughness x, roughness y, rotation, f0, masking (0 separable, 1 height-correlated), fresnel, edge
+//    tint; behind them the cosine and sine of the rotation
+#include "math.glsl"
+#include "fresnel.glsl"
+#include "grain.glsl"
+#include "surface_geometry.glsl"
+
+const int PARAMETER_COUNT_BECKMANN_ANISOTROPIC = 10;
+
+// 1 - erf(x), x >= 0, to 1.2e-7 relative: Press et al. 1992, Numerical Recipes in C, section 6.2.
+float complementaryError(float x) {
+  float t = 1.0 / (1.0 + 0.5 * x);
+  float series = 0.17087277;
+  series = -0.82215223 + t * series;
+  series = 1.48851587 + t * series;
+  series = -1.13520398 + t * series;
+  series = 0.27886807 + t * series;
+  series = -0.18628806 + t * series;
+  series = 0.09678418 + t * series;
+  series = 0.37409196 + t * series;
+  series = 1.00002368 + t * series;
+  return t * exp(-x * x - 1.26551223 + t * series);
+}
+
+// Twins of core/brdf/visible_normal_lobe.h.
+float beckmannDensity(vec3 h, vec2 alpha) {
+  vec2 slope = h.xy / (alpha * h.z);
+  // cos^4 leaves float toward the horizon: it goes into the exponent.
+  return exp(-dot(slope, slope) - 4.0 * log(h.z)) / (pi * alpha.x * alpha.y);
+}
+float beckmannShadowedCosine(vec3 w, vec2 alpha) {
+  float slope = length(alpha * w.xy);
+  // Beyond, no facet is masked that float would notice.
+  const float open = 9.0;
+  if (w.z >= open * slope) return w.z;
+  float a = w.z / slope;
+  return w.z * (1.0 - 0.5 * complementaryError(a)) + slope * exp(-a * a) / (2.0 * sqrt(pi));
+}
+
+vec3 evaluate_beckmann_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_BECKMANN_ANISOTROPIC]) {
+  SurfaceGeometry g;
+  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  vec2 alpha = vec2(p[2].x, p[3].x), axis = p[9].xy;
+  float shadowedI = beckmannShadowedCosine(inGrain(wi, axis), alpha);
+  float shadowedO = beckmannShadowedCosine(inGrain(wo, axis), alpha);
+  float cosines = p[6].x < 0.5 ? shadowedI * shadowedO : g.cosO * shadowedI + g.cosI * shadowedO - g.cosI * g.cosO;
+  return p[0] / pi + p[1] * (beckmannDensity(inGrain(g.h, axis), alpha) * fresnel(g.cosD, p[5].x, p[8].x, p[7].x) / (4.0 * cosines));
+}

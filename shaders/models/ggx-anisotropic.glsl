@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+// p: diffuse, specular, roughness x, roughness y, rotation, f0, masking (0 separable, 1 height-correlated), fresnel, edge
+//    tint; behind them the cosine and sine of the rotation
+#include "math.glsl"
+#include "anisotropic_ggx.glsl"
+#include "fresnel.glsl"
+#include "grain.glsl"
+#include "surface_geometry.glsl"
+
+const int PARAMETER_COUNT_GGX_ANISOTROPIC = 10;
+
+vec3 evaluate_ggx_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX_ANISOTROPIC]) {
+  SurfaceGeometry g;
+  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  vec2 alpha = vec2(p[2].x, p[3].x), axis = p[9].xy;
+  float shadowedI = ggxShadowedCosine(inGrain(wi, axis), alpha);
+  float shadowedO = ggxShadowedCosine(inGrain(wo, axis), alpha);
+  float cosines = p[6].x < 0.5 ? shadowedI * shadowedO : g.cosO * shadowedI + g.cosI * shadowedO - g.cosI * g.cosO;
+  return p[0] / pi + p[1] * (ggxDensity(inGrain(g.h, axis), alpha) * fresnel(g.cosD, p[5].x, p[8].x, p[7].x) / (4.0 * cosines));
+}
