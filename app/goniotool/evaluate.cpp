@@ -6,7 +6,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/brdf/rgl_brdf.h"
+#include "core/brdf/incident_slot.h"
 #include "core/io/atomic_file.h"
 
 namespace gonio::tool {
@@ -23,9 +23,7 @@ int evaluate(const EvaluateArguments& options, const Tool& tool) {
   const DirectionTable directions = readDirections(options.directions);
   const std::vector<DirectionPair> pairs = directions.pairs();
   std::vector<Rgb> values(pairs.size());
-  // The order of the directions counts for RGL files alone.
-  const RglBrdf* rgl = options.asStored ? material.brdf->asRgl() : nullptr;
-  const auto brdf = rgl ? rgl->withIncident(IncidentSlot::light) : material.brdf;
+  const auto brdf = options.asStored ? withIncident(material.brdf, IncidentSlot::light) : material.brdf;
   const auto start = std::chrono::steady_clock::now();
   brdf->evaluate(pairs, values);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -48,7 +46,7 @@ void addEvaluate(CLI::App& app, Tool& tool) {
   command->add_option("--out", options->out, "CSV to write: the directions, then r, g, b in 1/sr")->required();
   command->add_flag(
       "--as-stored", options->asStored,
-      "The light takes the place of an RGL file's incident direction, as the file names it; without it the "
+      "The light takes the place of an RGL or UTIA file's incident direction, as the file names it; without it the "
       "viewer does, as in Mitsuba and pbrt");
   command->callback([options, &tool] { tool.run = [options, &tool] { return evaluate(*options, tool); }; });
 }

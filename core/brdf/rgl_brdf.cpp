@@ -113,22 +113,6 @@ SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGr
   return result;
 }
 
-const char* incidentSlotId(IncidentSlot slot) {
-  switch (slot) {
-    case IncidentSlot::light:
-      return "light";
-    case IncidentSlot::mean:
-      return "mean";
-    default:
-      return "viewer";
-  }
-}
-
-std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentSlot slot) {
-  const RglBrdf* rgl = brdf->asRgl();
-  return rgl && rgl->incidentSlot() != slot ? rgl->withIncident(slot) : brdf;
-}
-
 RglBrdf::RglBrdf(RglData data, IncidentSlot slot) : slot_(slot) {
   MarginalWarp normals(std::move(data.vndf), "vndf");
   MarginalWarp luminance(luminanceOf(data), "luminance", MarginalWarp::EmptySlice::uniform);
@@ -140,20 +124,10 @@ std::shared_ptr<const RglBrdf> RglBrdf::withIncident(IncidentSlot slot) const {
 }
 
 void RglBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto& [wi, wo] = pairs[i];
-    switch (slot_) {
-      case IncidentSlot::viewer:
-        values[i] = stored(*tables_, wo, wi);
-        break;
-      case IncidentSlot::light:
-        values[i] = stored(*tables_, wi, wo);
-        break;
-      case IncidentSlot::mean:
-        values[i] = (stored(*tables_, wo, wi) + stored(*tables_, wi, wo)) / 2.0;
-        break;
-    }
-  }
+  const auto value = [this](const Direction& incident, const Direction& outgoing) {
+    return stored(*tables_, incident, outgoing);
+  };
+  for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = valueInOrder(slot_, pairs[i], value);
 }
 
 DirectionSample RglBrdf::sample(const Direction& wo, const glm::dvec3& u) const {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/brdf/brdf.h"
+#include "core/brdf/incident_slot.h"
 #include "core/math/marginal_warp.h"
 
 namespace gonio {
@@ -28,18 +28,6 @@ struct RglData {
 /// The field `vndf` of a distribution of normals: D(m) max(0, w_i . m) du for each incident direction, of any scale
 /// (Dupuy and Jakob 2018, eq. 8). Of an isotropic file, whose distribution has two rows, as many rows as columns.
 SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGrid& incident, bool isotropic);
-
-/// Which direction takes the place of a file's incident direction. It matters where a measurement is not reciprocal.
-enum class IncidentSlot {
-  viewer,  ///< wo, as in Mitsuba and pbrt, which sample the light from the viewer
-  light,   ///< wi, as the file names it
-  mean     ///< the mean of both, which is reciprocal
-};
-inline constexpr IncidentSlot allIncidentSlots[] = {IncidentSlot::viewer, IncidentSlot::light, IncidentSlot::mean};
-/// "viewer", "light", "mean": in files.
-const char* incidentSlotId(IncidentSlot slot);
-/// A BRDF with this direction in the slot; the same object where it has the slot already, or no choice of it.
-std::shared_ptr<const Brdf> withIncident(const std::shared_ptr<const Brdf>& brdf, IncidentSlot slot);
 
 /// A material of the EPFL RGL database in its own adaptive parameterisation: Dupuy and Jakob, "An Adaptive
 /// Parameterization for Efficient Material Acquisition and Rendering" (2018), section 5. What the file stores includes

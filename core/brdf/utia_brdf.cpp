@@ -52,29 +52,41 @@ void check(const std::vector<glm::vec3>& values) {
                   std::to_string(i % directions) + " is not a finite number");
 }
 
+/// The value at the file's own incident and viewing directions.
+Rgb stored(const UtiaBrdf::Values& values, const Direction& incident, const Direction& viewing) {
+  const Nodes rows(incident), columns(viewing);
+  Rgb value(0);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t v = 0; v < 4; ++v)
+      value += rows.weight[i] * columns.weight[v] * Rgb(values[rows.index[i] * directions + columns.index[v]]);
+  return value;
+}
+
 }  // namespace
 
-UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values) : values_(std::move(values)) {
-  check(values_);
-  for (glm::vec3& value : values_)
+UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values, IncidentSlot slot) : slot_(slot) {
+  check(values);
+  for (glm::vec3& value : values)
     for (int channel = 0; channel < 3; ++channel) {
       negativeCount_ += value[channel] < 0;
       value[channel] = std::max(value[channel], 0.0f);
     }
-  for (std::size_t other = 0; other < directions; ++other) unitePole(values_, other, directions);
-  for (std::size_t other = 0; other < directions; ++other) unitePole(values_, other * directions, 1);
+  for (std::size_t other = 0; other < directions; ++other) unitePole(values, other, directions);
+  for (std::size_t other = 0; other < directions; ++other) unitePole(values, other * directions, 1);
+  values_ = std::make_shared<const Values>(std::move(values));
+}
+
+std::shared_ptr<const UtiaBrdf> UtiaBrdf::withIncident(IncidentSlot slot) const {
+  return std::shared_ptr<const UtiaBrdf>(new UtiaBrdf(*this, slot));
 }
 
 void UtiaBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    values[p] = Rgb(0);
-    if (isBelowHorizon(pairs[p].wi) || isBelowHorizon(pairs[p].wo)) continue;
-    const Nodes incident(pairs[p].wi), viewing(pairs[p].wo);
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t v = 0; v < 4; ++v)
-        values[p] +=
-            incident.weight[i] * viewing.weight[v] * Rgb(values_[incident.index[i] * directions + viewing.index[v]]);
-  }
+  const auto value = [this](const Direction& incident, const Direction& viewing) {
+    return stored(*values_, incident, viewing);
+  };
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    values[p] =
+        isBelowHorizon(pairs[p].wi) || isBelowHorizon(pairs[p].wo) ? Rgb(0) : valueInOrder(slot_, pairs[p], value);
 }
 
 bool UtiaBrdf::hasData(const DirectionPair& pair) const {

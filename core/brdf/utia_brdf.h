@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/brdf/brdf.h"
+#include "core/brdf/incident_slot.h"
 
 namespace gonio {
 
@@ -17,7 +17,7 @@ namespace gonio {
 ///   that the BRDF is continuous there.
 /// - From 75 degrees to the horizon the value at 75 degrees stays (the published code extrapolates linearly, which can
 ///   become negative); hasData() is false there.
-/// Not reciprocal, as measured. About 0.2 us a pair.
+/// Not reciprocal, as measured, save in the mean of both orders. About 0.2 us a pair.
 class UtiaBrdf final : public Brdf {
  public:
   static constexpr std::size_t polarCount = 6, azimuthCount = 48, directionCount = polarCount * azimuthCount;
@@ -27,21 +27,31 @@ class UtiaBrdf final : public Brdf {
   /// @param values of [incident direction][viewing direction], each polar angle * 48 + azimuth, linear RGB in 1/sr.
   /// Negative values become 0 and are counted (negativeCount()).
   /// @throws Error when there are not 288 x 288 or one is not finite, naming it.
-  explicit UtiaBrdf(std::vector<glm::vec3> values);
+  explicit UtiaBrdf(std::vector<glm::vec3> values, IncidentSlot slot = IncidentSlot::viewer);
+  /// The same file read in another order; shares its values.
+  std::shared_ptr<const UtiaBrdf> withIncident(IncidentSlot slot) const;
+  IncidentSlot incidentSlot() const { return slot_; }
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
   bool isIsotropic() const override { return false; }
-  bool isReciprocal() const override { return false; }
+  bool isReciprocal() const override { return slot_ == IncidentSlot::mean; }
   /// Whether both polar angles are at most 75 degrees.
   bool hasData(const DirectionPair& pair) const override;
 
+  /// [incident direction][viewing direction]: the 48 values of a pole are their mean. Shared between the orders.
+  using Values = std::vector<glm::vec3>;
+  const std::shared_ptr<const Values>& values() const { return values_; }
   /// Channels of values that were below 0 and were set to 0.
   std::size_t negativeCount() const { return negativeCount_; }
 
  private:
-  std::vector<glm::vec3> values_;
+  UtiaBrdf(const UtiaBrdf& other, IncidentSlot slot)
+      : values_(other.values_), negativeCount_(other.negativeCount_), slot_(slot) {}
+
+  std::shared_ptr<const Values> values_;
   std::size_t negativeCount_ = 0;
+  IncidentSlot slot_;
 };
 
 }  // namespace gonio

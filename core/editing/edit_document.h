@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/brdf/rgl_brdf.h"
+#include "core/brdf/incident_slot.h"
 #include "core/editing/edit.h"
 
 namespace gonio::editing {
@@ -35,7 +35,7 @@ struct EditDocument {
   std::string sourcePath;
   std::string sourceSha256;                            ///< of a blend that of blendSha256()
   std::shared_ptr<const BlendSource> blend = nullptr;  ///< instead of a path
-  IncidentSlot incident = IncidentSlot::viewer;        ///< of a source that is an RGL file
+  IncidentSlot incident = IncidentSlot::viewer;        ///< of a source that is an RGL or UTIA file
   std::vector<Edit> edits;
   nlohmann::json view = nlohmann::json::object();  ///< camera, light, exposure: opaque to core; null: none
 };

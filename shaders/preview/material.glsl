@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// What is looked at: a measured table or RGL file with or without edits, a model alone, or a blend. The definitions are listed in
+// What is looked at: a measurement in its own form with or without edits, a model alone, or a blend. The definitions are listed in
 // preview/scene.frag.
 // A file is put where it is first included: what several variants share comes before what only one has.
 #include "half_difference.glsl"
+#include "preview/incident_slot.glsl"
 #include "preview/marginal_warp.glsl"
 #include "preview/normal_square.glsl"
 #ifdef RGL_THETAS
 #include "preview/rgl.glsl"
+#elif defined(UTIA)
+#include "preview/utia.glsl"
 #elif !defined(MODEL_ALONE)
 #include "preview/table.glsl"
 #endif
@@ -33,7 +36,9 @@ vec3 measuredBrdf(vec3 wi, vec3 wo, out bool valid) {
 #elif defined(MODEL_ALONE)
   return EVALUATE_MODEL(wi, wo, modelParameters);
 #elif defined(RGL_THETAS)
-  return evaluateRgl(wi, wo);
+  return storedInOrder(wi, wo);
+#elif defined(UTIA)
+  return evaluateUtia(wi, wo, valid);
 #else
   return evaluateTable(wi, wo, valid);
 #endif

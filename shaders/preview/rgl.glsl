@@ -5,7 +5,7 @@
 //   RGL_ANISOTROPIC        azimuths count; else they are relative to the incident one
 //   RGL_REDUCTION          how many times the azimuths of incidence cover the circle
 //   RGL_JACOBIAN           the colours are divided by ndf / (4 sigma)
-//   RGL_VIEWER, RGL_LIGHT  which directions take the place of the incident one (both: the mean)
+#include "preview/incident_slot.glsl"
 #include "preview/marginal_warp.glsl"
 #include "preview/normal_square.glsl"
 
@@ -40,8 +40,7 @@ vec3 rglColour(vec2 point, Slices at) {
   return value;
 }
 
-// Linear RGB in 1/sr at the file's own directions.
-vec3 rglStored(vec3 incident, vec3 outgoing) {
+vec3 storedBrdf(vec3 incident, vec3 outgoing) {
 #if RGL_REDUCTION >= 2
   float flipY = incident.y < 0.0 ? 1.0 : -1.0;
 #if RGL_REDUCTION == 4
@@ -69,14 +68,4 @@ vec3 rglStored(vec3 incident, vec3 outgoing) {
   value *= rglBilinear(rglDistribution, normal).x / (4.0 * area);
 #endif
   return value / max(outgoing.z, 1e-3);
-}
-
-vec3 evaluateRgl(vec3 wi, vec3 wo) {
-#if defined(RGL_VIEWER) && defined(RGL_LIGHT)
-  return 0.5 * (rglStored(wo, wi) + rglStored(wi, wo));
-#elif defined(RGL_LIGHT)
-  return rglStored(wi, wo);
-#else
-  return rglStored(wo, wi);
-#endif
 }

@@ -4,6 +4,7 @@
 // CPU is that of all threads: what software OpenGL costs whatever else the machine does.
 #include <benchmark/benchmark.h>
 
+#include "core/brdf/utia_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/factorization/pdv_operations.h"
 #include "core/io/rgl_file.h"
@@ -43,12 +44,9 @@ void directionalSliderStep(benchmark::State& state) { runFrames(state, false, tr
 void environmentFrame(benchmark::State& state) { runFrames(state, true, false); }
 void environmentSliderStep(benchmark::State& state) { runFrames(state, true, true); }
 
-/// A measured RGL file in its own form, and as the table that stood for it: the baseline.
-void runRglFrames(benchmark::State& state, bool environment, bool asTable) {
-  const std::filesystem::path path = std::filesystem::path(GONIO_SHARED_DIR) / "data/rgl/satin_purple_rgb.bsdf";
-  if (!std::filesystem::exists(path)) return state.SkipWithError("the development data is absent");
+/// A material in its own form, or as a table: the baseline.
+void runFormFrames(benchmark::State& state, bool environment, std::shared_ptr<const Brdf> brdf, bool asTable) {
   PreviewFixture& fixture = PreviewFixture::instance();
-  std::shared_ptr<const Brdf> brdf = io::readRgl(io::FileSource(path)).brdf;
   if (asTable) brdf = bakeTable(*brdf);
   test::showSphere(fixture.renderer, sphereScene(environment ? studioEnvironment() : nullptr));
   fixture.renderer.setSubject(widgets::measuredSubject(brdf, std::make_shared<const TabulatedLobe>(*brdf)));
@@ -59,10 +57,26 @@ void runRglFrames(benchmark::State& state, bool environment, bool asTable) {
   }
   fixture.show();
 }
+
+void runRglFrames(benchmark::State& state, bool environment, bool asTable) {
+  const std::filesystem::path path = std::filesystem::path(GONIO_SHARED_DIR) / "data/rgl/satin_purple_rgb.bsdf";
+  if (!std::filesystem::exists(path)) return state.SkipWithError("the development data is absent");
+  runFormFrames(state, environment, io::readRgl(io::FileSource(path)).brdf, asTable);
+}
 void directionalRglTable(benchmark::State& state) { runRglFrames(state, false, true); }
 void directionalRgl(benchmark::State& state) { runRglFrames(state, false, false); }
 void environmentRglTable(benchmark::State& state) { runRglFrames(state, true, true); }
 void environmentRgl(benchmark::State& state) { runRglFrames(state, true, false); }
+
+void runUtiaFrames(benchmark::State& state, bool environment, bool asTable) {
+  std::vector<glm::vec3> values(UtiaBrdf::directionCount * UtiaBrdf::directionCount);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = glm::vec3(0.1f + 0.01f * float(i % 7));
+  runFormFrames(state, environment, std::make_shared<const UtiaBrdf>(std::move(values)), asTable);
+}
+void directionalUtiaTable(benchmark::State& state) { runUtiaFrames(state, false, true); }
+void directionalUtia(benchmark::State& state) { runUtiaFrames(state, false, false); }
+void environmentUtiaTable(benchmark::State& state) { runUtiaFrames(state, true, true); }
+void environmentUtia(benchmark::State& state) { runUtiaFrames(state, true, false); }
 
 /// The drag of a factor curve: new curves, their texels, the first frame.
 void runFactorDrag(benchmark::State& state, bool environment) {
@@ -231,6 +245,10 @@ BENCHMARK(directionalRglTable)->Unit(benchmark::kMillisecond)->MeasureProcessCPU
 BENCHMARK(directionalRgl)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(environmentRglTable)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(environmentRgl)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(directionalUtiaTable)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(directionalUtia)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(environmentUtiaTable)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(environmentUtia)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(environmentSliderStep)
     ->Arg(1)
     ->Arg(16)

@@ -111,10 +111,9 @@ void Document::setIncident(IncidentSlot slot) {
 std::shared_ptr<const Brdf> Document::base() const {
   if (!material()) return nullptr;
   const std::shared_ptr<const Brdf>& own = material()->base;
-  const RglBrdf *rgl = own->asRgl(), *known = m_base ? m_base->asRgl() : nullptr;
-  if (!rgl) return own;
-  if (!known || known->tables() != rgl->tables() || known->incidentSlot() != state().incident)
-    m_base = withIncident(own, state().incident);
+  if (!incidentSlotOf(*own)) return own;
+  if (m_baseSource != own || incidentSlotOf(*m_base) != state().incident) m_base = withIncident(own, state().incident);
+  m_baseSource = own;
   return m_base;
 }
 

@@ -16,7 +16,7 @@ namespace gonio::app {
 struct EditState {
   editing::EditList edits;
   int selected = -1;  ///< the edit that the panels change; -1: none
-  /// Which direction takes the place of the incident one where the measurement is not reciprocal (RGL files).
+  /// Which direction takes the place of the incident one where the measurement is not reciprocal (RGL and UTIA files).
   IncidentSlot incident = IncidentSlot::viewer;
 };
 
@@ -135,7 +135,7 @@ class Document : public QObject {
   Content m_content;
   History m_history;
   EditState m_atBegin;
-  mutable std::shared_ptr<const Brdf> m_base;  ///< of the state before, kept while it serves
+  mutable std::shared_ptr<const Brdf> m_base, m_baseSource;  ///< of the state before, kept while it serves
   int m_interaction = 0;
   bool m_interacting = false;
 };

@@ -6,6 +6,7 @@
 
 #include "core/materials/near_measured_library.h"
 #include "core/materials/sgd_library.h"
+#include "widgets/preview/gl/shader_base.h"
 
 namespace gonio::app {
 
@@ -13,8 +14,6 @@ namespace {
 
 /// Of a measurement without nodes of its own on the half-difference grid.
 constexpr HalfDifferenceGrid coarseGrid{.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 60, .reciprocal = false};
-
-bool isShownNatively(const std::shared_ptr<const Brdf>& brdf) { return brdf && (brdf->asTable() || brdf->asRgl()); }
 
 }  // namespace
 
@@ -43,7 +42,8 @@ LoadedMaterialPtr measuredMaterial(materials::Material material, std::shared_ptr
   control.throwIfStopped();
   constexpr double tabulatedShare = 0.7;
   loaded->base = loaded->material.brdf;
-  if (!isShownNatively(loaded->base)) loaded->base = loaded->material.tabulated(control.between(0, tabulatedShare));
+  if (!loaded->base || !widgets::isShownNatively(*loaded->base))
+    loaded->base = loaded->material.tabulated(control.between(0, tabulatedShare));
   control.throwIfStopped();
   loaded->lobe = std::make_shared<const TabulatedLobe>(*loaded->base);
   loaded->statistics =

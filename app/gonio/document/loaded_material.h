@@ -21,11 +21,11 @@ struct LoadedMaterial {
 
   materials::Material material;
   std::shared_ptr<const editing::BlendSource> blend = nullptr;  ///< of a material without a file of its own
-  /// What is shown, edited and exported: the measurement in its own form, a table or an RGL file. Of the forms that the
-  /// preview does not know (factors, models) a table stands for it.
+  /// What is shown, edited and exported: the measurement in its own form. Of the forms that the preview does not know
+  /// (widgets::isShownNatively()) a table stands for it.
   std::shared_ptr<const Brdf> base;
   std::shared_ptr<const TabulatedLobe> lobe = nullptr;  ///< of the base
-  TableStatistics statistics;                           ///< of an RGL file on a coarse grid
+  TableStatistics statistics;                           ///< of what is no table on a coarse grid
   std::array<Rgb, 4> albedo;
 
   /// Whether the base was sampled from another form: it has an error of its own.

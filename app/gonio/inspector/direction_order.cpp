@@ -27,7 +27,7 @@ DirectionOrder::DirectionOrder(Document& document, QWidget* parent)
 
 void DirectionOrder::refresh() {
   const auto base = m_document.base();
-  setVisible(base && base->asRgl());
+  setVisible(base && incidentSlotOf(*base));
   m_choice->setCurrentIndex(int(m_document.state().incident));
 }
 

@@ -92,10 +92,9 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::option
     facts.push_back({SourceFactsText::tr("File"), path.section('/', -1), path});
   facts.push_back({SourceFactsText::tr("Format"), QString::fromStdString(source.format)});
   if (!source.grid.empty()) facts.push_back({SourceFactsText::tr("Data"), gridText(source.grid)});
-  if (loaded.base->asRgl())
+  if (!loaded.isTable())
     facts.push_back({SourceFactsText::tr("Shown as"), SourceFactsText::tr("measured, without a table"),
-                     SourceFactsText::tr("The file's own adaptive parameterisation (Dupuy and Jakob 2018) is evaluated "
-                                         "and edited directly.")});
+                     SourceFactsText::tr("The file's own parameterisation is evaluated and edited directly.")});
   facts.push_back(tableFact(loaded, tableSnr, measuring));
   facts.push_back({SourceFactsText::tr("Range, 1/sr"), rangeText(loaded.statistics.channels)});
   if (loaded.isTable())

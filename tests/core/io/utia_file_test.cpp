@@ -28,7 +28,10 @@ Rgb multilinear(const Direction& wi, const Direction& wo) {
   return {1 + i * tent(wi) + 3 * o * turnedTent(wo), 2 + i * o * tent(wi) * tent(wo), 0.5 + i};
 }
 
-std::shared_ptr<const UtiaBrdf> read(const Bytes& bytes) { return io::readUtia(io::MemorySource(bytes)); }
+/// With the light as incident direction, as the file names it.
+std::shared_ptr<const UtiaBrdf> read(const Bytes& bytes) {
+  return io::readUtia(io::MemorySource(bytes))->withIncident(IncidentSlot::light);
+}
 std::string readError(const Bytes& bytes) {
   return errorOf([&] { read(bytes); });
 }
@@ -58,6 +61,23 @@ class UtiaFileTest : public QObject {
       const Direction wi = randomMeasured(random), wo = randomMeasured(random);
       QVERIFY(glm::length(brdf->evaluate(wi, wo) - multilinear(wi, wo)) < 2e-6);
       QVERIFY(brdf->hasData({wi, wo}));
+    }
+  }
+
+  /// As of RGL files; without a choice the viewer is the incident direction.
+  void incidentDirectionIsTheViewerTheLightOrBoth() {
+    const auto viewer = io::readUtia(io::MemorySource(utiaFile(utiaValues(multilinear))));
+    QVERIFY(incidentSlotOf(*viewer) == IncidentSlot::viewer);
+    QCOMPARE(withIncident(viewer, IncidentSlot::viewer), std::shared_ptr<const Brdf>(viewer));
+    const auto light = withIncident(viewer, IncidentSlot::light), mean = withIncident(viewer, IncidentSlot::mean);
+    QVERIFY(!viewer->isReciprocal() && !light->isReciprocal() && mean->isReciprocal());
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 100; ++i) {
+      const Direction wi = randomMeasured(random), wo = randomMeasured(random);
+      QVERIFY(viewer->evaluate(wi, wo) == light->evaluate(wo, wi));
+      QVERIFY(glm::length(light->evaluate(wi, wo) - multilinear(wi, wo)) < 2e-6);
+      QVERIFY(mean->evaluate(wi, wo) == mean->evaluate(wo, wi));
+      QVERIFY(glm::length(mean->evaluate(wi, wo) - (multilinear(wi, wo) + multilinear(wo, wi)) / 2.0) < 2e-6);
     }
   }
 

@@ -40,7 +40,7 @@ void PreviewRenderer::initialize() {
 void PreviewRenderer::release() {
   accumulation_.reset();
   tableTexture_.reset();
-  rglTextures_.reset();
+  shaderBase_.reset();
   lobeTextures_.reset();
   uploadedBase_.reset();
   uploadedLobe_.reset();
@@ -79,7 +79,7 @@ void PreviewRenderer::setSize(const QSize& size) {
 QOpenGLShaderProgram& PreviewRenderer::sceneProgram() {
   QStringList definitions = sceneUniforms_.definitions(), preamble;
   if (const auto* edited = std::get_if<EditedMaterial>(&subject_.shown)) {
-    if (const RglBrdf* rgl = edited->base->asRgl()) definitions << RglTextures::definitions(*rgl);
+    addShaderBase(*edited->base, definitions);
     EditChain::addVariant(edited->edits, definitions, preamble);
   } else if (const auto* alone = std::get_if<ModelAlone>(&subject_.shown)) {
     definitions << "MODEL_ALONE";
@@ -136,13 +136,12 @@ void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count
 }
 
 void PreviewRenderer::bindBase(QOpenGLShaderProgram& program, const EditedMaterial& material) {
-  const RglBrdf* rgl = material.base->asRgl();
-  if (!rgl) return bindTable(program, material);
-  if (material.base != uploadedBase_ || !rglTextures_) {
-    rglTextures_ = resources_->rgl(rgl->tables());
+  if (material.base->asTable()) return bindTable(program, material);
+  if (material.base != uploadedBase_ || !shaderBase_) {
+    shaderBase_ = resources_->base(material.base);
     uploadedBase_ = material.base;
   }
-  rglTextures_->bind(*this, program, *rgl->tables());
+  shaderBase_->bind(*this, program);
 }
 
 void PreviewRenderer::bindTable(QOpenGLShaderProgram& program, const EditedMaterial& material) {

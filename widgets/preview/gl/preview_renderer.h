@@ -11,6 +11,7 @@
 #include "widgets/preview/gl/preview_resources.h"
 #include "widgets/preview/gl/preview_subject.h"
 #include "widgets/preview/gl/scene_uniforms.h"
+#include "widgets/preview/gl/warp_textures.h"
 
 namespace gonio::widgets {
 
@@ -75,7 +76,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
 
   std::shared_ptr<PreviewResources> resources_;
   std::shared_ptr<const TableTexture> tableTexture_;
-  std::shared_ptr<RglTextures> rglTextures_;
+  std::shared_ptr<ShaderBase> shaderBase_;
   std::unique_ptr<TextureSet> lobeTextures_;
   EditChain editChain_;
   BlendTextures blendTextures_;

@@ -48,7 +48,7 @@ void PreviewResources::release() {
   decoder_.release(*this);
   programs_.clear();
   tables_.clear();
-  rgls_.clear();
+  bases_.clear();
   mixtures_.clear();
   uploadedEnvironment_.reset();
   initialized_ = false;
@@ -96,13 +96,12 @@ std::shared_ptr<const TableTexture> PreviewResources::table(const std::shared_pt
   return texture;
 }
 
-std::shared_ptr<RglTextures> PreviewResources::rgl(const std::shared_ptr<const RglBrdf::Tables>& tables) {
-  std::erase_if(rgls_, [](const auto& entry) { return entry.second.expired(); });
-  auto& known = rgls_[tables];
-  auto textures = known.lock();
-  if (!textures)
-    known = textures = std::make_shared<RglTextures>(static_cast<QOpenGLFunctions_4_1_Core&>(*this), *tables);
-  return textures;
+std::shared_ptr<ShaderBase> PreviewResources::base(const std::shared_ptr<const Brdf>& base) {
+  std::erase_if(bases_, [](const auto& entry) { return entry.second.expired(); });
+  auto& known = bases_[uploadedData(base)];
+  auto uploaded = known.lock();
+  if (!uploaded) known = uploaded = uploadShaderBase(*this, *base);
+  return uploaded;
 }
 
 std::shared_ptr<const MixtureTextures> PreviewResources::mixture(

@@ -12,7 +12,7 @@
 #include "core/editing/interpolation/interpolation.h"
 #include "core/rendering/environment.h"
 #include "widgets/preview/gl/code_decoder.h"
-#include "widgets/preview/gl/rgl_textures.h"
+#include "widgets/preview/gl/shader_base.h"
 
 namespace gonio::widgets {
 
@@ -77,8 +77,8 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   /// decodes for itself where it does so and its textures are large enough.
   std::shared_ptr<const TableTexture> table(const std::shared_ptr<const TabulatedBrdf>& table,
                                             const std::shared_ptr<const EnsembleCode>& code = nullptr);
-  /// Uploads at the first use, whatever the order of the directions (some ms).
-  std::shared_ptr<RglTextures> rgl(const std::shared_ptr<const RglBrdf::Tables>& tables);
+  /// What is no table: uploads at the first use, whatever the order of the directions (some ms).
+  std::shared_ptr<ShaderBase> base(const std::shared_ptr<const Brdf>& base);
   /// The same of each table of a mixture.
   std::shared_ptr<const MixtureTextures> mixture(const std::shared_ptr<const editing::TransformedMixture>& mixture);
   /// Whether codes are decoded on the card. At first it is so but under software OpenGL (CodeDecoder::isSoftware()).
@@ -100,7 +100,7 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   GLuint colourMaps_[2] = {0, 0};
   std::map<QString, std::unique_ptr<QOpenGLShaderProgram>> programs_;
   std::map<std::weak_ptr<const TabulatedBrdf>, std::weak_ptr<const TableTexture>, std::owner_less<>> tables_;
-  std::map<std::weak_ptr<const RglBrdf::Tables>, std::weak_ptr<RglTextures>, std::owner_less<>> rgls_;
+  std::map<std::weak_ptr<const void>, std::weak_ptr<ShaderBase>, std::owner_less<>> bases_;
   std::map<std::weak_ptr<const editing::TransformedMixture>, std::weak_ptr<const MixtureTextures>, std::owner_less<>>
       mixtures_;
   std::shared_ptr<const EnvironmentMap> uploadedEnvironment_;

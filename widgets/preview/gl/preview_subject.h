@@ -12,9 +12,9 @@
 
 namespace gonio::widgets {
 
-/// A measurement in its own form, with or without edits: a table or an RGL file, the forms that the shader knows.
+/// A measurement in its own form, with or without edits: one that the shader knows.
 struct EditedMaterial {
-  std::shared_ptr<const Brdf> base;  ///< never null; asTable() or asRgl() is not null
+  std::shared_ptr<const Brdf> base;  ///< never null; isShownNatively() (widgets/preview/gl/shader_base.h)
   editing::EditList edits = {};
   std::shared_ptr<const EnsembleCode> code = {};  ///< that a table was decoded from, where there is one
 };

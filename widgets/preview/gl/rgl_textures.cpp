@@ -16,21 +16,23 @@ void uploadPlane(QOpenGLFunctions_4_1_Core& gl, const SliceStack<float>& plane) 
 
 }  // namespace
 
-RglTextures::RglTextures(QOpenGLFunctions_4_1_Core& gl, const RglBrdf::Tables& tables) {
-  uploadWarp(gl, warp_, tables.visibleNormals, tableUnit, rglRowUnit);
-  const SliceStack<glm::vec3>& rgb = tables.data.rgb;
+RglTextures::RglTextures(QOpenGLFunctions_4_1_Core& gl, std::shared_ptr<const RglBrdf::Tables> tables)
+    : tables_(std::move(tables)) {
+  const RglData& data = tables_->data;
+  uploadWarp(gl, warp_, tables_->visibleNormals, tableUnit, rglRowUnit);
+  const SliceStack<glm::vec3>& rgb = data.rgb;
   std::vector<float> texels;
   texels.reserve(4 * rgb.values.size());
   for (const glm::vec3& value : rgb.values) texels.insert(texels.end(), {value.x, value.y, value.z, 1});
   others_.bind(gl, colours, GL_TEXTURE_3D, rglColourUnit);
-  uploadFloats(gl, 4, int(rgb.width), int(rgb.height), int(tables.data.incident.slices()), texels.data());
+  uploadFloats(gl, 4, int(rgb.width), int(rgb.height), int(data.incident.slices()), texels.data());
   others_.bind(gl, distribution, GL_TEXTURE_2D, rglDistributionUnit);
-  uploadPlane(gl, tables.data.ndf);
+  uploadPlane(gl, data.ndf);
   others_.bind(gl, area, GL_TEXTURE_2D, rglAreaUnit);
-  uploadPlane(gl, tables.data.sigma);
+  uploadPlane(gl, data.sigma);
 }
 
-void RglTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, const RglBrdf::Tables& tables) {
+void RglTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program) {
   warp_.bind(gl, 0, GL_TEXTURE_3D, tableUnit);
   warp_.bind(gl, 1, GL_TEXTURE_2D, rglRowUnit);
   others_.bind(gl, colours, GL_TEXTURE_3D, rglColourUnit);
@@ -41,7 +43,7 @@ void RglTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& prog
   program.setUniformValue("rglColours", rglColourUnit);
   program.setUniformValue("rglDistribution", rglDistributionUnit);
   program.setUniformValue("rglArea", rglAreaUnit);
-  const std::vector<float>&thetas = tables.data.incident.thetas(), &phis = tables.data.incident.phis();
+  const std::vector<float>&thetas = tables_->data.incident.thetas(), &phis = tables_->data.incident.phis();
   program.setUniformValueArray("rglThetas", thetas.data(), int(thetas.size()), 1);
   program.setUniformValueArray("rglPhis", phis.data(), int(phis.size()), 1);
 }
@@ -53,8 +55,6 @@ QStringList RglTextures::definitions(const RglBrdf& brdf) {
                      QString("RGL_REDUCTION %1").arg(data.azimuthReduction)};
   if (!data.isotropic) result << "RGL_ANISOTROPIC";
   if (data.jacobian) result << "RGL_JACOBIAN";
-  if (brdf.incidentSlot() != IncidentSlot::light) result << "RGL_VIEWER";
-  if (brdf.incidentSlot() != IncidentSlot::viewer) result << "RGL_LIGHT";
   return result;
 }
 

@@ -2,26 +2,24 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QOpenGLShaderProgram>
-#include <QStringList>
-
 #include "core/brdf/rgl_brdf.h"
+#include "widgets/preview/gl/shader_base.h"
 #include "widgets/preview/gl/warp_textures.h"
 
 namespace gonio::widgets {
 
-/// An RGL file on the graphics card, for shaders/preview/rgl.glsl: about 1.5 MB for one of the database. Freed with its
-/// last user, in whose hands the context must be current.
-class RglTextures {
+/// An RGL file on the graphics card, for shaders/preview/rgl.glsl: about 1.5 MB for one of the database.
+class RglTextures final : public ShaderBase {
  public:
   /// Uploads; some ms.
-  RglTextures(QOpenGLFunctions_4_1_Core& gl, const RglBrdf::Tables& tables);
-  void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, const RglBrdf::Tables& tables);
+  RglTextures(QOpenGLFunctions_4_1_Core& gl, std::shared_ptr<const RglBrdf::Tables> tables);
+  void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program) override;
 
-  /// What the shader is compiled for.
+  /// What the shader is compiled for, beside the order of the directions.
   static QStringList definitions(const RglBrdf& brdf);
 
  private:
+  std::shared_ptr<const RglBrdf::Tables> tables_;
   TextureSet warp_, others_;
 };
 

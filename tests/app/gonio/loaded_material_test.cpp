@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document/loaded_material.h"
+
+#include <QTest>
+
+#include "app/gonio/document/document.h"
+#include "core/models/registry.h"
+#include "tests/fuzz/reader_seeds.h"
+#include "tests/support/test_program.h"
+
+namespace loaded_material_test {
+using namespace gonio;
+using namespace gonio::app;
+
+/// What the document of each file is about.
+class LoadedMaterialTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theBaseIsTheMeasurementInItsOwnForm_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<bool>("isTable");
+    const auto add = [](const char* name, const test::Bytes& bytes, bool isTable) {
+      QTest::newRow(name) << QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size()))
+                          << isTable;
+    };
+    add("MERL", fuzz::merlSeed(), true);
+    add("RGL", fuzz::rglSeed(), false);
+    add("UTIA", fuzz::utiaSeed(), false);
+  }
+  void theBaseIsTheMeasurementInItsOwnForm() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(bool, isTable);
+    const auto span = std::as_bytes(std::span(bytes.constData(), std::size_t(bytes.size())));
+    const auto path = test::writeFile("app/own_form", {span.begin(), span.end()});
+    const LoadedMaterialPtr loaded = loadMaterial(path);
+    QVERIFY(loaded->base == loaded->material.brdf && !loaded->isSampled());
+    QCOMPARE(loaded->isTable(), isTable);
+  }
+
+  /// The order of the directions is an undo step that changes what is shown, of a UTIA file too.
+  void theOrderOfDirectionsIsAChoice() {
+    Document document;
+    document.setMaterial(loadMaterial(test::writeFile("app/order.bin", fuzz::utiaSeed())));
+    const auto viewer = document.base();
+    QCOMPARE(document.base(), viewer);
+    document.setIncident(IncidentSlot::light);
+    const Direction wi = fromSpherical(0.5, 1), wo = fromSpherical(1.1, -2);
+    QVERIFY(document.base()->evaluate(wi, wo) == viewer->evaluate(wo, wi));
+    QVERIFY(document.base()->evaluate(wi, wo) != viewer->evaluate(wi, wo));
+    document.history().undo();
+    QVERIFY(document.base()->evaluate(wi, wo) == viewer->evaluate(wi, wo));
+  }
+};
+
+GONIO_TEST(LoadedMaterialTest)
+}  // namespace loaded_material_test
+
+#include "loaded_material_test.moc"

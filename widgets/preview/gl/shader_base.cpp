@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/preview/gl/shader_base.h"
+
+#include "widgets/preview/gl/rgl_textures.h"
+#include "widgets/preview/gl/utia_texture.h"
+
+namespace gonio::widgets {
+
+namespace {
+
+const UtiaBrdf* asUtia(const Brdf& base) { return dynamic_cast<const UtiaBrdf*>(&base); }
+
+}  // namespace
+
+bool isShownNatively(const Brdf& base) { return base.asTable() || base.asRgl() || asUtia(base); }
+
+void addShaderBase(const Brdf& base, QStringList& definitions) {
+  if (const RglBrdf* rgl = base.asRgl())
+    definitions << RglTextures::definitions(*rgl);
+  else if (asUtia(base))
+    definitions << UtiaTexture::definitions();
+  definitions << incidentDefinitions(base);
+}
+
+std::shared_ptr<ShaderBase> uploadShaderBase(QOpenGLFunctions_4_1_Core& gl, const Brdf& base) {
+  if (const RglBrdf* rgl = base.asRgl()) return std::make_shared<RglTextures>(gl, rgl->tables());
+  if (const UtiaBrdf* utia = asUtia(base)) return std::make_shared<UtiaTexture>(gl, *utia->values());
+  return nullptr;
+}
+
+std::shared_ptr<const void> uploadedData(const std::shared_ptr<const Brdf>& base) {
+  if (const RglBrdf* rgl = base->asRgl()) return rgl->tables();
+  if (const UtiaBrdf* utia = asUtia(*base)) return utia->values();
+  return base;
+}
+
+QStringList incidentDefinitions(const Brdf& base) {
+  QStringList result;
+  const std::optional<IncidentSlot> slot = incidentSlotOf(base);
+  if (slot && *slot != IncidentSlot::light) result << "INCIDENT_VIEWER";
+  if (slot && *slot != IncidentSlot::viewer) result << "INCIDENT_LIGHT";
+  return result;
+}
+
+}  // namespace gonio::widgets
