@@ -67,10 +67,11 @@ models::ParameterValues fitParameters(const FitData& data, const models::Model& 
 using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-}  // namespace
+/// By which share a lobe more has to lower the error: less is not worth its parameters.
+constexpr double worthwhile = 0.05;
 
-FitResult fit(const FitData& data, const models::Model& model, const TaskControl& control,
-              const models::ParameterValues& choices) {
+FitResult fitWithChoices(const FitData& data, const models::Model& model, const TaskControl& control,
+                         const models::ParameterValues& choices) {
   const auto start = Clock::now();
   ProgressMeter progress(control);
   FitResult result;
@@ -86,6 +87,42 @@ FitResult fit(const FitData& data, const models::Model& model, const TaskControl
   progress.add(1);
   result.seconds = secondsSince(start);
   return result;
+}
+
+/// From one lobe on, as many as lower the error.
+FitResult fitFewestLobes(const FitData& data, const models::Model& model, const std::vector<std::size_t>& optional,
+                         const TaskControl& control) {
+  const auto metric = std::size_t(data.options().metric);
+  const double trials = double(optional.size()) + 1;
+  FitResult best;
+  double seconds = 0;
+  for (std::size_t count = 0; count <= optional.size(); ++count) {
+    models::ParameterValues choices = models::defaultParameters(model.spec());
+    for (std::size_t k = 0; k + count < optional.size(); ++k) {
+      const double other = 1 - choices.values[optional[k]].x;
+      choices.values[optional[k]] = Rgb(other);
+    }
+    FitResult result =
+        fitWithChoices(data, model, control.between(double(count) / trials, double(count + 1) / trials), choices);
+    seconds += result.seconds;
+    const bool better = count == 0 || result.errors[metric] < (1 - worthwhile) * best.errors[metric];
+    const bool cancelled = result.cancelled;
+    if (better) best = std::move(result);
+    best.cancelled = cancelled;
+    if (!better || cancelled) break;
+  }
+  control.report(1);
+  best.seconds = seconds;
+  return best;
+}
+
+}  // namespace
+
+FitResult fit(const FitData& data, const models::Model& model, const TaskControl& control,
+              const models::ParameterValues& choices) {
+  const std::vector<std::size_t> optional = optionalLobes(model.spec());
+  return optional.empty() || !choices.values.empty() ? fitWithChoices(data, model, control, choices)
+                                                     : fitFewestLobes(data, model, optional, control);
 }
 
 FitResult fit(const Brdf& base, const models::Model& model, const FitOptions& options, const TaskControl& control,

@@ -42,7 +42,8 @@ struct FitResult {
 /// several starts, on a stratified part of the cells first, then refined. Deterministic. Shared or per-channel
 /// parameters as the model's specs say. A stop request returns the best so far (`cancelled`); it never throws
 /// Cancelled. Under 3 s for one model of a table, about twice that of anisotropic data.
-/// @param choices values of all parameters, of which those of choices (conventions) are kept; empty: the defaults.
+/// @param choices values of all parameters, of which those of choices (conventions) are kept; empty: the defaults,
+/// except that of lobes which can be switched off (layered) only as many are on as lower the error by 5 % each.
 FitResult fit(const Brdf& base, const models::Model& model, const FitOptions& options = {},
               const TaskControl& control = {}, const models::ParameterValues& choices = {});
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/fitting/fit_parameters.h"
 
+#include <algorithm>
+
 #include "core/models/common_parameters.h"
 
 namespace gonio::fitting {
@@ -26,6 +28,19 @@ std::vector<std::size_t> parametersOf(const models::ModelSpec& spec, const model
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < spec.parameters.size(); ++i)
     if (fitRole(spec, base, i, symmetry) == role) result.push_back(i);
+  return result;
+}
+
+std::vector<std::size_t> optionalLobes(const models::ModelSpec& spec) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < spec.parameters.size(); ++i) {
+    const models::ParameterSpec& choice = spec.parameters[i];
+    const bool switchesLobe = std::ranges::any_of(spec.parameters, [&](const models::ParameterSpec& p) {
+      return p.role == models::ParameterRole::width && p.activeWith == choice.id &&
+             p.activeChoice == models::chosen(choice.defaultValue);
+    });
+    if (!choice.choices.empty() && switchesLobe) result.push_back(i);
+  }
   return result;
 }
 

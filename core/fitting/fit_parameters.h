@@ -25,6 +25,9 @@ FitRole fitRole(const models::ModelSpec& spec, const models::ParameterValues& ba
 std::vector<std::size_t> parametersOf(const models::ModelSpec& spec, const models::ParameterValues& base, FitRole role,
                                       DataSymmetry symmetry = DataSymmetry::isotropic);
 
+/// The choices that switch lobes which are on by default: those with which the width of a highlight matters.
+std::vector<std::size_t> optionalLobes(const models::ModelSpec& spec);
+
 /// Gives every twin the value of the parameter that it follows.
 void copyToTwins(const models::ModelSpec& spec, models::ParameterValues& values,
                  DataSymmetry symmetry = DataSymmetry::isotropic);

@@ -9,68 +9,123 @@
 #include "core/models/registry.h"
 #include "core/models/surface_geometry.h"
 
-/// A body and three microfacet lobes that differ in width: what a sum of simple lobes can say of a measured material.
+/// A body, microfacet lobes that differ in width, and two lobes of fabrics and coatings: what a sum of simple lobes can
+/// say of a measured material.
 namespace gonio::models {
 
 namespace {
 
 constexpr std::string_view sources =
     "Walter et al. 2007, Microfacet Models for Refraction through Rough Surfaces, eq. 33; Heitz 2014, Understanding "
-    "the "
-    "Masking-Shadowing Function, eq. 99; Schlick 1994";
+    "the Masking-Shadowing Function, eq. 99; Schlick 1994";
 constexpr std::string_view lobeFormula =
     "(F_0 (1 - s) + F_90 s) D G / (4 cos theta_i cos theta_o), s = (1 - cos theta_d)^5";
+constexpr std::string_view widthFormula = "D = alpha^2 / (pi (sin^2 theta_h + alpha^2 cos^2 theta_h)^2)";
+constexpr std::string_view sheenSources =
+    "Estevez and Kulla 2017, Production Friendly Microfacet Sheen BRDF, eq. 2; Neubelt and Pettineo 2013, Crafting a "
+    "Next-Gen Material Pipeline for The Order: 1886";
+constexpr std::string_view sheenFormula =
+    "k_sh (2 + 1 / alpha) sin^(1 / alpha) theta_h / (8 pi (cos theta_i + cos theta_o - cos theta_i cos theta_o))";
+constexpr std::string_view retroSources =
+    "Guo, Guo and Pan 2018, A Retroreflective BRDF Model Based on Prismatic Sheeting and Microfacet Theory (the back "
+    "vector in place of the half vector); Walter et al. 2007";
+constexpr std::string_view retroFormula =
+    "k_r D G / (4 cos theta_i cos theta_o), theta_h that of the half vector with wo mirrored about the normal";
+constexpr std::string_view switches[] = {"off", "on"};
 
 constexpr int lobeCount = 3;
 /// In the order of the parameters: the widest first.
 enum Lobe { base, flakes, coat };
 /// Index of the first of the three parameters of a lobe.
 constexpr std::size_t firstOf(int lobe) { return 1 + 3 * std::size_t(lobe); }
+enum Index { sheen = 10, sheenRoughness, retro, retroRoughness, flakesSwitch, coatSwitch, sheenSwitch, retroSwitch };
 
 // clang-format off
 constexpr ParameterSpec reflectanceParameter(std::string_view id, std::string_view label, std::string_view symbol,
-                                             double defaultValue, ParameterRole role,
-                                             std::string_view description) {
+                                             double defaultValue, ParameterRole role, std::string_view description,
+                                             std::string_view onlyWith = {}) {
   return {.id = id, .label = label, .symbol = symbol, .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 100, .defaultValue = defaultValue,
           .perChannel = true, .linear = true,
-          .description = description, .formula = lobeFormula, .reference = sources, .role = role};
+          .description = description, .formula = lobeFormula, .reference = sources,
+          .activeWith = onlyWith, .activeChoice = 1, .role = role};
 }
 constexpr ParameterSpec widthParameter(std::string_view id, std::string_view label, std::string_view symbol,
-                                       double defaultValue, std::string_view description) {
-  ParameterSpec spec = roughnessParameter(symbol, description,
-                                          "D = alpha^2 / (pi (sin^2 theta_h + alpha^2 cos^2 theta_h)^2)", sources, 1,
-                                          defaultValue);
+                                       double defaultValue, std::string_view description,
+                                       std::string_view onlyWith = {}) {
+  ParameterSpec spec = roughnessParameter(symbol, description, widthFormula, sources, 1, defaultValue);
   spec.id = id;
   spec.label = label;
+  spec.activeWith = onlyWith;
+  spec.activeChoice = 1;
   return spec;
+}
+constexpr ParameterSpec ofLobe(ParameterSpec spec, std::string_view formula, std::string_view reference) {
+  spec.formula = formula;
+  spec.reference = reference;
+  spec.group = ParameterGroup::layer;
+  return spec;
+}
+constexpr ParameterSpec switchParameter(std::string_view id, std::string_view label, std::string_view symbol, bool on,
+                                        std::string_view description) {
+  return choiceParameter(id, label, symbol, description, "off: the lobe is black; a fit leaves its parameters out",
+                         sources, switches, on ? 1 : 0);
 }
 
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
     reflectanceParameter("base", "Base", "F_0,1", 0.05, ParameterRole::highlight,
-                         "Strength and colour of the widest lobe, seen head-on: the sheen of a matte surface."),
-    reflectanceParameter("base-edge", "Base, edge", "F_90,1", 0.05, ParameterRole::edge, "The same toward grazing angles."),
+                         "Strength and colour of the widest lobe, seen head-on: the gloss of a matte surface."),
+    reflectanceParameter("base-edge", "Base, edge", "F_90,1", 0.05, ParameterRole::edge,
+                         "The same toward grazing angles."),
     widthParameter("base-roughness", "Base, roughness", "alpha_1", 0.5, "Width of the widest lobe."),
     reflectanceParameter("flakes", "Flakes", "F_0,2", 0.05, ParameterRole::highlight,
-                         "Strength and colour of the middle lobe, seen head-on: metal flakes, a brushed metal."),
-    reflectanceParameter("flakes-edge", "Flakes, edge", "F_90,2", 0.05, ParameterRole::edge, "The same toward grazing angles."),
-    widthParameter("flakes-roughness", "Flakes, roughness", "alpha_2", 0.2, "Width of the middle lobe."),
+                         "Strength and colour of the middle lobe, seen head-on: metal flakes, a brushed metal.",
+                         "flakes-lobe"),
+    reflectanceParameter("flakes-edge", "Flakes, edge", "F_90,2", 0.05, ParameterRole::edge,
+                         "The same toward grazing angles.", "flakes-lobe"),
+    widthParameter("flakes-roughness", "Flakes, roughness", "alpha_2", 0.2, "Width of the middle lobe.", "flakes-lobe"),
     reflectanceParameter("coat", "Coat", "F_0,3", 0.05, ParameterRole::coat,
-                         "Strength and colour of the sharpest lobe, seen head-on: a clear coat, a polish."),
-    reflectanceParameter("coat-edge", "Coat, edge", "F_90,3", 0.5, ParameterRole::coatEdge, "The same toward grazing angles."),
-    widthParameter("coat-roughness", "Coat, roughness", "alpha_3", 0.05, "Width of the sharpest lobe."),
+                         "Strength and colour of the sharpest lobe, seen head-on: a clear coat, a polish.",
+                         "coat-lobe"),
+    reflectanceParameter("coat-edge", "Coat, edge", "F_90,3", 0.5, ParameterRole::coatEdge,
+                         "The same toward grazing angles.", "coat-lobe"),
+    widthParameter("coat-roughness", "Coat, roughness", "alpha_3", 0.05, "Width of the sharpest lobe.", "coat-lobe"),
+    ofLobe(reflectanceParameter("sheen", "Sheen", "k_sh", 0, ParameterRole::highlight,
+                                "Strength and colour of the glow of fibres toward the edge.", "sheen-lobe"),
+           sheenFormula, sheenSources),
+    ofLobe(withRole(widthParameter("sheen-roughness", "Sheen, roughness", "alpha_sh", 0.3,
+                                   "Small values leave a thin rim, large ones cover everything.", "sheen-lobe"),
+                    ParameterRole::other),
+           sheenFormula, sheenSources),
+    ofLobe(reflectanceParameter("retro", "Retroreflection", "k_r", 0, ParameterRole::highlight,
+                                "Strength and colour of the light that is sent back to where it came from.",
+                                "retro-lobe"),
+           retroFormula, retroSources),
+    ofLobe(widthParameter("retro-roughness", "Retroreflection, roughness", "alpha_r", 0.3,
+                          "Width of the lobe about the direction of the light.", "retro-lobe"),
+           retroFormula, retroSources),
+    switchParameter("flakes-lobe", "Flakes lobe", "n_2", true, "Whether there is a middle lobe."),
+    switchParameter("coat-lobe", "Coat lobe", "n_3", true, "Whether there is a sharpest lobe."),
+    switchParameter("sheen-lobe", "Sheen lobe", "n_sh", false, "Whether there is a lobe of fibres."),
+    switchParameter("retro-lobe", "Retroreflective lobe", "n_r", false, "Whether there is a retroreflective lobe."),
 };
 
 constexpr ModelSpec layeredSpec = {
     .id = "layered", .name = "Layered lobes",
-    .description = "A diffuse body and up to three GGX lobes from wide to sharp, each with a colour of its own head-on "
-                   "and at the edge. Fits most measured materials closer than one lobe. Reciprocal; keeps to no "
-                   "energy limit.",
-    .formula = "k_d / pi + the sum over three lobes of (F_0 (1 - s) + F_90 s) D G / (4 cos theta_i cos theta_o)",
+    .description = "A diffuse body and one to three GGX lobes from wide to sharp, each with a colour of its own head-on "
+                   "and at the edge; a sheen and a retroreflective lobe where they are switched on. A fit takes as many "
+                   "lobes as lower its error. Fits most measured materials closer than one lobe. Reciprocal; keeps to "
+                   "no energy limit.",
+    .formula = "k_d / pi + the sum over the lobes of (F_0 (1 - s) + F_90 s) D G / (4 cos theta_i cos theta_o)",
     .reference = sources,
     .parameters = parameters};
 // clang-format on
+
+bool isOn(const ParameterValues& p, std::size_t choice) { return chosen(p.values[choice].x) == 1; }
+bool isOn(const ParameterValues& p, Lobe lobe) {
+  return lobe == base || isOn(p, lobe == flakes ? flakesSwitch : coatSwitch);
+}
 
 struct MicrofacetLobe {
   Rgb normal{0}, edge{0};
@@ -88,9 +143,30 @@ struct MicrofacetLobe {
   bool isBlack() const { return normal == Rgb(0) && edge == Rgb(0); }
 };
 
-MicrofacetLobe lobeOf(const ParameterValues& p, int lobe) {
+/// The glow of fibres.
+struct SheenLobe {
+  Rgb strength{0};
+  double exponent = 1;  ///< 1 / alpha
+
+  Rgb operator()(const SurfaceGeometry& g) const {
+    const double distribution = (2 + exponent) * std::pow(g.sin2H, exponent / 2) / (2 * pi);
+    return strength * (distribution / (4 * (g.cosI + g.cosO - g.cosI * g.cosO)));
+  }
+};
+
+Direction mirrored(const Direction& w) { return {-w.x, -w.y, w.z}; }
+
+/// A lobe about the direction of the viewer in place of that about its mirror direction.
+struct RetroLobe {
+  VisibleNormalLobe lobe;
+  Direction sample(const Direction& wo, const glm::dvec2& u) const { return lobe.sample(mirrored(wo), u); }
+  double density(const Direction& w, const Direction& wo) const { return lobe.density(w, mirrored(wo)); }
+};
+
+MicrofacetLobe lobeOf(const ParameterValues& p, Lobe lobe) {
   const std::size_t first = firstOf(lobe);
   const double alpha = p.values[first + 2].x;
+  if (!isOn(p, lobe)) return {Rgb(0), Rgb(0), alpha * alpha};
   return {p.values[first], p.values[first + 1], alpha * alpha};
 }
 
@@ -100,45 +176,73 @@ double albedoOf(const MicrofacetLobe& lobe) { return maxChannel(0.9 * lobe.norma
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   const Rgb kd = p.values[0] / pi;
   const std::array<MicrofacetLobe, lobeCount> lobes{lobeOf(p, base), lobeOf(p, flakes), lobeOf(p, coat)};
+  const SheenLobe fibres{isOn(p, sheenSwitch) ? p.values[sheen] : Rgb(0), 1 / p.values[sheenRoughness].x};
+  const Rgb backward = isOn(p, retroSwitch) ? p.values[retro] : Rgb(0);
+  const double alphaR = p.values[retroRoughness].x;
+  const MicrofacetLobe back{backward, backward, alphaR * alphaR};
   const auto normals = [&](int lobe) { return VisibleNormalLobe{p.values[firstOf(lobe) + 2].x}; };
-  const std::array<double, 4> albedos{maxChannel(p.values[0]), albedoOf(lobes[base]), albedoOf(lobes[flakes]),
-                                      albedoOf(lobes[coat])};
+  // The glow of fibres is wide: cosine-weighted directions serve it.
+  const std::array<double, 5> albedos{maxChannel(p.values[0]) + maxChannel(fibres.strength), albedoOf(lobes[base]),
+                                      albedoOf(lobes[flakes]), albedoOf(lobes[coat]), albedoOf(back)};
   return makeGeometryBrdf(
       [=](const SurfaceGeometry& g) {
         Rgb value = kd;
         for (const MicrofacetLobe& lobe : lobes)
           if (!lobe.isBlack()) value += lobe(g);
+        if (fibres.strength != Rgb(0)) value += fibres(g);
+        SurfaceGeometry turned;
+        if (!back.isBlack() && surfaceGeometry({g.wi, mirrored(g.wo)}, turned)) value += back(turned);
         return value;
       },
-      LobeMixture<CosineLobe, VisibleNormalLobe, VisibleNormalLobe, VisibleNormalLobe>(
-          lobeShares(albedos), CosineLobe{}, normals(base), normals(flakes), normals(coat)));
+      LobeMixture<CosineLobe, VisibleNormalLobe, VisibleNormalLobe, VisibleNormalLobe, RetroLobe>(
+          lobeShares(albedos), CosineLobe{}, normals(base), normals(flakes), normals(coat),
+          RetroLobe{VisibleNormalLobe{alphaR}}));
 }
 
-/// The body and each lobe alone, by the same formula with all others black.
+/// The parts of the sum: the body, the lobes from wide to sharp, the sheen, the retroreflection.
+constexpr int partCount = 1 + lobeCount + 2;
+
+bool isPartOn(const ParameterValues& p, int part) {
+  if (part == 0) return true;
+  return part <= lobeCount ? isOn(p, Lobe(part - 1)) : isOn(p, part == lobeCount + 1 ? sheenSwitch : retroSwitch);
+}
+
+/// The parameters of a part; strengths that are set to 0 make it black.
+std::vector<std::size_t> parametersOf(int part) {
+  if (part == 0) return {0};
+  if (part <= lobeCount) return {firstOf(part - 1), firstOf(part - 1) + 1, firstOf(part - 1) + 2};
+  return part == lobeCount + 1 ? std::vector<std::size_t>{sheen, sheenRoughness}
+                               : std::vector<std::size_t>{retro, retroRoughness};
+}
+
+/// Each part alone, by the same formula with all others black. Only the microfacet lobes have a highlight that moves
+/// with the half vector.
 std::vector<ModelLobe> parts(const ParameterValues& p) {
   std::vector<ModelLobe> result;
-  for (int part = -1; part < lobeCount; ++part) {
+  for (int part = 0; part < partCount; ++part) {
     ParameterValues alone = p;
-    if (part >= 0) alone.values[0] = Rgb(0);
-    for (int lobe = 0; lobe < lobeCount; ++lobe)
-      if (lobe != part) alone.values[firstOf(lobe)] = alone.values[firstOf(lobe) + 1] = Rgb(0);
-    if (part < 0) {
-      result.push_back({create(alone), 0, {p.values[0]}});
-      continue;
-    }
-    const auto own = p.values.begin() + std::ptrdiff_t(firstOf(part));
-    result.push_back({create(alone), own[2].x, {own, own + 3}});
+    for (int other = 0; other < partCount; ++other)
+      for (const std::size_t i : parametersOf(other))
+        if (other != part && parameters[i].linear) alone.values[i] = Rgb(0);
+    const bool isMicrofacet = part > 0 && part <= lobeCount;
+    ModelLobe one{create(alone), isMicrofacet ? p.values[firstOf(part - 1) + 2].x : 0, {}};
+    for (const std::size_t i : parametersOf(part)) one.parameters.push_back(p.values[i]);
+    one.parameters.emplace_back(isPartOn(p, part) ? 1 : 0);
+    result.push_back(std::move(one));
   }
   return result;
 }
 
-/// The lobes from wide to sharp.
+/// The lobes that are on from wide to sharp.
 ParameterValues ordered(const ParameterValues& p) {
-  std::array<int, lobeCount> order{base, flakes, coat};
-  std::ranges::stable_sort(order, std::greater{}, [&](int lobe) { return p.values[firstOf(lobe) + 2].x; });
+  std::vector<Lobe> places;
+  for (const Lobe lobe : {base, flakes, coat})
+    if (isOn(p, lobe)) places.push_back(lobe);
+  std::vector<Lobe> order = places;
+  std::ranges::stable_sort(order, std::greater{}, [&](Lobe lobe) { return p.values[firstOf(lobe) + 2].x; });
   ParameterValues result = p;
-  for (int to = 0; to < lobeCount; ++to)
-    for (std::size_t i = 0; i < 3; ++i) result.values[firstOf(to) + i] = p.values[firstOf(order[std::size_t(to)]) + i];
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) result.values[firstOf(places[k]) + i] = p.values[firstOf(order[k]) + i];
   return result;
 }
 

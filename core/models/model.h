@@ -91,7 +91,7 @@ class Model {
   /// Whether it is a sum of a body and microfacet lobes, each with a roughness.
   bool hasLobes() const { return functions_.lobes != nullptr; }
   /// The terms of the sum, the same number for all parameters: their values add up to instantiate()'s. In the shader
-  /// they are lobe_ID() (shaders/models). Only of a model that hasLobes(). @throws Error as instantiate().
+  /// they are lobes_ID() (shaders/models). Only of a model that hasLobes(). @throws Error as instantiate().
   std::vector<ModelLobe> lobes(const ParameterValues& parameters) const;
 
   /// Parameters of the same values in the order that people expect: lobes from wide to sharp.

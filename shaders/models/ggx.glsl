@@ -23,10 +23,11 @@ vec3 evaluate_ggx(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX]) {
   return surfaceGeometry(wi, wo, g) ? p[0] / pi + ggxHighlight(g, p) : vec3(0.0);
 }
 
-// One part of the sum alone: the body, then the highlight.
+// The terms of the sum: the body, then the highlight.
 const int LOBE_COUNT_GGX = 2;
-vec3 lobe_ggx(int part, vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX]) {
+void lobes_ggx(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX], out vec3 lobes[LOBE_COUNT_GGX]) {
   SurfaceGeometry g;
-  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
-  return part == 0 ? p[0] / pi : ggxHighlight(g, p);
+  bool lit = surfaceGeometry(wi, wo, g);
+  lobes[0] = lit ? p[0] / pi : vec3(0.0);
+  lobes[1] = lit ? ggxHighlight(g, p) : vec3(0.0);
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// p: diffuse, then of each of three lobes reflectance, edge, roughness
+// p: diffuse; of each of three lobes reflectance, edge, roughness; sheen and its roughness, retroreflection and its
+// roughness; whether the flakes, the coat, the sheen and the retroreflection are on
 #include "math.glsl"
 #include "surface_geometry.glsl"
 
-const int PARAMETER_COUNT_LAYERED = 10;
+const int PARAMETER_COUNT_LAYERED = 18;
 
 vec3 layeredLobe(SurfaceGeometry g, vec3 normal, vec3 edge, float alpha) {
   float alpha2 = alpha * alpha;
@@ -15,21 +16,31 @@ vec3 layeredLobe(SurfaceGeometry g, vec3 normal, vec3 edge, float alpha) {
   return alpha2 / (pi * slope * slope) * 0.5 / (g.cosO * rootI + g.cosI * rootO) * mix(normal, edge, s);
 }
 
-// One part of the sum alone: the body, then the lobes.
-const int LOBE_COUNT_LAYERED = 4;
-vec3 lobe_layered(int part, vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_LAYERED]) {
+vec3 layeredSheen(SurfaceGeometry g, vec3 strength, float alpha) {
+  float distribution = (2.0 + 1.0 / alpha) * pow(g.sin2H, 0.5 / alpha) / (2.0 * pi);
+  return strength * (distribution / (4.0 * (g.cosI + g.cosO - g.cosI * g.cosO)));
+}
+
+vec3 layeredRetro(vec3 wi, vec3 wo, vec3 strength, float alpha) {
   SurfaceGeometry g;
-  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
-  if (part == 0) return p[0] / pi;
-  int first = 3 * part - 2;
-  return layeredLobe(g, p[first], p[first + 1], p[first + 2].x);
+  return surfaceGeometry(wi, vec3(-wo.xy, wo.z), g) ? layeredLobe(g, strength, strength, alpha) : vec3(0.0);
+}
+
+// The terms of the sum: the body, the lobes from wide to sharp, sheen, retroreflection.
+const int LOBE_COUNT_LAYERED = 6;
+void lobes_layered(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_LAYERED], out vec3 lobes[LOBE_COUNT_LAYERED]) {
+  SurfaceGeometry g;
+  bool lit = surfaceGeometry(wi, wo, g);
+  lobes[0] = lit ? p[0] / pi : vec3(0.0);
+  lobes[1] = lit ? layeredLobe(g, p[1], p[2], p[3].x) : vec3(0.0);
+  lobes[2] = lit && p[14].x > 0.5 ? layeredLobe(g, p[4], p[5], p[6].x) : vec3(0.0);
+  lobes[3] = lit && p[15].x > 0.5 ? layeredLobe(g, p[7], p[8], p[9].x) : vec3(0.0);
+  lobes[4] = lit && p[16].x > 0.5 ? layeredSheen(g, p[10], p[11].x) : vec3(0.0);
+  lobes[5] = lit && p[17].x > 0.5 ? layeredRetro(wi, wo, p[12], p[13].x) : vec3(0.0);
 }
 
 vec3 evaluate_layered(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_LAYERED]) {
-  SurfaceGeometry g;
-  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
-  vec3 value = p[0] / pi;
-  for (int lobe = 1; lobe < PARAMETER_COUNT_LAYERED; lobe += 3)
-    value += layeredLobe(g, p[lobe], p[lobe + 1], p[lobe + 2].x);
-  return value;
+  vec3 lobes[LOBE_COUNT_LAYERED];
+  lobes_layered(wi, wo, p, lobes);
+  return lobes[0] + lobes[1] + lobes[2] + lobes[3] + lobes[4] + lobes[5];
 }

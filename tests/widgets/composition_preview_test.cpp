@@ -28,8 +28,19 @@ editing::Edit edit(const char* id, const char* roughness, const char* colour, Co
 editing::Edit ofGgx(Composition composition, double from, double to) {
   return edit("ggx", "roughness", "specular", composition, from, to);
 }
+/// With all lobes that there are, the sheen and the retroreflection brighter.
 editing::Edit ofLayers(Composition composition, double from, double to) {
-  return edit("layered", "coat-roughness", "flakes", composition, from, to);
+  editing::Edit result = edit("layered", "coat-roughness", "flakes", composition, from, to);
+  auto& change = std::get<editing::DifferentialEdit>(result.content);
+  const auto set = [&](const char* id, double fitted, double edited) {
+    const std::size_t parameter = *change.model->spec().find(id);
+    change.fitted.values[parameter] = Rgb(fitted);
+    change.edited.values[parameter] = Rgb(edited);
+  };
+  for (const char* lobe : {"sheen-lobe", "retro-lobe"}) set(lobe, 1, 1);
+  set("sheen", 0.1, 0.2);
+  set("retro", 0.05, 0.1);
+  return result;
 }
 
 std::shared_ptr<const TabulatedBrdf> measuredTable() {

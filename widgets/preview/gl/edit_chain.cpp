@@ -23,7 +23,12 @@ constexpr const char* lobesStage = R"(
 vec3 %1(vec3 wi, vec3 wo, out bool valid) {
   vec3 value = %2(wi, wo, valid);
   if (!valid || wi.z <= 0.0 || wo.z <= 0.0) return value;
-  vec3 ratio = fitRatio(value, evaluate_%3(wi, wo, fitted%5));
+  vec3 before[LOBE_COUNT_%4], after[LOBE_COUNT_%4];
+  lobes_%3(wi, wo, fitted%5, before);
+  lobes_%3(wi, wo, edited%5, after);
+  vec3 model = vec3(0.0);
+  for (int part = 0; part < LOBE_COUNT_%4; ++part) model += before[part];
+  vec3 ratio = fitRatio(value, model);
   vec3 change = vec3(0.0), moved = ratio;
   float scale = 1.0;
   for (int part = 0; part < LOBE_COUNT_%4; ++part) {
@@ -37,7 +42,7 @@ vec3 %1(vec3 wi, vec3 wo, out bool valid) {
       moved = measured ? fitRatio(there, evaluate_%3(movedIn, movedOut, fitted%5)) : ratio;
     }
     vec3 carried = scales%5[part] == 1.0 ? ratio : moved;
-    change += lobe_%3(part, wi, wo, edited%5) * carried - lobe_%3(part, wi, wo, fitted%5) * ratio;
+    change += after[part] * carried - before[part] * ratio;
   }
   return withChange(value, strength%5 * change);
 })";
