@@ -68,7 +68,10 @@ SliceStack<float> densities(const Brdf& brdf) {
 
 }  // namespace
 
-TabulatedLobe::TabulatedLobe(const Brdf& brdf) : warp_(densities(brdf), "density", MarginalWarp::EmptySlice::uniform) {}
+TabulatedLobe::TabulatedLobe(const Brdf& brdf)
+    : warp_(densities(brdf), "density", MarginalWarp::EmptySlice::uniform),
+      grain_(estimateGrainLobe(brdf, *this, cosineShare)),
+      alongGrain_(grain_.lobe()) {}
 
 Direction TabulatedLobe::sample(const Direction& wo, const glm::dvec2& u) const {
   return reflected(wo, fromLobeSquare(warp_.sample(viewersAbout(wo.z), u).point, lobeAxis(wo)));
@@ -83,6 +86,7 @@ double TabulatedLobe::density(const Direction& w, const Direction& wo) const {
 }
 
 bool areSimilar(const TabulatedLobe& a, const TabulatedLobe& b) {
+  if (!areSimilar(a.grain(), b.grain())) return false;
   const std::vector<float>&first = a.warp().cellDensity().values, &second = b.warp().cellDensity().values;
   double difference = 0;
   for (std::size_t i = 0; i < first.size(); ++i) difference += std::abs(double(first[i]) - second[i]);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "core/brdf/brdf.h"
+#include "core/brdf/grain_lobe.h"
 #include "core/brdf/lobe_mixture.h"
 #include "core/math/marginal_warp.h"
 
@@ -12,13 +13,16 @@ namespace gonio {
 
 /// A density for importance sampling any BRDF that has none of its own: its value times the cosine, tabulated
 /// for some viewers over the unit square of half vectors (core/brdf/lobe_square.h) with the
-/// azimuth relative to the viewer's; of an anisotropic BRDF the mean over some azimuths. A lobe for LobeMixture; the
-/// preview's shader reads the same numbers. Draws whose half vector the viewer cannot see are lost (some per mille, at
-/// grazing viewers).
+/// azimuth relative to the viewer's; of an anisotropic BRDF the mean over some azimuths, beside which grain() follows
+/// its highlight. A lobe for LobeMixture; the preview's shader reads the same numbers. Draws whose half vector the
+/// viewer cannot see are lost (some per mille, at grazing viewers).
 class TabulatedLobe {
  public:
-  /// Evaluates the BRDF about 40,000 times: some ms.
+  /// Evaluates the BRDF about 40,000 times: some ms; an anisotropic one ten times as often.
   explicit TabulatedLobe(const Brdf& brdf);
+
+  /// Of the samples that are cosine-weighted in tabulatedMixture(), so that what lies between the nodes is found too.
+  static constexpr double cosineShare = 0.1;
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const;
   double density(const Direction& w, const Direction& wo) const;
@@ -26,9 +30,14 @@ class TabulatedLobe {
   static constexpr std::size_t columns = 96, rows = 21, viewerCount = 24;
   /// Slices are the viewers.
   const MarginalWarp& warp() const { return warp_; }
+  /// To be mixed with sample(); its share is 0 for isotropic BRDFs.
+  const GrainLobe& grain() const { return grain_; }
+  const TurnedLobe<VisibleNormalLobe>& alongGrain() const { return alongGrain_; }
 
  private:
   MarginalWarp warp_;
+  GrainLobe grain_;
+  TurnedLobe<VisibleNormalLobe> alongGrain_;
 };
 
 /// Whether two lobes draw about as well as each other: their densities have nine tenths in common.
@@ -42,11 +51,12 @@ struct TabulatedLobeView {
   double density(const Direction& w, const Direction& wo) const { return lobe.density(w, wo); }
 };
 
-/// The lobe beside a tenth of cosine-weighted directions, so that what lies between its nodes is found too.
-using TabulatedMixture = LobeMixture<CosineLobe, TabulatedLobeView>;
+/// The lobe with its grain beside a tenth of cosine-weighted directions.
+using TabulatedMixture = LobeMixture<CosineLobe, TurnedLobe<VisibleNormalLobe>, TabulatedLobeView>;
 inline TabulatedMixture tabulatedMixture(const TabulatedLobe& lobe) {
-  constexpr double cosineShare = 0.1;
-  return {{cosineShare, 1 - cosineShare}, CosineLobe{}, TabulatedLobeView{lobe}};
+  constexpr double rest = 1 - TabulatedLobe::cosineShare;
+  const double grain = rest * lobe.grain().share;
+  return {{TabulatedLobe::cosineShare, grain, rest - grain}, CosineLobe{}, lobe.alongGrain(), TabulatedLobeView{lobe}};
 }
 
 }  // namespace gonio

@@ -10,7 +10,7 @@ namespace {
 
 std::optional<SamplingLobe> lobeOf(const Brdf& brdf, std::optional<SamplingLobe> lobe, RenderMaterial::LobeUse use) {
   if (brdf.samplesItself() && !(lobe && use == RenderMaterial::LobeUse::always)) return std::nullopt;
-  return lobe || brdf.isIsotropic() ? lobe : estimateSamplingLobe(brdf);
+  return lobe;
 }
 
 std::shared_ptr<const TabulatedLobe> tabulatedLobeOf(const Brdf& brdf, const std::optional<SamplingLobe>& lobe) {

@@ -19,8 +19,8 @@ class RenderMaterial {
   enum class LobeUse { whereNeeded, always };
 
   /// Models, factors and RGL files are sampled from their own densities. What has none (tables, codes, edits) is
-  /// sampled from the lobe that is given, else from its own values (TabulatedLobe; an anisotropic one from an estimated
-  /// lobe). Some ms; up to 50 ms for a sparse code.
+  /// sampled from the lobe that is given, else from its own values (TabulatedLobe). Some ms; up to 50 ms for a sparse
+  /// code, some 0.1 s for what is anisotropic.
   explicit RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt,
                           LobeUse use = LobeUse::whereNeeded);
   /// Sampled from this lobe, unless it has a density of its own.

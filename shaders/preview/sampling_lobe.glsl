@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// Twin of core/brdf/tabulated_lobe.h: a cosine part and half vectors drawn from the material's own values, tabulated for
-// some viewers.
+// Twin of core/brdf/tabulated_lobe.h: a cosine part, half vectors drawn from the material's own values, tabulated for
+// some viewers, and of an anisotropic material visible normals along its grain (core/brdf/grain_lobe.h).
 #include "preview/marginal_warp.glsl"
 #include "math.glsl"
+#include "grain.glsl"
+#include "anisotropic_ggx.glsl"
 
 uniform sampler3D lobeCells;
 uniform sampler2D lobeRows;
 uniform float lobeCosineShare;  // 1 while the lobe is not known
+uniform float lobeGrainShare;   // of all samples; 0 without a grain
+uniform vec4 lobeGrain;         // both widths, cosine and sine of the rotation
 
 // Between which viewers one lies.
 float lobeViewer(float cosine) {
@@ -60,15 +64,41 @@ vec2 drawnLobePoint(int slice, vec2 u) {
   return vec2(float(column) + x, float(row) + y) / vec2(textureSize(lobeCells, 0).xy - 1);
 }
 
+// Heitz 2018, "Sampling the GGX Distribution of Visible Normals", section 3; in the frame of the grain.
+vec3 sampleGrain(vec3 wo, vec2 u) {
+  vec2 alpha = lobeGrain.xy;
+  vec3 stretched = normalize(vec3(alpha * wo.xy, wo.z));
+  float across = length(stretched.xy);
+  vec3 tangent = across > 0.0 ? vec3(-stretched.y, stretched.x, 0.0) / across : vec3(1.0, 0.0, 0.0);
+  vec3 bitangent = cross(stretched, tangent);
+  float r = sqrt(u.x), phi = 2.0 * pi * u.y, s = 0.5 * (1.0 + stretched.z);
+  float x = r * cos(phi);
+  float y = (1.0 - s) * sqrt(1.0 - x * x) + s * r * sin(phi);
+  vec3 n = x * tangent + y * bitangent + sqrt(max(0.0, 1.0 - x * x - y * y)) * stretched;
+  return reflect(-wo, normalize(vec3(alpha * n.xy, max(0.0, n.z))));
+}
+
+float grainDensity(vec3 w, vec3 wo) {
+  vec3 sum = w + wo;
+  if (sum.z <= 0.0) return 0.0;
+  return ggxDensity(normalize(sum), lobeGrain.xy) / (4.0 * ggxShadowedCosine(wo, lobeGrain.xy));
+}
+
 // A direction on the wrong side means that nothing was drawn.
 vec3 sampleLobe(vec3 wo, vec3 u) {
   if (u.x < lobeCosineShare) {
     float r = sqrt(u.y);
     return vec3(r * cos(2.0 * pi * u.z), r * sin(2.0 * pi * u.z), sqrt(max(0.0, 1.0 - u.y)));
   }
+  float before = lobeCosineShare + lobeGrainShare;
+  if (u.x < before) {
+    vec3 wi = sampleGrain(inGrain(wo, lobeGrain.zw), u.yz);
+    // Half vectors seen from nearby the horizon reach below it: they are folded up, as in core/brdf/lobe_mixture.h.
+    return inGrain(vec3(wi.xy, abs(wi.z)), vec2(lobeGrain.z, -lobeGrain.w));
+  }
   // One of the two viewers about it is chosen: their densities blend all the same.
   float place = lobeViewer(wo.z);
-  float chosen = (u.x - lobeCosineShare) / (1.0 - lobeCosineShare);
+  float chosen = (u.x - before) / (1.0 - before);
   int slice = int(place) + (chosen < fract(place) ? 1 : 0);
   vec2 square = drawnLobePoint(min(slice, textureSize(lobeCells, 0).z - 1), u.yz);
   float t = square.x * square.x * square.x * square.x;
@@ -93,5 +123,10 @@ float lobeDensity(vec3 wi, vec3 wo) {
   float one = 1.0 + x4 * x4;
   float stretch = 32.0 * pi * x4 * x * x * x / (one * one);
   float tabulated = cells * (size.x - 1.0) * (size.y - 1.0) / (max(stretch, 1e-20) * 4.0 * max(dot(normal, wo), 1e-6));
-  return mix(tabulated, wi.z / pi, lobeCosineShare);
+  float density = (1.0 - lobeCosineShare - lobeGrainShare) * tabulated + lobeCosineShare * wi.z / pi;
+  if (lobeGrainShare > 0.0) {
+    vec3 light = inGrain(wi, lobeGrain.zw), viewer = inGrain(wo, lobeGrain.zw);
+    density += lobeGrainShare * (grainDensity(light, viewer) + grainDensity(vec3(light.xy, -light.z), viewer));
+  }
+  return density;
 }

@@ -158,10 +158,13 @@ void PreviewRenderer::bindTable(QOpenGLShaderProgram& program, const EditedMater
 
 /// The density of the drawn directions; cosine-weighted while it is not known.
 void PreviewRenderer::bindLobe(QOpenGLShaderProgram& program) {
-  constexpr float cosineShare = 0.1f;
   program.setUniformValue("lobeCells", lobeCellUnit);
   program.setUniformValue("lobeRows", lobeRowUnit);
-  program.setUniformValue("lobeCosineShare", subject_.lobe ? cosineShare : 1.f);
+  program.setUniformValue("lobeCosineShare", subject_.lobe ? float(TabulatedLobe::cosineShare) : 1.f);
+  const GrainLobe grain = subject_.lobe ? subject_.lobe->grain() : GrainLobe{};
+  program.setUniformValue("lobeGrainShare", float((1 - TabulatedLobe::cosineShare) * grain.share));
+  program.setUniformValue("lobeGrain", QVector4D(float(grain.alphaX), float(grain.alphaY),
+                                                 float(std::cos(grain.rotation)), float(std::sin(grain.rotation))));
   if (!lobeTextures_) lobeTextures_ = std::make_unique<TextureSet>();
   if (subject_.lobe && subject_.lobe != uploadedLobe_) {
     uploadWarp(*this, *lobeTextures_, subject_.lobe->warp(), lobeCellUnit, lobeRowUnit);

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/brdf/grain_lobe.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/brdf/tabulated_lobe.h"
+
+namespace gonio {
+
+namespace {
+
+constexpr double minAlpha = 1e-3, maxAlpha = 1;
+/// A share while the widths are sought.
+constexpr double searchShare = 0.7;
+constexpr std::array shares{0.2, 0.4, 0.6, 0.75, 0.9};
+/// What a grain must save of the second moment: where it saves less, pictures under an environment, which also sample
+/// the light, have no less noise.
+constexpr double leastGain = 0.5;
+
+/// One direction in which a BRDF is looked at for the fit.
+struct Probe {
+  DirectionPair pair;
+  double energy = 0;  ///< (f cos theta_i)^2 times the solid angle, relative to the viewer's squared albedo
+  double cosine = 0, mean = 0;
+};
+
+/// Of one viewer: half vectors on logarithmic rings about the normal, each ring turned against the last.
+std::vector<Probe> probesOf(const Brdf& brdf, const Direction& wo) {
+  constexpr int rings = 40, spokes = 32;
+  constexpr double firstRing = 2e-4, goldenTurn = 0.6180339887498949;
+  const auto edge = [](int ring) {
+    return ring == 0 ? 0.0 : firstRing * std::pow(halfPi / firstRing, double(ring) / rings);
+  };
+  std::vector<DirectionPair> pairs;
+  std::vector<double> solidAngles;
+  for (int ring = 0; ring < rings; ++ring) {
+    const double low = edge(ring), high = edge(ring + 1), middle = (low + high) / 2;
+    const double normalSolidAngle = 2 * std::sin(middle) * std::sin((high - low) / 2) * 2 * pi / spokes;
+    for (int spoke = 0; spoke < spokes; ++spoke) {
+      const Direction half = fromSpherical(middle, 2 * pi * (spoke + ring * goldenTurn) / spokes);
+      const double cosD = glm::dot(half, wo);
+      const Direction wi = 2 * cosD * half - wo;
+      if (cosD <= 0 || wi.z <= 0) continue;
+      pairs.push_back({wi, wo});
+      solidAngles.push_back(normalSolidAngle * 4 * cosD);
+    }
+  }
+  std::vector<Rgb> values(pairs.size());
+  brdf.evaluate(pairs, values);
+  std::vector<Probe> probes;
+  double total = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const double reflected = std::max(0.0, values[i].x + values[i].y + values[i].z) / 3 * pairs[i].wi.z;
+    total += reflected * solidAngles[i];
+    if (reflected > 0) probes.push_back({pairs[i], reflected * reflected * solidAngles[i]});
+  }
+  for (Probe& probe : probes) probe.energy /= total * total;
+  return probes;
+}
+
+/// The second moment of the estimator, up to a factor, as a function of the grain.
+class Moment {
+ public:
+  Moment(const Brdf& brdf, const TabulatedLobe& mean, double cosineShare) : cosineShare_(cosineShare) {
+    constexpr std::array viewerDegrees{10.0, 40.0, 65.0};
+    constexpr int azimuths = 5;
+    // Not evenly over the turn: the two sides of a surface mostly look the same.
+    constexpr double azimuthStep = 2 * pi * 0.381966011250105, first = 0.2;
+    for (const double degrees : viewerDegrees)
+      for (int azimuth = 0; azimuth < azimuths; ++azimuth)
+        for (Probe probe : probesOf(brdf, fromSpherical(radians(degrees), first + azimuth * azimuthStep))) {
+          probe.cosine = probe.pair.wi.z / pi;
+          probe.mean = mean.density(probe.pair.wi, probe.pair.wo);
+          probes_.push_back(probe);
+        }
+  }
+
+  double operator()(const GrainLobe& grain) const {
+    const TurnedLobe<VisibleNormalLobe> lobe = grain.lobe();
+    double sum = 0;
+    for (const Probe& probe : probes_) {
+      const double along = grain.share > 0 ? lobe.density(probe.pair.wi, probe.pair.wo) : 0;
+      const double rest = (1 - grain.share) * probe.mean + grain.share * along;
+      sum += probe.energy / (cosineShare_ * probe.cosine + (1 - cosineShare_) * rest);
+    }
+    return sum;
+  }
+
+ private:
+  double cosineShare_;
+  std::vector<Probe> probes_;
+};
+
+struct Rated {
+  GrainLobe grain;
+  double moment = std::numeric_limits<double>::infinity();
+
+  void consider(const Moment& moments, GrainLobe other) {
+    other.alphaX = std::clamp(other.alphaX, minAlpha, maxAlpha);
+    other.alphaY = std::clamp(other.alphaY, minAlpha, maxAlpha);
+    const double found = moments(other);
+    if (found < moment) *this = {other, found};
+  }
+};
+
+/// The best of round lobes, then of those drawn apart in some directions.
+Rated coarseGrain(const Moment& moments) {
+  constexpr int widths = 12, directions = 8;
+  Rated best;
+  for (int i = 0; i < widths; ++i) {
+    const double alpha = minAlpha * std::pow(maxAlpha / minAlpha, double(i) / (widths - 1));
+    best.consider(moments, {alpha, alpha, 0, searchShare});
+  }
+  const double round = best.grain.alphaX;
+  for (const double stretch : {1.6, 3.0})
+    for (int direction = 0; direction < directions; ++direction)
+      best.consider(moments, {round / stretch, round * stretch, pi * direction / directions, searchShare});
+  return best;
+}
+
+/// Steps along the widths and the rotation, halved where none helps.
+void refine(const Moment& moments, Rated& best) {
+  constexpr double firstStep = 0.5, lastStep = 0.05;
+  for (double step = firstStep; step > lastStep;) {
+    const GrainLobe from = best.grain;
+    const double before = best.moment, factor = std::exp(step), turn = step * pi / 8;
+    for (const double along : {factor, 1 / factor}) {
+      best.consider(moments, {from.alphaX * along, from.alphaY, from.rotation, from.share});
+      best.consider(moments, {from.alphaX, from.alphaY * along, from.rotation, from.share});
+      best.consider(moments, {from.alphaX * along, from.alphaY * along, from.rotation, from.share});
+    }
+    for (const double angle : {turn, -turn})
+      best.consider(moments, {from.alphaX, from.alphaY, from.rotation + angle, from.share});
+    if (!(best.moment < before * (1 - 1e-3))) step /= 2;
+  }
+}
+
+}  // namespace
+
+GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, double cosineShare) {
+  if (brdf.isIsotropic()) return {};
+  const Moment moments(brdf, azimuthMean, cosineShare);
+  const double without = moments({});
+  Rated best = coarseGrain(moments);
+  refine(moments, best);
+  for (const double share : shares) {
+    GrainLobe other = best.grain;
+    other.share = share;
+    best.consider(moments, other);
+  }
+  return best.moment < (1 - leastGain) * without ? best.grain : GrainLobe{};
+}
+
+bool areSimilar(const GrainLobe& a, const GrainLobe& b) {
+  constexpr double sameShare = 0.1, sameWidth = 0.25;
+  if (a.share == 0 && b.share == 0) return true;
+  if (std::abs(a.share - b.share) > sameShare) return false;
+  const auto apart = [](double one, double other) { return std::abs(std::log(one / other)); };
+  if (std::max(apart(a.alphaX, b.alphaX), apart(a.alphaY, b.alphaY)) > sameWidth) return false;
+  // A long ridge is missed where it is turned by its own width.
+  const double ratio = std::min(a.alphaX, a.alphaY) / std::max(a.alphaX, a.alphaY);
+  const double turned = std::abs(std::remainder(a.rotation - b.rotation, pi));
+  return turned < sameWidth * ratio || ratio > 1 - sameWidth;
+}
+
+}  // namespace gonio

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+
+#include "tests/support/function_brdf.h"
+#include "tests/support/grain.h"
+#include "tests/support/test_program.h"
+#include "tests/widgets/offscreen_spheres.h"
+
+namespace anisotropic_preview_test {
+using namespace gonio;
+
+const Scene& studio() {
+  static const Scene scene = sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2});
+  return scene;
+}
+
+widgets::PreviewSubject alone(const test::Grain& grain) {
+  return {widgets::ModelAlone{&models::findModel(grain.model), test::grainParameters(grain)}};
+}
+
+/// Brushed materials under an environment: sampled along their grain, in the shader as on the CPU.
+class AnisotropicPreviewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    spheres_ = std::make_unique<test::OffscreenSpheres>();
+    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
+  }
+  void cleanupTestCase() { spheres_.reset(); }
+
+  /// Both converge to the same picture: what the shader draws follows the density that it divides by.
+  void picturesAreThoseOfTheCpu_data() {
+    QTest::addColumn<test::Grain>("grain");
+    QTest::addColumn<bool>("isSampledAlongIt");
+    QTest::addRow("ggx") << test::Grain{"ggx-anisotropic", 0.05, 0.4, 0.5} << true;
+    QTest::addRow("ggx, wide") << test::Grain{"ggx-anisotropic", 0.2, 0.6, -1} << false;
+    QTest::addRow("beckmann") << test::Grain{"beckmann-anisotropic", 0.05, 0.4, 1.2} << true;
+    QTest::addRow("ward") << test::Grain{"ward-duer", 0.05, 0.4, 0} << true;
+    QTest::addRow("ashikhmin-shirley") << test::Grain{"ashikhmin-shirley", 300, 10, 0.5} << true;
+  }
+  void picturesAreThoseOfTheCpu() {
+    QFETCH(test::Grain, grain);
+    QFETCH(bool, isSampledAlongIt);
+    widgets::PreviewSubject subject = alone(grain);
+    const auto brdf = widgets::subjectBrdf(subject);
+    subject.lobe = std::make_shared<const TabulatedLobe>(*brdf);
+    QCOMPARE(subject.lobe->grain().share > 0, isSampledAlongIt);
+    // Of so many that a bias of some percent of the highlight would outweigh the noise.
+    constexpr int samples = 4096, side = test::OffscreenSpheres::side;
+    const Image reference =
+        renderPicture(*brdf, studio(), {.width = side, .height = side, .samples = samples, .seed = 7});
+    const double snr = metrics::signalToNoiseRatio(reference, spheres_->drawn(subject, studio(), samples));
+    qInfo("%.1f dB", snr);
+    QVERIFY2(snr > 35, qPrintable(QString("%1 dB").arg(snr)));
+  }
+
+  /// At equal samples there is less noise than with the mean over the azimuths, which is all that a lobe of the same
+  /// values without a grain knows.
+  void theGrainTakesNoiseAway() {
+    widgets::PreviewSubject subject = alone({"ggx-anisotropic", 0.05, 0.4, 0.5});
+    const auto brdf = widgets::subjectBrdf(subject);
+    subject.lobe = std::make_shared<const TabulatedLobe>(*brdf);
+    const Image converged = spheres_->drawn(subject, studio(), 4096);
+    const double along = metrics::signalToNoiseRatio(converged, spheres_->drawn(subject, studio(), 64));
+    subject.lobe = std::make_shared<const TabulatedLobe>(*bakeTable(*brdf));
+    QCOMPARE(subject.lobe->grain().share, 0.0);
+    const double mean = metrics::signalToNoiseRatio(converged, spheres_->drawn(subject, studio(), 64));
+    qInfo("64 samples a pixel: %.1f dB along the grain, %.1f dB by the mean over the azimuths", along, mean);
+    QVERIFY(along > mean + 2);
+  }
+
+ private:
+  std::unique_ptr<test::OffscreenSpheres> spheres_;
+};
+
+GONIO_TEST(AnisotropicPreviewTest)
+}  // namespace anisotropic_preview_test
+
+#include "anisotropic_preview_test.moc"
