@@ -11,6 +11,8 @@
 #include "preview/rgl.glsl"
 #elif defined(UTIA)
 #include "preview/utia.glsl"
+#elif defined(INCIDENCE_TABLE)
+#include "preview/incidence_table.glsl"
 #elif !defined(MODEL_ALONE)
 #include "preview/table.glsl"
 #endif
@@ -39,6 +41,8 @@ vec3 measuredBrdf(vec3 wi, vec3 wo, out bool valid) {
   return storedInOrder(wi, wo);
 #elif defined(UTIA)
   return evaluateUtia(wi, wo, valid);
+#elif defined(INCIDENCE_TABLE)
+  return evaluateIncidenceTable(wi, wo, valid);
 #else
   return evaluateTable(wi, wo, valid);
 #endif

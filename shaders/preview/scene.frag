@@ -19,6 +19,7 @@
 //   FACTOR_EDITS         how many of them are of factor curves (preview/factors.glsl)
 //   RGL_THETAS, ...      an RGL file in place of the table (preview/rgl.glsl)
 //   UTIA                 a UTIA material in place of the table (preview/utia.glsl)
+//   INCIDENCE_TABLE, ... a table of angles of incidence (preview/incidence_table.glsl)
 //   INCIDENT_VIEWER, INCIDENT_LIGHT  in which order they are read (preview/incident_slot.glsl)
 //   MODEL_ALONE          the model and no table, with EVALUATE_MODEL and MODEL_PARAMETERS
 //   BLEND_TABLES         several tables mixed (preview/blend.glsl), and nothing else

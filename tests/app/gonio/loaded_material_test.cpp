@@ -27,6 +27,8 @@ class LoadedMaterialTest : public QObject {
     add("MERL", fuzz::merlSeed(), true);
     add("RGL", fuzz::rglSeed(), false);
     add("UTIA", fuzz::utiaSeed(), false);
+    add("Zemax", fuzz::zemaxSeed(), false);
+    add("LightTools", fuzz::lightToolsSeed(), false);
   }
   void theBaseIsTheMeasurementInItsOwnForm() {
     QFETCH(QByteArray, bytes);
@@ -38,7 +40,8 @@ class LoadedMaterialTest : public QObject {
     QCOMPARE(loaded->isTable(), isTable);
   }
 
-  /// The order of the directions is an undo step that changes what is shown, of a UTIA file too.
+  /// The order of the directions is an undo step that changes what is shown, of
+  /// a UTIA file too.
   void theOrderOfDirectionsIsAChoice() {
     Document document;
     document.setMaterial(loadMaterial(test::writeFile("app/order.bin", fuzz::utiaSeed())));

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/gl/shader_base.h"
 
+#include "widgets/preview/gl/incidence_textures.h"
 #include "widgets/preview/gl/rgl_textures.h"
 #include "widgets/preview/gl/utia_texture.h"
 
@@ -11,21 +12,31 @@ namespace {
 
 const UtiaBrdf* asUtia(const Brdf& base) { return dynamic_cast<const UtiaBrdf*>(&base); }
 
+const IncidenceTableBrdf* asIncidenceTable(const Brdf& base) {
+  const auto* brdf = dynamic_cast<const IncidenceTableBrdf*>(&base);
+  return brdf && IncidenceTextures::fits(brdf->table()) ? brdf : nullptr;
+}
+
 }  // namespace
 
-bool isShownNatively(const Brdf& base) { return base.asTable() || base.asRgl() || asUtia(base); }
+bool isShownNatively(const Brdf& base) {
+  return base.asTable() || base.asRgl() || asUtia(base) || asIncidenceTable(base);
+}
 
 void addShaderBase(const Brdf& base, QStringList& definitions) {
   if (const RglBrdf* rgl = base.asRgl())
     definitions << RglTextures::definitions(*rgl);
   else if (asUtia(base))
     definitions << UtiaTexture::definitions();
+  else if (const IncidenceTableBrdf* table = asIncidenceTable(base))
+    definitions << IncidenceTextures::definitions(table->table());
   definitions << incidentDefinitions(base);
 }
 
 std::shared_ptr<ShaderBase> uploadShaderBase(QOpenGLFunctions_4_1_Core& gl, const Brdf& base) {
   if (const RglBrdf* rgl = base.asRgl()) return std::make_shared<RglTextures>(gl, rgl->tables());
   if (const UtiaBrdf* utia = asUtia(base)) return std::make_shared<UtiaTexture>(gl, *utia->values());
+  if (const IncidenceTableBrdf* table = asIncidenceTable(base)) return std::make_shared<IncidenceTextures>(gl, *table);
   return nullptr;
 }
 
