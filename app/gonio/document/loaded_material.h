@@ -33,7 +33,8 @@ struct LoadedMaterial {
   /// Whether table() is the base itself.
   bool isTable() const { return base->asTable() != nullptr; }
   /// The table that fits, factors and codes are made of: the base, or sampled from it at the first call (up to a
-  /// second, in which others wait). Not for the GUI thread. @throws Cancelled.
+  /// second, of an anisotropic measurement some seconds, in which others wait). Not for the GUI thread. @throws
+  /// Cancelled.
   std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control = {}) const;
   /// In memory: of the tables that there are now.
   std::size_t bytes() const;

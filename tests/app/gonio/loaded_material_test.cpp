@@ -29,6 +29,7 @@ class LoadedMaterialTest : public QObject {
     add("UTIA", fuzz::utiaSeed(), false);
     add("Zemax", fuzz::zemaxSeed(), false);
     add("LightTools", fuzz::lightToolsSeed(), false);
+    add("PDV factors", fuzz::pdvSeed(), false);
   }
   void theBaseIsTheMeasurementInItsOwnForm() {
     QFETCH(QByteArray, bytes);
@@ -40,8 +41,12 @@ class LoadedMaterialTest : public QObject {
     QCOMPARE(loaded->isTable(), isTable);
   }
 
-  /// The order of the directions is an undo step that changes what is shown, of
-  /// a UTIA file too.
+  void aPublishedFitIsItsModel() {
+    const LoadedMaterialPtr loaded = loadMaterial("library:sgd/chrome");
+    QVERIFY(loaded->base == loaded->material.brdf && !loaded->isSampled() && !loaded->isTable());
+  }
+
+  /// The order of the directions is an undo step that changes what is shown, of a UTIA file too.
   void theOrderOfDirectionsIsAChoice() {
     Document document;
     document.setMaterial(loadMaterial(test::writeFile("app/order.bin", fuzz::utiaSeed())));
