@@ -4,7 +4,6 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/brdf/statistics.h"
-#include "core/brdf/utia_brdf.h"
 #include "core/rendering/rendered_comparison.h"
 
 namespace gonio::tool {
@@ -65,8 +64,7 @@ int info(const InfoArguments& options, const Tool& tool) {
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   Json json = describe(material, tableStatistics(*table));
-  const bool isUtia = dynamic_cast<const UtiaBrdf*>(material.brdf.get()) != nullptr;
-  json["shownAs"] = isUtia || material.brdf->asRgl() ? "measured" : "table";
+  json["shownAs"] = material.brdf->asTable() ? "table" : "measured";
   if (options.tableError) {
     json["tableSnr"] = nullptr;
     if (material.brdf != table) {

@@ -43,6 +43,8 @@ class IncidenceTableBrdf final : public Brdf {
   bool hasData(const DirectionPair& pair) const override;
 
   const IncidenceTable& table() const { return table_; }
+  /// Whether the direction of a node, in the order of the values, is above the horizon: others do not count.
+  bool isAboveHorizon(std::size_t node) const { return aboveHorizon_[node] != 0; }
   /// Channels of values that were below 0 and were set to 0.
   std::size_t negativeCount() const { return negativeCount_; }
 

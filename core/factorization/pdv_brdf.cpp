@@ -97,7 +97,7 @@ class CurveBundle {
 class PdvBrdf final : public Brdf {
  public:
   explicit PdvBrdf(const PdvFactors& f)
-      : first_(f.truncated(1)),
+      : factors_(std::make_shared<const PdvFactors>(f)),
         transform_(f.transform),
         highest_(f.highest),
         terms_(std::size_t(f.terms())),
@@ -119,6 +119,7 @@ class PdvBrdf final : public Brdf {
   }
   bool samplesItself() const override { return true; }
   bool isReciprocal() const override { return false; }
+  const std::shared_ptr<const PdvFactors>& factors() const { return factors_; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler().sample(wo, u); }
   double pdf(const Direction& wi, const Direction& wo) const override { return sampler().pdf(wi, wo); }
 
@@ -146,15 +147,15 @@ class PdvBrdf final : public Brdf {
 
   const PdvSampler& sampler() const {
     std::call_once(samplerOnce_, [this] {
-      if (first_.terms() == int(terms_))
-        sampler_.emplace(*this, first_.thetaNodes, first_.deviationNodes);
+      if (terms_ <= 1)
+        sampler_.emplace(*this, factors_->thetaNodes, factors_->deviationNodes);
       else
-        sampler_.emplace(PdvBrdf(first_), first_.thetaNodes, first_.deviationNodes);
+        sampler_.emplace(PdvBrdf(factors_->truncated(1)), factors_->thetaNodes, factors_->deviationNodes);
     });
     return *sampler_;
   }
 
-  PdvFactors first_;
+  std::shared_ptr<const PdvFactors> factors_;
   DataTransform transform_;
   double highest_;
   std::size_t terms_;
@@ -166,5 +167,10 @@ class PdvBrdf final : public Brdf {
 }  // namespace
 
 std::shared_ptr<const Brdf> makePdvBrdf(const PdvFactors& factors) { return std::make_shared<const PdvBrdf>(factors); }
+
+std::shared_ptr<const PdvFactors> pdvFactorsOf(const Brdf& brdf) {
+  const auto* pdv = dynamic_cast<const PdvBrdf*>(&brdf);
+  return pdv ? pdv->factors() : nullptr;
+}
 
 }  // namespace gonio::factorization

@@ -82,5 +82,7 @@ PdvFactorization factorizePdv(const TabulatedBrdf& table, const PdvOptions& opti
 /// The reflectance that factors stand for, straight from the curves (monotone cubics between the nodes), no table.
 /// Importance sampling is that of its first term (core/factorization/pdv_sampler.h), tabulated when it is first used.
 std::shared_ptr<const Brdf> makePdvBrdf(const PdvFactors& factors);
+/// The factors of such a BRDF; null for all others.
+std::shared_ptr<const PdvFactors> pdvFactorsOf(const Brdf& brdf);
 
 }  // namespace gonio::factorization

@@ -6,6 +6,7 @@
 
 #include "core/io/csv_text.h"
 #include "core/io/sha256.h"
+#include "core/models/model_brdf.h"
 #include "core/models/parameters_json.h"
 #include "core/support/error.h"
 
@@ -51,10 +52,9 @@ const std::vector<SgdFit>& sgdFits() {
 }
 
 Material sgdMaterial(const SgdFit& fit) {
-  const models::Model& model = models::findModel("sgd");
   Material material;
   material.name = fit.name;
-  material.brdf = model.instantiate(fit.parameters);
+  material.brdf = std::make_shared<const models::ModelBrdf>(models::findModel("sgd"), fit.parameters);
   material.source.format = sgdFormat;
   material.source.sha256 = fit.sha256();
   material.source.description = fit.description();

@@ -11,12 +11,12 @@
 #include "preview/rgl.glsl"
 #elif defined(UTIA)
 #include "preview/utia.glsl"
-#elif !defined(MODEL_ALONE)
+#elif defined(INCIDENCE_TABLE)
+#include "preview/incidence_table.glsl"
+#elif !defined(MODEL_ALONE) && !defined(FACTOR_BASE_TERMS)
 #include "preview/table.glsl"
 #endif
-#ifndef MODEL_ALONE
 #include "preview/data_transform.glsl"
-#endif
 #ifdef BLEND_TABLES
 #include "preview/blend.glsl"
 #endif
@@ -39,6 +39,10 @@ vec3 measuredBrdf(vec3 wi, vec3 wo, out bool valid) {
   return storedInOrder(wi, wo);
 #elif defined(UTIA)
   return evaluateUtia(wi, wo, valid);
+#elif defined(INCIDENCE_TABLE)
+  return evaluateIncidenceTable(wi, wo, valid);
+#elif defined(FACTOR_BASE_TERMS)
+  return evaluateFactors(factorPlaces(wi, wo, 0, FACTOR_BASE_AXES), wi.z * wo.z, 0, 0, FACTOR_BASE_TERMS, FACTOR_BASE_AXES);
 #else
   return evaluateTable(wi, wo, valid);
 #endif

@@ -16,11 +16,13 @@
 //   INTERREFLECTION      light is followed over `reflections` of them (else one)
 //   EDIT_STAGES          functions of the edits in their order, the last of which is LAST_STAGE, with EDIT_UNIFORMS
 //                        (widgets/preview/gl/edit_chain); LOBE_EDITS where some are composed by lobes
-//   FACTOR_EDITS         how many of them are of factor curves (preview/factors.glsl)
+//   FACTOR_EDITS         how many of them are of factor curves, and the base where it is factors (preview/factors.glsl)
+//   FACTOR_BASE_TERMS, FACTOR_BASE_AXES  factors in place of the table, the first of these
 //   RGL_THETAS, ...      an RGL file in place of the table (preview/rgl.glsl)
 //   UTIA                 a UTIA material in place of the table (preview/utia.glsl)
+//   INCIDENCE_TABLE, ... a table of angles of incidence (preview/incidence_table.glsl)
 //   INCIDENT_VIEWER, INCIDENT_LIGHT  in which order they are read (preview/incident_slot.glsl)
-//   MODEL_ALONE          the model and no table, with EVALUATE_MODEL and MODEL_PARAMETERS
+//   MODEL_ALONE          a model in place of the table, with EVALUATE_MODEL and MODEL_PARAMETERS
 //   BLEND_TABLES         several tables mixed (preview/blend.glsl), and nothing else
 #include "math.glsl"
 #include "preview/material.glsl"

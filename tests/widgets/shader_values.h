@@ -65,7 +65,7 @@ class ShaderValues : protected QOpenGLFunctions_4_1_Core {
 
   static std::unique_ptr<QOpenGLShaderProgram> link(const widgets::EditedMaterial& material) {
     QStringList definitions, preamble{"math.glsl"};
-    widgets::addShaderBase(*material.base, definitions);
+    widgets::addShaderBase(*material.base, definitions, preamble);
     widgets::EditChain::addVariant(material.edits, definitions, preamble);
     auto program = std::make_unique<QOpenGLShaderProgram>();
     program->addShaderFromSourceCode(QOpenGLShader::Vertex, widgets::assembleShader("preview/fullscreen.vert"));

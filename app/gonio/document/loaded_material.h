@@ -33,7 +33,8 @@ struct LoadedMaterial {
   /// Whether table() is the base itself.
   bool isTable() const { return base->asTable() != nullptr; }
   /// The table that fits, factors and codes are made of: the base, or sampled from it at the first call (up to a
-  /// second, in which others wait). Not for the GUI thread. @throws Cancelled.
+  /// second, of an anisotropic measurement some seconds, in which others wait). Not for the GUI thread. @throws
+  /// Cancelled.
   std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control = {}) const;
   /// What models are fitted to: the base where it is anisotropic, else table(). Not for the GUI thread. @throws
   /// Cancelled.

@@ -93,8 +93,8 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::option
   facts.push_back({SourceFactsText::tr("Format"), QString::fromStdString(source.format)});
   if (!source.grid.empty()) facts.push_back({SourceFactsText::tr("Data"), gridText(source.grid)});
   if (!loaded.isTable())
-    facts.push_back({SourceFactsText::tr("Shown as"), SourceFactsText::tr("measured, without a table"),
-                     SourceFactsText::tr("The file's own parameterisation is evaluated and edited directly.")});
+    facts.push_back({SourceFactsText::tr("Shown as"), SourceFactsText::tr("its own form, without a table"),
+                     SourceFactsText::tr("The measurement, model or factors are evaluated and edited directly.")});
   facts.push_back(tableFact(loaded, tableSnr, measuring));
   facts.push_back({SourceFactsText::tr("Range, 1/sr"), rangeText(loaded.statistics.channels)});
   if (loaded.isTable())

@@ -68,7 +68,7 @@ QString StatusLine::representationText() const {
   if (standIn) return tr("Showing %1 instead of the material; edits hidden").arg(m_comparison.standInName());
   const MaterialCode* code = m_comparison.code();
   QStringList parts{code ? tr("Code of %1 coefficients").arg(code->encoded.code.coefficients())
-                         : (material->isTable() ? tr("%1 table") : tr("%1 measurement"))
+                         : (material->isTable() ? tr("%1 table") : tr("%1, own form"))
                                .arg(QString::fromStdString(material->material.source.format))};
   const editing::EditList& edits = m_document.edits();
   for (int i = 0; i < int(edits.size()); ++i)

@@ -27,6 +27,9 @@ class LoadedMaterialTest : public QObject {
     add("MERL", fuzz::merlSeed(), true);
     add("RGL", fuzz::rglSeed(), false);
     add("UTIA", fuzz::utiaSeed(), false);
+    add("Zemax", fuzz::zemaxSeed(), false);
+    add("LightTools", fuzz::lightToolsSeed(), false);
+    add("PDV factors", fuzz::pdvSeed(), false);
   }
   void theBaseIsTheMeasurementInItsOwnForm() {
     QFETCH(QByteArray, bytes);
@@ -36,6 +39,11 @@ class LoadedMaterialTest : public QObject {
     const LoadedMaterialPtr loaded = loadMaterial(path);
     QVERIFY(loaded->base == loaded->material.brdf && !loaded->isSampled());
     QCOMPARE(loaded->isTable(), isTable);
+  }
+
+  void aPublishedFitIsItsModel() {
+    const LoadedMaterialPtr loaded = loadMaterial("library:sgd/chrome");
+    QVERIFY(loaded->base == loaded->material.brdf && !loaded->isSampled() && !loaded->isTable());
   }
 
   /// The order of the directions is an undo step that changes what is shown, of a UTIA file too.

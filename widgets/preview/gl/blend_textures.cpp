@@ -25,6 +25,12 @@ void setMoves(QOpenGLShaderProgram& program, const std::vector<editing::Differen
 
 }  // namespace
 
+void addModelAlone(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
+                   QStringList& preamble) {
+  definitions << "MODEL_ALONE";
+  addModel(model, values, definitions, preamble);
+}
+
 void addModel(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
               QStringList& preamble) {
   definitions << "EVALUATE_MODEL " + modelFunction(model)

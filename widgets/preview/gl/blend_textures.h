@@ -24,6 +24,9 @@ class BlendTextures {
   std::shared_ptr<const editing::TransformedMixture> uploaded_;
 };
 
+/// Definitions and files of a shader that evaluates a model in the place of a measurement.
+void addModelAlone(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
+                   QStringList& preamble);
 /// Definitions and files that a shader with a model's formula needs.
 void addModel(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
               QStringList& preamble);

@@ -120,20 +120,27 @@ void setModelParameters(QOpenGLShaderProgram& program, const QString& name, cons
   program.setUniformValueArray(name.toUtf8().constData(), &uniforms.front().x, int(uniforms.size()), 3);
 }
 
-void EditChain::addVariant(const editing::EditList& edits, QStringList& definitions, QStringList& preamble) {
+void EditChain::addVariant(const editing::EditList& edits, QStringList& definitions, QStringList& preamble,
+                           const factorization::PdvFactors* base) {
   ChainText text;
+  if (base) {
+    ++text.factorEdits;
+    definitions << QString("FACTOR_BASE_TERMS %1").arg(base->terms())
+                << QString("FACTOR_BASE_AXES %1").arg(base->phiNodes.size() > 1 ? 3 : 2);
+  }
   for (const Edit& edit : edits) text.add(edit);
+  if (text.factorEdits > 0) definitions << QString("FACTOR_EDITS %1").arg(text.factorEdits);
   if (text.edits == 0) return;
   text.endSteps();
   definitions << "EDIT_UNIFORMS" + text.uniforms << "EDIT_STAGES" + text.functions << "LAST_STAGE " + text.stage;
   if (text.lobeEdits > 0) definitions << "LOBE_EDITS";
-  if (text.factorEdits > 0) definitions << QString("FACTOR_EDITS %1").arg(text.factorEdits);
   preamble << text.files;
 }
 
 void EditChain::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, const editing::EditList& edits,
-                     int unit) {
+                     int unit, std::shared_ptr<const factorization::PdvFactors> base) {
   std::vector<FactorEdit> factors;
+  if (base) factors.push_back({.original = base, .edited = base});
   int number = 0;
   for (const Edit& edit : edits) {
     if (edit.isIdentity()) continue;

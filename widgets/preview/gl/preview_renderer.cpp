@@ -79,11 +79,10 @@ void PreviewRenderer::setSize(const QSize& size) {
 QOpenGLShaderProgram& PreviewRenderer::sceneProgram() {
   QStringList definitions = sceneUniforms_.definitions(), preamble;
   if (const auto* edited = std::get_if<EditedMaterial>(&subject_.shown)) {
-    addShaderBase(*edited->base, definitions);
-    EditChain::addVariant(edited->edits, definitions, preamble);
+    addShaderBase(*edited->base, definitions, preamble);
+    EditChain::addVariant(edited->edits, definitions, preamble, factorization::pdvFactorsOf(*edited->base).get());
   } else if (const auto* alone = std::get_if<ModelAlone>(&subject_.shown)) {
-    definitions << "MODEL_ALONE";
-    addModel(*alone->model, alone->parameters, definitions, preamble);
+    addModelAlone(*alone->model, alone->parameters, definitions, preamble);
   } else if (const auto* blend = std::get_if<PreviewBlend>(&subject_.shown)) {
     BlendTextures::addVariant(*blend, definitions, preamble);
   }
@@ -111,7 +110,7 @@ void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
 void PreviewRenderer::bindMaterial(QOpenGLShaderProgram& program) {
   if (const auto* edited = std::get_if<EditedMaterial>(&subject_.shown)) {
     bindBase(program, *edited);
-    editChain_.bind(*this, program, edited->edits, factorUnit);
+    editChain_.bind(*this, program, edited->edits, factorUnit, factorization::pdvFactorsOf(*edited->base));
   } else if (const auto* alone = std::get_if<ModelAlone>(&subject_.shown)) {
     setModelParameters(program, "modelParameters", *alone->model, alone->parameters);
   } else if (const auto* blend = std::get_if<PreviewBlend>(&subject_.shown)) {

@@ -33,6 +33,7 @@ enum TextureUnit {
   rglColourUnit,
   rglDistributionUnit,
   rglAreaUnit,
+  baseNodeUnit = firstBlendUnit,  ///< nodes of a table of angles of incidence, which is shown alone too
   // While a picture is drawn nothing is decoded.
   lobeCellUnit = firstDecoderUnit,
   lobeRowUnit,

@@ -23,8 +23,8 @@ class ShaderBase {
 /// Whether shaders/preview evaluates a BRDF in its own form: a table, or one that uploadShaderBase() takes.
 bool isShownNatively(const Brdf& base);
 
-/// What the shader is compiled for; nothing for a table.
-void addShaderBase(const Brdf& base, QStringList& definitions);
+/// What the shader is compiled for; nothing for a table, and for factors, which EditChain adds beside those of edits.
+void addShaderBase(const Brdf& base, QStringList& definitions, QStringList& preamble);
 
 /// Some ms. Null for a table and for what the shader does not know.
 std::shared_ptr<ShaderBase> uploadShaderBase(QOpenGLFunctions_4_1_Core& gl, const Brdf& base);

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+// Twin of core/brdf/incidence_table_brdf.h: values for some angles of incidence, each over the directions about an axis.
+//   INCIDENCE_TABLE_MIRROR     the axis is the mirror direction of the light; else the normal
+//   INCIDENCE_TABLE_SYMMETRIC  the azimuths are in [0, pi]
+// By hand: the nodes are uneven, and drivers filter with weights of a few bits.
+uniform sampler3D incidenceValues;  // (rgb, 1) above the horizon, else 0: x polar angle, y azimuth, z angle of incidence
+uniform sampler2D incidenceNodes;   // a row for each of these
+uniform ivec3 incidenceCounts;
+
+// Two nodes with the share of the second.
+struct IncidenceBracket {
+  ivec2 nodes;
+  float share;
+};
+
+float incidenceNode(int row, int index) { return texelFetch(incidenceNodes, ivec2(index, row), 0).x; }
+
+// Held at the ends.
+IncidenceBracket incidenceBracket(int row, float at) {
+  int count = incidenceCounts[row], next = 0, end = count;
+  while (next < end) {
+    int middle = (next + end) / 2;
+    if (incidenceNode(row, middle) <= at) next = middle + 1;
+    else end = middle;
+  }
+  ivec2 nodes = ivec2(max(next - 1, 0), min(next, count - 1));
+  float first = incidenceNode(row, nodes.x);
+  return IncidenceBracket(nodes, nodes.x < nodes.y ? (at - first) / (incidenceNode(row, nodes.y) - first) : 0.0);
+}
+
+// Of azimuths: the last node is followed by the first, a turn on.
+IncidenceBracket azimuthBracket(vec2 w) {
+  float acute = acuteAngle(abs(w.y), abs(w.x));
+  float at = w.x < 0.0 ? pi - acute : acute;
+#ifndef INCIDENCE_TABLE_SYMMETRIC
+  if (w.y < 0.0) at = 2.0 * pi - at;
+  int last = incidenceCounts.y - 1;
+  float first = incidenceNode(1, 0), end = incidenceNode(1, last);
+  if (at < first || at > end) {
+    float gap = first + 2.0 * pi - end;
+    return IncidenceBracket(ivec2(last, 0), gap > 0.0 ? ((at < first ? at + 2.0 * pi : at) - end) / gap : 0.0);
+  }
+#endif
+  return incidenceBracket(1, at);
+}
+
+float anglePolar(float sine, float cosine) { return cosine < 0.0 ? pi - acuteAngle(sine, -cosine) : acuteAngle(sine, cosine); }
+
+// Nodes below the horizon are dropped by their alpha of 0.
+vec4 incidenceLookup(int incident, IncidenceBracket p, IncidenceBracket a) {
+  vec4 low = mix(texelFetch(incidenceValues, ivec3(p.nodes.x, a.nodes.x, incident), 0),
+                 texelFetch(incidenceValues, ivec3(p.nodes.y, a.nodes.x, incident), 0), p.share);
+  vec4 high = mix(texelFetch(incidenceValues, ivec3(p.nodes.x, a.nodes.y, incident), 0),
+                  texelFetch(incidenceValues, ivec3(p.nodes.y, a.nodes.y, incident), 0), p.share);
+  return mix(low, high, a.share);
+}
+
+// Linear RGB in 1/sr; `valid` is false where the value is 0 because nothing was measured there.
+vec3 evaluateIncidenceTable(vec3 wi, vec3 wo, out bool valid) {
+  const float tolerance = 1e-6;
+  float sinI = length(wi.xy), thetaI = acuteAngle(sinI, wi.z);
+  vec2 i = sinI > 0.0 ? wi.xy / sinI : vec2(1.0, 0.0);
+  vec2 turned = vec2(dot(i, wo.xy), i.x * wo.y - i.y * wo.x);
+  // About the mirror direction: azimuth 0, a quarter turn, the axis.
+  vec3 at = vec3(wi.z * turned.x + sinI * wo.z, turned.y, wi.z * wo.z - sinI * turned.x);
+#ifdef INCIDENCE_TABLE_MIRROR
+  float polar = anglePolar(length(at.xy), at.z);
+  IncidenceBracket polars = incidenceBracket(0, polar), azimuths = azimuthBracket(at.xy);
+#else
+  float polar = acuteAngle(length(wo.xy), wo.z);
+#endif
+  IncidenceBracket incident = incidenceBracket(2, thetaI);
+  vec4 sum = vec4(0.0);
+  for (int k = 0; k < 2; ++k) {
+    float share = k == 0 ? 1.0 - incident.share : incident.share;
+    if (share <= 0.0) continue;
+    // The viewer that sees the same of the highlight under this angle of incidence.
+    float theta = incidenceNode(2, incident.nodes[k]), s = sin(theta), c = cos(theta);
+    vec3 seen = vec3(c * at.x - s * at.z, at.y, s * at.x + c * at.z);
+    if (seen.z < -tolerance) continue;
+#ifdef INCIDENCE_TABLE_MIRROR
+    vec4 found = incidenceLookup(incident.nodes[k], polars, azimuths);
+#else
+    IncidenceBracket polars = incidenceBracket(0, anglePolar(length(seen.xy), seen.z));
+    vec4 found = incidenceLookup(incident.nodes[k], polars, azimuthBracket(seen.xy));
+#endif
+    if (found.a > 0.0) sum += share * vec4(found.rgb / found.a, 1.0);
+  }
+  vec3 value = sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0);
+  vec2 ends = vec2(incidenceNode(0, 0), incidenceNode(0, incidenceCounts.x - 1));
+  vec2 lights = vec2(incidenceNode(2, 0), incidenceNode(2, incidenceCounts.z - 1));
+  valid = value != vec3(0.0) || (polar >= ends.x - tolerance && polar <= ends.y + tolerance &&
+                                 thetaI >= lights.x - tolerance && thetaI <= lights.y + tolerance);
+  return value;
+}

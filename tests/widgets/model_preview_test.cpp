@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+
+#include "core/factorization/pdv_operations.h"
+#include "core/materials/sgd_library.h"
+#include "core/models/model_brdf.h"
+#include "core/models/registry.h"
+#include "tests/support/test_program.h"
+#include "tests/widgets/offscreen_spheres.h"
+#include "widgets/preview/gl/shader_base.h"
+
+namespace model_preview_test {
+using namespace gonio;
+using editing::Composition;
+
+editing::Edit edit(const char* id, Composition composition) {
+  const models::Model& model = models::findModel(id);
+  editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
+  edit.composition = composition;
+  edit.edited = edit.fitted;
+  edit.edited.values[*model.spec().find("roughness")] = Rgb(0.5);
+  return {edit};
+}
+
+/// Factors of two terms.
+factorization::PdvFactors factorsOf(factorization::PdvForm form) {
+  const models::Model& model = models::findModel("abc");
+  const auto table = bakeTable(*model.instantiate(models::defaultParameters(model.spec())));
+  return factorization::factorizePdv(*table, {.form = form, .terms = 2}).factors;
+}
+
+/// Materials that are a model or factors are shown by these, not by a table of them.
+class ModelPreviewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    spheres_ = std::make_unique<test::OffscreenSpheres>();
+    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
+  }
+  void cleanupTestCase() { spheres_.reset(); }
+
+  /// Also the picture of the model alone, to the bit. Chrome's highlight is narrower than a pixel: by chance alone its
+  /// picture differs from the CPU's.
+  void publishedFits() {
+    for (const materials::SgdFit& fit : materials::sgdFits()) {
+      if (fit.name != "chrome" && fit.name != "blue-fabric" && fit.name != "alum-bronze") continue;
+      const auto base = materials::sgdMaterial(fit).brdf;
+      if (fit.name != "chrome") verify(base, {});
+      const widgets::ModelAlone alone{&models::findModel("sgd"), fit.parameters};
+      const Image picture = spheres_->drawn({alone}, sphereScene(), 64);
+      QVERIFY(spheres_->drawn({widgets::EditedMaterial{base}}, sphereScene(), 64).pixels == picture.pixels);
+    }
+  }
+
+  /// The edit's model may be the base's, and factor curves may come after.
+  void editsOfModels() {
+    const models::Model& ggx = models::findModel("ggx");
+    const auto base = std::make_shared<const models::ModelBrdf>(ggx, models::defaultParameters(ggx.spec()));
+    const auto original =
+        std::make_shared<const factorization::PdvFactors>(factorsOf(factorization::PdvForm::twoFactors));
+    const auto wider = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(*original, 1.5));
+    const editing::Edit curves{editing::FactorEdit{.original = original, .edited = wider}};
+    verify(base, {edit("ggx", Composition::logPlus), edit("ward", Composition::additive)});
+    verify(base, {edit("ggx", Composition::lobes), curves});
+  }
+
+  /// With factor edits before and behind: each has its own curves.
+  void factors() {
+    for (const auto form : {factorization::PdvForm::twoFactors, factorization::PdvForm::threeFactors}) {
+      const factorization::PdvFactors own = factorsOf(form);
+      const auto base = factorization::makePdvBrdf(own);
+      verify(base, {});
+      const auto original = std::make_shared<const factorization::PdvFactors>(own.truncated(1));
+      const auto wider = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(*original, 1.5));
+      const editing::Edit curves{editing::FactorEdit{.original = original, .edited = wider}};
+      verify(base, {curves, edit("ggx", Composition::logPlus)});
+    }
+  }
+
+ private:
+  void verify(const std::shared_ptr<const Brdf>& base, const editing::EditList& edits) {
+    QVERIFY(!base->asTable() && widgets::isShownNatively(*base));
+    const widgets::PreviewSubject subject{widgets::EditedMaterial{base, edits}};
+    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), sphereScene());
+    qInfo("%.1f dB", snr);
+    QVERIFY2(snr > 40, qPrintable(QString("%1 dB").arg(snr)));
+  }
+
+  std::unique_ptr<test::OffscreenSpheres> spheres_;
+};
+
+GONIO_TEST(ModelPreviewTest)
+}  // namespace model_preview_test
+
+#include "model_preview_test.moc"
