@@ -23,20 +23,16 @@ def run(*command):
 
 
 def seed(tool, out, material, model):
-    """The document of an edit of the fit; other edits of it are written by changing its numbers."""
+    """The document of an edit of the fit; other edits of it are written by changing its control."""
     path = out / f"{material.replace('/', '-')}.gonio"
-    parameter = "base-roughness=0.5" if model == "layered" else "roughness=0.5"
-    run(tool, "edit", f"library:{material}", "--model", model, "--set", parameter, "--out", str(path))
+    run(tool, "edit", f"library:{material}", "--model", model, "--control", "roughness=2", "--out", str(path))
     return json.loads(path.read_text())
 
 
 def edited(document, composition, factor):
     edit = document["edits"][0]
     edit["composition"] = composition
-    edit["edited"] = {
-        name: min(1, value * factor) if name.endswith("roughness") else value
-        for name, value in edit["fitted"].items()
-    }
+    edit["controls"] = {"roughness": factor}
     return document
 
 
