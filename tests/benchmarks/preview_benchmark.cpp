@@ -4,11 +4,13 @@
 // CPU is that of all threads: what software OpenGL costs whatever else the machine does.
 #include <benchmark/benchmark.h>
 
+#include "core/brdf/incidence_table_brdf.h"
 #include "core/brdf/utia_brdf.h"
 #include "core/dictionary/decode.h"
 #include "core/factorization/pdv_operations.h"
 #include "core/io/rgl_file.h"
 #include "core/materials/dictionary_file.h"
+#include "core/materials/sgd_library.h"
 #include "core/models/model.h"
 #include "core/rendering/scene_file.h"
 #include "tests/benchmarks/preview_fixture.h"
@@ -67,16 +69,6 @@ void directionalRglTable(benchmark::State& state) { runRglFrames(state, false, t
 void directionalRgl(benchmark::State& state) { runRglFrames(state, false, false); }
 void environmentRglTable(benchmark::State& state) { runRglFrames(state, true, true); }
 void environmentRgl(benchmark::State& state) { runRglFrames(state, true, false); }
-
-void runUtiaFrames(benchmark::State& state, bool environment, bool asTable) {
-  std::vector<glm::vec3> values(UtiaBrdf::directionCount * UtiaBrdf::directionCount);
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = glm::vec3(0.1f + 0.01f * float(i % 7));
-  runFormFrames(state, environment, std::make_shared<const UtiaBrdf>(std::move(values)), asTable);
-}
-void directionalUtiaTable(benchmark::State& state) { runUtiaFrames(state, false, true); }
-void directionalUtia(benchmark::State& state) { runUtiaFrames(state, false, false); }
-void environmentUtiaTable(benchmark::State& state) { runUtiaFrames(state, true, true); }
-void environmentUtia(benchmark::State& state) { runUtiaFrames(state, true, false); }
 
 /// The drag of a factor curve: new curves, their texels, the first frame.
 void runFactorDrag(benchmark::State& state, bool environment) {
@@ -245,16 +237,52 @@ BENCHMARK(directionalRglTable)->Unit(benchmark::kMillisecond)->MeasureProcessCPU
 BENCHMARK(directionalRgl)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(environmentRglTable)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(environmentRgl)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK(directionalUtiaTable)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK(directionalUtia)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK(environmentUtiaTable)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
-BENCHMARK(environmentUtia)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(environmentSliderStep)
     ->Arg(1)
     ->Arg(16)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()
     ->UseRealTime();
+
+std::shared_ptr<const Brdf> utiaMaterial() {
+  std::vector<glm::vec3> values(UtiaBrdf::directionCount * UtiaBrdf::directionCount);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = glm::vec3(0.1f + 0.01f * float(i % 7));
+  return std::make_shared<const UtiaBrdf>(std::move(values));
+}
+/// As Zemax writes it: 10 angles of incidence, each 37 azimuths by 91 polar angles about the mirror direction.
+std::shared_ptr<const Brdf> incidenceTable() {
+  IncidenceTable table;
+  for (int i = 0; i < 10; ++i) table.incident.push_back(radians(8 * i));
+  for (int i = 0; i < 37; ++i) table.azimuths.push_back(radians(5 * i));
+  for (int i = 0; i < 91; ++i) table.polars.push_back(radians(2 * i));
+  for (int i = 0; i < 10 * 37 * 91; ++i) table.values.emplace_back(0.1f + 0.01f * float(i % 7));
+  return std::make_shared<const IncidenceTableBrdf>(std::move(table));
+}
+std::shared_ptr<const Brdf> publishedFit() { return materials::sgdMaterial(materials::sgdFits().front()).brdf; }
+std::shared_ptr<const Brdf> tenFactors() {
+  return factorization::makePdvBrdf(factorization::factorizePdv(*PreviewFixture::instance().table).factors);
+}
+
+/// Every form of a base beside the table of it: form/NAME/directional, form/NAME/directional/table.
+const bool formsAreRegistered = [] {
+  const std::pair<const char*, std::shared_ptr<const Brdf> (*)()> forms[] = {{"utia", utiaMaterial},
+                                                                             {"incidence-table", incidenceTable},
+                                                                             {"published-fit", publishedFit},
+                                                                             {"factors", tenFactors}};
+  for (const auto& [name, make] : forms)
+    for (const bool environment : {false, true})
+      for (const bool asTable : {false, true})
+        benchmark::RegisterBenchmark(
+            (std::string("form/") + name + (environment ? "/studio" : "/directional") + (asTable ? "/table" : ""))
+                .c_str(),
+            [make = make, environment, asTable](benchmark::State& state) {
+              runFormFrames(state, environment, make(), asTable);
+            })
+            ->Unit(benchmark::kMillisecond)
+            ->MeasureProcessCPUTime()
+            ->UseRealTime();
+  return true;
+}();
 
 /// One sample a pixel of a bundled scene, with what its plan has; "sphere" is the baseline.
 void sceneFrame(benchmark::State& state, const std::string& name) {

@@ -18,7 +18,8 @@ using namespace gonio;
 using namespace gonio::app;
 using namespace gonio::app::test_support;
 
-const QString material = QStringLiteral("library:sgd/green-plastic");
+/// A table: exports hold what the edits make of its cells.
+const QString material = QStringLiteral("library:merl-copy/green-plastic");
 
 struct Editor {
   Document document;

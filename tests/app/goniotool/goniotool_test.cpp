@@ -109,6 +109,24 @@ class GoniotoolTest : public QObject {
     QCOMPARE(runTool({"info", "library:sgd/no-such-material"}).code, 1);
   }
 
+  /// An RGL file is not reciprocal: a table that folds phi_d holds the mean of both orders of its directions.
+  void wholeCircleKeepsWhatIsNotReciprocal() {
+    const QString material = "library:rgl/satin_purple", folded = folder_.path("folded.binary"),
+                  whole = folder_.path("whole.binary");
+    VERIFY_SUCCESS(runTool({"convert", material, folded}));
+    VERIFY_SUCCESS(runTool({"convert", material, whole, "--whole-circle"}));
+    QVERIFY(runJson({"info", whole}).json["grid"] == nlohmann::json({90, 90, 360}));
+    const auto snr = [&](const QString& table) {
+      return runJson({"compare", material, table, "--size", "48", "--samples", "16"}).json["renderedSnr"].get<double>();
+    };
+    const double ofFolded = snr(folded), ofWhole = snr(whole);
+    qInfo("folded %.1f dB, whole circle %.1f dB", ofFolded, ofWhole);
+    QVERIFY(ofWhole > ofFolded + 6);
+    const QString copy = folder_.path("copy-of-whole.binary");
+    VERIFY_SUCCESS(runTool({"convert", whole, copy, "--whole-circle"}));
+    QCOMPARE(bytesOf(copy), bytesOf(whole));
+  }
+
   void fitRecoversAndBakes() {
     const QString out = folder_.path("fitted.binary");
     const ToolResult result = runJson({"fit", plastic_, "--model", "ggx", "--out", out});

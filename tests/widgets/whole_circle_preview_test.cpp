@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+
+#include "core/brdf/pairwise_brdf.h"
+#include "core/models/registry.h"
+#include "tests/support/test_program.h"
+#include "tests/widgets/offscreen_spheres.h"
+
+namespace whole_circle_preview_test {
+using namespace gonio;
+
+/// Another value where light and viewer are exchanged, and on the other side of the plane of incidence.
+std::shared_ptr<const Brdf> notReciprocal() {
+  return makePairwiseBrdf(
+      [](const Direction& wi, const Direction& wo) {
+        const double side = wi.x * wo.y - wi.y * wo.x;
+        return Rgb(0.2 + 0.3 * wi.z * wi.z, 0.3 + 0.2 * side, 0.1 + 0.2 * wo.z);
+      },
+      false);
+}
+
+/// Tables over the whole circle of phi_d in the shader are those of the core, with and without edits.
+class WholeCirclePreviewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void sameAsCpu() {
+    test::OffscreenSpheres spheres;
+    if (!spheres.isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
+    const auto brdf = notReciprocal();
+    const auto table = bakeTable(*brdf, {.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 180, .reciprocal = false});
+    const models::Model& model = models::findModel("ggx");
+    editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
+    edit.edited = edit.fitted;
+    edit.edited.values[*model.spec().find("roughness")] = Rgb(0.5);
+    for (const editing::EditList& edits : {editing::EditList{}, editing::EditList{{edit}}}) {
+      const widgets::PreviewSubject subject{widgets::EditedMaterial{table, edits}};
+      QVERIFY(spheres.agreement(subject, *editing::applyEdits(table, edits), sphereScene()) > 50);
+      // The table holds the material itself; one that folds phi_d would not.
+      QVERIFY(spheres.agreement(subject, *editing::applyEdits(brdf, edits), sphereScene()) > 35);
+    }
+    const auto folded = bakeTable(*brdf, {.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 90});
+    QVERIFY(spheres.agreement({widgets::EditedMaterial{folded}}, *brdf, sphereScene()) < 25);
+  }
+};
+
+GONIO_TEST(WholeCirclePreviewTest)
+}  // namespace whole_circle_preview_test
+
+#include "whole_circle_preview_test.moc"
