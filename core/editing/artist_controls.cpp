@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "core/models/common_parameters.h"
 #include "core/models/fresnel.h"
 
 namespace gonio::editing {
@@ -106,8 +108,22 @@ void saturate(const Controlled& c, double s) {
            [s](const Rgb& k) { return glm::max(Rgb(0), luminance(k) + s * (k - luminance(k))); });
 }
 
+/// The choice that a parameter matters with; none where it always does.
+std::optional<std::size_t> switchOf(const ModelSpec& model, std::size_t parameter) {
+  const std::string_view choice = model.parameters[parameter].activeWith;
+  return choice.empty() ? std::nullopt : model.find(choice);
+}
+bool isActive(const ModelSpec& model, const ParameterValues& p, std::size_t parameter) {
+  const auto choice = switchOf(model, parameter);
+  return !choice || models::chosen(p.values[*choice].x) == model.parameters[parameter].activeChoice;
+}
+
+/// A coat that is added is switched on, where the fit had none.
 void coat(const Controlled& c, double x) {
   const double added = std::max(0.0, x - 1);
+  for (std::size_t i = 0; i < c.p.values.size(); ++i)
+    if (added > 0 && c.model.parameters[i].role == ParameterRole::coat)
+      if (const auto choice = switchOf(c.model, i)) c.p.values[*choice] = Rgb(c.model.parameters[i].activeChoice);
   c.change([](ParameterRole role) { return role == ParameterRole::coat; },
            [=](const Rgb& k) { return x * k + addedCoat * added; });
   c.change([](ParameterRole role) { return role == ParameterRole::coatEdge; },
@@ -220,7 +236,8 @@ std::vector<ControlledParameter> changesBy(ArtistControl control, const ModelSpe
   const ParameterValues after = withFirst(std::size_t(control) + 1, model, parameters, values);
   std::vector<ControlledParameter> changes;
   for (std::size_t i = 0; i < before.values.size(); ++i)
-    if (before.values[i] != after.values[i]) changes.push_back({i, before.values[i], after.values[i]});
+    if (before.values[i] != after.values[i] && isActive(model, after, i))
+      changes.push_back({i, before.values[i], after.values[i]});
   return changes;
 }
 

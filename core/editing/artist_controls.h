@@ -30,7 +30,7 @@ struct ControlledParameter {
   std::size_t parameter;
   Rgb before, after;
 };
-/// What a control changes, with those before it in the list applied: for a line beside its slider.
+/// What a control changes, those before it applied; nothing of lobes that are off. For a line beside its slider.
 std::vector<ControlledParameter> changesBy(ArtistControl control, const models::ModelSpec& model,
                                            const models::ParameterValues& parameters,
                                            const models::ParameterValues& controls);

@@ -149,7 +149,9 @@ struct SheenLobe {
   double exponent = 1;  ///< 1 / alpha
 
   Rgb operator()(const SurfaceGeometry& g) const {
-    const double distribution = (2 + exponent) * std::pow(g.sin2H, exponent / 2) / (2 * pi);
+    // Sharp rims are large powers of a sine near 1: its logarithm from the cosine keeps the digits.
+    const double logSin2 = g.sin2H > 0.5 ? std::log1p(-g.half.z * g.half.z) : std::log(std::max(g.sin2H, 1e-30));
+    const double distribution = (2 + exponent) * std::exp(logSin2 * exponent / 2) / (2 * pi);
     return strength * (distribution / (4 * (g.cosI + g.cosO - g.cosI * g.cosO)));
   }
 };

@@ -17,7 +17,9 @@ vec3 layeredLobe(SurfaceGeometry g, vec3 normal, vec3 edge, float alpha) {
 }
 
 vec3 layeredSheen(SurfaceGeometry g, vec3 strength, float alpha) {
-  float distribution = (2.0 + 1.0 / alpha) * pow(g.sin2H, 0.5 / alpha) / (2.0 * pi);
+  // Sharp rims are large powers of a sine near 1: its logarithm from the cosine keeps the digits.
+  float logSin2 = g.sin2H > 0.5 ? logOnePlus(-g.h.z * g.h.z) : log(max(g.sin2H, 1e-30));
+  float distribution = (2.0 + 1.0 / alpha) * exp(logSin2 * 0.5 / alpha) / (2.0 * pi);
   return strength * (distribution / (4.0 * (g.cosI + g.cosO - g.cosI * g.cosO)));
 }
 

@@ -247,7 +247,7 @@ class GoniotoolTest : public QObject {
     const QString out = folder_.path("composed.binary"), document = folder_.path("composed.gonio");
     QSet<QByteArray> materials;
     for (const QString composition : {"additive", "log-plus", "lobes"}) {
-      const QStringList change{"edit", plastic_, "--model", "layered", "--set", "coat-roughness=0.3", "--compose"};
+      const QStringList change{"edit", plastic_, "--model", "layered", "--set", "base-roughness=0.5", "--compose"};
       VERIFY_SUCCESS(runJson(change + QStringList{composition, "--out", out}));
       const QByteArray direct = bytesOf(out);
       materials.insert(direct);

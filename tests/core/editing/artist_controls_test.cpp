@@ -86,7 +86,8 @@ class ArtistControlsTest : public QObject {
   /// The changes of all controls in their order are what withControls() does.
   void changesAddUp() {
     const models::Model& model = models::layered();
-    const ParameterValues before = coloured(model);
+    ParameterValues before = coloured(model);
+    for (const char* lobe : {"sheen-lobe", "retro-lobe"}) before.values[index(model, lobe)] = Rgb(1);
     ParameterValues controls = neutral();
     controls.values = {Rgb(2), Rgb(1.5), Rgb(1, 0.5, 0.2), Rgb(0.5), Rgb(3), Rgb(2), Rgb(0.5)};
     ParameterValues after = before;
@@ -170,6 +171,15 @@ class ArtistControlsTest : public QObject {
     without.values[coat] = without.values[edge] = Rgb(0);
     const ParameterValues coated = changed(model, without, ArtistControl::coatStrength, Rgb(2));
     QVERIFY(coated.values[coat] == Rgb(0.04) && coated.values[edge] == Rgb(1));
+
+    // A fit without a coat gets one; what a lobe that stays off would have is not mentioned.
+    const auto lobe = index(model, "coat-lobe");
+    without.values[lobe] = Rgb(0);
+    QVERIFY(changed(model, without, ArtistControl::coatStrength, Rgb(2)).values[lobe] == Rgb(1));
+    QVERIFY(changed(model, without, ArtistControl::coatStrength, Rgb(0.5)).values[lobe] == Rgb(0));
+    for (const ControlledParameter& one :
+         changesBy(ArtistControl::roughness, model.spec(), without, with(ArtistControl::roughness, Rgb(2))))
+      QVERIFY(one.parameter != index(model, "coat-roughness"));
   }
 
   /// The strength head-on, k F_0, stays; the strength of the edge, k, is multiplied.

@@ -36,7 +36,7 @@ class EditNoiseTest : public QObject {
  private Q_SLOTS:
   /// Edits are sampled by their own values: at equal samples no edit has more than 1.3 times the noise of its material.
   void anEditConvergesAsItsMaterial() {
-    for (const char* path : {"library:merl-copy/alum-bronze", "library:merl-copy/red-metallic-paint",
+    for (const char* path : {"library:merl-copy/alum-bronze", "library:merl-copy/blue-metallic-paint",
                              "library:merl-copy/red-fabric", "library:rgl/satin_purple"}) {
       const auto base = materials::readLibraryMaterial(path).brdf;
       const auto table = bakeTable(*base, {.thetaHCount = 45, .thetaDCount = 30, .phiDCount = 60});
