@@ -45,7 +45,7 @@ int work(const tool::Tool& tool) {
 int main(int argc, char** argv) {
   CLI::App app(
       "Measured materials (BRDFs) without a window: read, check, convert, fit, edit, factor, encode, blend, plan\n"
-      "measurements and reconstruct from them, render, compare, study.",
+      "measurements and reconstruct from them, export, render, compare, study.",
       "goniotool");
   tool::Tool tool;
   app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
@@ -59,10 +59,10 @@ int main(int argc, char** argv) {
              " document, or a bundled material such as library:merl-copy/chrome or\nlibrary:rgl/paper_blue. Exit code: "
              "0 success, 1 "
              "failure, 2 wrong usage.");
-  for (const auto add :
-       {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit, tool::addEdit,
-        tool::addFactor, tool::addDictionary, tool::addEncode, tool::addDecode, tool::addInterpolate, tool::addPlan,
-        tool::addMeasure, tool::addReconstruct, tool::addRender, tool::addScenes, tool::addCompare, tool::addStudy})
+  for (const auto add : {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit,
+                         tool::addEdit, tool::addFactor, tool::addDictionary, tool::addEncode, tool::addDecode,
+                         tool::addInterpolate, tool::addPlan, tool::addMeasure, tool::addReconstruct, tool::addExport,
+                         tool::addRender, tool::addScenes, tool::addCompare, tool::addStudy})
     add(app, tool);
   try {
     app.parse(argc, argv);

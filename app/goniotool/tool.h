@@ -34,6 +34,7 @@ void addCheck(CLI::App& app, Tool& tool);
 void addConvert(CLI::App& app, Tool& tool);
 void addFit(CLI::App& app, Tool& tool);
 void addEdit(CLI::App& app, Tool& tool);
+void addExport(CLI::App& app, Tool& tool);
 void addRender(CLI::App& app, Tool& tool);
 void addScenes(CLI::App& app, Tool& tool);
 void addCompare(CLI::App& app, Tool& tool);

@@ -13,8 +13,6 @@ namespace gonio::io {
 
 namespace {
 
-constexpr std::string_view magic{"tensor_file\0", 12};
-constexpr std::size_t headerBytes = magic.size() + 2 + sizeof(std::uint32_t);
 constexpr std::uint64_t maxFileBytes = std::uint64_t(1) << 31;
 constexpr std::size_t typeBytes[] = {0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
 constexpr const char* typeNames[] = {"",      "uint8",  "int8",  "uint16",  "int16",   "uint32",
@@ -86,15 +84,15 @@ Tensor readField(Cursor& cursor, std::span<const std::byte> file, const std::str
 }  // namespace
 
 void expectTensorFile(const ByteSource& source) {
-  std::byte start[headerBytes];
-  if (source.size() < headerBytes)
+  std::byte start[tensorHeaderBytes];
+  if (source.size() < tensorHeaderBytes)
     throw FormatMismatch(std::to_string(source.size()) + " bytes", "the signature 'tensor_file' and a directory");
   source.readAt(0, start);
-  if (std::memcmp(start, magic.data(), magic.size()) != 0)
+  if (std::memcmp(start, tensorMagic.data(), tensorMagic.size()) != 0)
     throw FormatMismatch("other bytes at the start", "the signature 'tensor_file'");
-  if (start[magic.size()] != std::byte{1} || start[magic.size() + 1] != std::byte{0})
-    throw FormatMismatch("tensor_file version " + std::to_string(int(start[magic.size()])) + "." +
-                             std::to_string(int(start[magic.size() + 1])),
+  if (start[tensorMagic.size()] != std::byte{1} || start[tensorMagic.size() + 1] != std::byte{0})
+    throw FormatMismatch("tensor_file version " + std::to_string(int(start[tensorMagic.size()])) + "." +
+                             std::to_string(int(start[tensorMagic.size() + 1])),
                          "version 1.0");
 }
 
@@ -120,7 +118,7 @@ std::string Tensor::describe() const {
 
 TensorFile::TensorFile(const ByteSource& source) : bytes_(readWhole(source)) {
   Cursor cursor(bytes_);
-  cursor.take(magic.size() + 2, "a signature");
+  cursor.take(tensorMagic.size() + 2, "a signature");
   const auto count = cursor.number<std::uint32_t>("a number of fields");
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto nameBytes = cursor.take(cursor.number<std::uint16_t>("the length of a name"), "the name of a field");

@@ -14,6 +14,10 @@
 
 namespace gonio::io {
 
+/// What a tensor file begins with; two bytes of the version and a uint32 number of fields follow.
+inline constexpr std::string_view tensorMagic{"tensor_file\0", 12};
+inline constexpr std::size_t tensorHeaderBytes = tensorMagic.size() + 2 + sizeof(std::uint32_t);
+
 /// The types that `tensor_file` numbers.
 enum class TensorType : std::uint8_t {
   uint8 = 1,
@@ -54,6 +58,8 @@ class TensorFile {
   /// @throws FormatMismatch.
   explicit TensorFile(const ByteSource& source);
 
+  /// All fields by their names.
+  const std::map<std::string, Tensor, std::less<>>& fields() const { return fields_; }
   bool contains(std::string_view name) const { return fields_.find(name) != fields_.end(); }
   /// The field, with this type and this many dimensions.
   /// @throws FormatMismatch telling what the file has instead.

@@ -9,6 +9,7 @@
 #include "core/io/format_mismatch.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
+#include "core/materials/material_file.h"
 #include "core/materials/material_formats.h"
 #include "core/support/naming_file.h"
 
@@ -27,15 +28,6 @@ Material readFormat(const io::ByteSource& source, const TaskControl& control) {
   }
   assert(format.holds.anisotropic || material.brdf->isIsotropic());
   return material;
-}
-
-/// The bytes of a material's file, as they were read.
-std::vector<std::byte> unchangedFile(const MaterialSource& source) {
-  return namingFile(source.path, [&] {
-    std::vector<std::byte> found = io::FileSource(source.path).readAll();
-    if (io::sha256Hex(found) != source.sha256) throw Error("found other content than when it was read; read it again");
-    return found;
-  });
 }
 
 }  // namespace
@@ -67,7 +59,7 @@ void writeMaterial(const TabulatedBrdf& table, const std::filesystem::path& path
 
 void writeMaterial(const Material& material, const std::filesystem::path& path, const TaskControl& control) {
   if (material.source.format != writableFormat(path).name) return writeMaterial(*material.tabulated(control), path);
-  const std::vector<std::byte> bytes = unchangedFile(material.source);
+  const std::vector<std::byte> bytes = materialFile(material.source);
   control.throwIfStopped();
   io::writeFileAtomically(path, bytes);
 }

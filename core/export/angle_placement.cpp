@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/angle_placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace gonio::exports {
+
+namespace {
+
+constexpr std::size_t probeSize = 16;
+/// The rest of the sphere's rim is 1/3000 of its disk.
+constexpr double firstAngles[] = {0, radians(89), radians(75), radians(45)};
+
+using SharedSlice = std::shared_ptr<const RglSlice>;
+
+struct Interval {
+  SharedSlice low, middle, high;
+  double error = 0;
+};
+
+/// Squared error of the interpolated file at the nodes of the slice between, as light in the picture of a sphere.
+double interpolationError(const RglLayout& layout, const Interval& interval) {
+  const RglSlice* const ends[] = {interval.low.get(), interval.high.get()};
+  const RglBrdf file(assemble(layout, ends));
+  const RglSlice& truth = *interval.middle;
+  std::vector<Rgb> values(truth.pairs.size());
+  file.evaluate(truth.pairs, values);
+  double sum = 0;
+  for (std::size_t node = 0; node < values.size(); ++node) {
+    if (truth.scale[node] <= 0) continue;
+    const Rgb difference = values[node] * truth.scale[node] - Rgb(truth.rgb.values[node]);
+    sum += glm::dot(difference, difference);
+  }
+  const double theta = truth.theta;
+  return sum * std::sin(theta) * std::cos(theta) * double(interval.high->theta - interval.low->theta);
+}
+
+class Placement {
+ public:
+  Placement(const Brdf& material, const RglLayout& layout) : material_(material), layout_(layout) {
+    std::vector<double> ascending(std::begin(firstAngles), std::end(firstAngles));
+    std::ranges::sort(ascending);
+    for (std::size_t i = 0; i + 1 < ascending.size(); ++i) add(sample(ascending[i]), sample(ascending[i + 1]));
+  }
+
+  /// The angle of the worst interval, which becomes two.
+  double split() {
+    const auto worst = std::ranges::max_element(intervals_, {}, &Interval::error);
+    const Interval interval = *worst;
+    intervals_.erase(worst);
+    add(interval.low, interval.middle);
+    add(interval.middle, interval.high);
+    return interval.middle->theta;
+  }
+
+ private:
+  SharedSlice sample(double theta) const {
+    return std::make_shared<const RglSlice>(sampleSlice(material_, layout_, theta, probeSize));
+  }
+  void add(SharedSlice low, SharedSlice high) {
+    Interval interval{low, sample(0.5 * (double(low->theta) + double(high->theta))), high};
+    interval.error = interpolationError(layout_, interval);
+    intervals_.push_back(std::move(interval));
+  }
+
+  const Brdf& material_;
+  const RglLayout& layout_;
+  std::vector<Interval> intervals_;
+};
+
+}  // namespace
+
+std::vector<double> placeAngles(const Brdf& material, const RglLayout& layout, std::size_t count,
+                                const TaskControl& control) {
+  std::vector<double> angles(std::begin(firstAngles), std::end(firstAngles));
+  Placement placement(material, layout);
+  while (angles.size() < count) {
+    control.throwIfStopped();
+    angles.push_back(placement.split());
+    control.report(double(angles.size()) / double(count));
+  }
+  return angles;
+}
+
+}  // namespace gonio::exports

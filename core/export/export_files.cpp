@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/export_files.h"
+
+#include "core/io/atomic_file.h"
+#include "core/support/error.h"
+
+namespace gonio::exports {
+
+namespace fs = std::filesystem;
+
+void checkTargets(std::span<const fs::path> paths, const fs::path& source, bool overwrite) {
+  for (const fs::path& path : paths) {
+    std::error_code ignored;
+    if (fs::equivalent(path, source, ignored))
+      throw Error(path.string() + ": is the material's own file, expected another name");
+    if (!overwrite && fs::exists(path, ignored))
+      throw Error(path.string() + ": exists already, expected a new name (or --force)");
+    io::checkWritable(path);
+  }
+}
+
+void writeExport(std::span<const ExportFile> files) {
+  std::vector<fs::path> added;
+  try {
+    for (const ExportFile& file : files) {
+      std::error_code ignored;
+      const bool isNew = !fs::exists(file.path, ignored);
+      io::writeFileAtomically(file.path, file.bytes);
+      if (isNew) added.push_back(file.path);
+    }
+  } catch (...) {
+    std::error_code ignored;
+    for (const fs::path& path : added) fs::remove(path, ignored);
+    throw;
+  }
+}
+
+}  // namespace gonio::exports

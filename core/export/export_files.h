@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gonio::exports {
+
+/// One file that is to be written.
+struct ExportFile {
+  std::filesystem::path path;
+  std::vector<std::byte> bytes;
+};
+
+/// Whether an export may write these files, for before the work: into folders that take files, no file in use unless
+/// `overwrite`, and never over `source`. Leaves nothing behind. @throws Error naming the file.
+void checkTargets(std::span<const std::filesystem::path> paths, const std::filesystem::path& source, bool overwrite);
+
+/// Writes all of them, each atomically, or none: where one fails, those that are new are removed again.
+/// @throws Error naming the file.
+void writeExport(std::span<const ExportFile> files);
+
+}  // namespace gonio::exports

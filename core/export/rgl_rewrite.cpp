@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/rgl_rewrite.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/export/rgb_spectra.h"
+#include "core/export/rgl_luminance.h"
+
+namespace gonio::exports {
+
+namespace {
+
+using io::TensorField;
+
+/// The basis at any wavelength: linear between its knots, constant beyond them.
+Rgb basisAt(double nanometres) {
+  const SpectralBasis& basis = spectralBasis();
+  const auto above = std::ranges::lower_bound(basis.nanometres, float(nanometres));
+  if (above == basis.nanometres.begin()) return basis.values.front();
+  if (above == basis.nanometres.end()) return basis.values.back();
+  const auto high = std::size_t(above - basis.nanometres.begin());
+  const double low = basis.nanometres[high - 1], share = (nanometres - low) / (double(*above) - low);
+  return glm::mix(basis.values[high - 1], basis.values[high], share);
+}
+
+TensorField ownField(const std::string& name, const io::Tensor& tensor) {
+  if (tensor.type == io::TensorType::float16) return TensorField::floats(name, tensor.shape, tensor.floats());
+  return {name, tensor.type, tensor.shape, {tensor.bytes.begin(), tensor.bytes.end()}};
+}
+
+/// Of a field with a slice for each incident direction.
+std::vector<std::uint64_t> shapeOf(const ParameterGrid& incident, const SliceStack<float>& stack) {
+  return {incident.phis().size(), incident.thetas().size(), stack.height, stack.width};
+}
+
+}  // namespace
+
+RglRewrite::RglRewrite(std::span<const std::byte> file, std::shared_ptr<const RglBrdf::Tables> tables,
+                       const EditedRgl& edited)
+    : bytes_(file), file_(io::MemorySource(file)), tables_(std::move(tables)), edited_(edited) {}
+
+bool RglRewrite::has(RglColours colours) const {
+  return file_.contains(colours == RglColours::rgb ? "rgb" : "spectra");
+}
+
+bool RglRewrite::keeps(const std::string& name) const {
+  constexpr std::array<std::string_view, 5> rewritten{"description", "rgb", "spectra", "wavelengths", "visible_ndf"};
+  return std::ranges::find(rewritten, name) == rewritten.end() && !(edited_.changed && name == "luminance");
+}
+
+std::vector<TensorField> RglRewrite::newColours(RglColours colours) const {
+  const ParameterGrid& incident = tables_->data.incident;
+  if (colours == RglColours::rgb || !has(RglColours::spectra)) return colourFields(edited_.rgb, incident, colours);
+  const io::Tensor& own = file_.floatField("spectra", 5);
+  const std::vector<float> nanometres = file_.floats("wavelengths", 1);
+  std::vector<float> values = own.floats();
+  const SliceStack<glm::vec3>& before = tables_->data.rgb;
+  const std::size_t plane = before.width * before.height;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t node = i / (plane * nanometres.size()) * plane + i % plane;
+    const Rgb change = Rgb(edited_.rgb.values[node]) - Rgb(before.values[node]);
+    if (change == Rgb(0)) continue;
+    const Rgb basis = basisAt(nanometres[i / plane % nanometres.size()]);
+    values[i] = float(std::max(0.0, double(values[i]) + glm::dot(basis, change)));
+  }
+  return {TensorField::floats("spectra", own.shape, values),
+          TensorField::floats("wavelengths", {nanometres.size()}, nanometres)};
+}
+
+std::vector<std::byte> RglRewrite::bytes(RglColours colours, const std::string& description) const {
+  const bool complete = file_.contains("vndf") && file_.contains("luminance");
+  if (!edited_.changed && has(colours) && complete) return {bytes_.begin(), bytes_.end()};
+  std::vector<TensorField> fields{TensorField::text("description", file_.text("description") + "\n" + description)};
+  for (const auto& [name, tensor] : file_.fields())
+    if (keeps(name)) fields.push_back(ownField(name, tensor));
+  const RglData data = this->data();
+  if (!file_.contains("vndf"))
+    fields.push_back(TensorField::floats("vndf", shapeOf(data.incident, data.vndf), data.vndf.values));
+  if (edited_.changed || !file_.contains("luminance"))
+    fields.push_back(TensorField::floats("luminance", shapeOf(data.incident, data.luminance), data.luminance.values));
+  for (TensorField& field : newColours(colours)) fields.push_back(std::move(field));
+  return io::encodeTensorFile(fields);
+}
+
+RglData RglRewrite::data() const {
+  RglData data = tables_->data;
+  data.vndf = tables_->visibleNormals.cellDensity();
+  data.rgb = edited_.rgb;
+  data.luminance = samplingLuminance(edited_.rgb);
+  return data;
+}
+
+}  // namespace gonio::exports

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/rgl_export.h"
+
+#include <QTest>
+#include <cmath>
+#include <random>
+
+#include "core/brdf/statistics.h"
+#include "core/io/rgl_file.h"
+#include "core/materials/material_file.h"
+#include "tests/core/export/loader_rules.h"
+#include "tests/core/export/published_reader.h"
+#include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
+
+namespace rgl_export_test {
+using namespace gonio;
+using exports::ExportSource;
+using exports::RglExport;
+
+exports::RglOptions small(std::size_t thetaCount, std::size_t size) {
+  exports::RglOptions options;
+  options.fixed = {thetaCount, size};
+  options.pictureSize = 32;
+  options.samples = 32;
+  return options;
+}
+
+std::shared_ptr<const RglBrdf> read(std::span<const std::byte> bytes) {
+  return io::readRgl(io::MemorySource(bytes)).brdf;
+}
+
+std::shared_ptr<const Brdf> glossy() { return test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.9), 0.25, 0.05); }
+
+ExportSource sourceOf(std::shared_ptr<const Brdf> brdf) { return {.name = "test", .brdf = std::move(brdf)}; }
+
+/// A bundled measured file with its bytes.
+ExportSource bundled(const std::string& name) {
+  const materials::Material material = materials::readMaterial("library:rgl/" + name);
+  ExportSource source{.name = name, .brdf = material.brdf};
+  source.rgl = std::shared_ptr<const RglBrdf>(material.brdf, material.brdf->asRgl());
+  source.rglFile = materials::materialFile(material.source);
+  return source;
+}
+
+/// Pairs of which neither direction is at the horizon.
+std::vector<DirectionPair> randomPairs(int count) {
+  std::mt19937_64 random(7);
+  std::vector<DirectionPair> pairs;
+  while (int(pairs.size()) < count) {
+    const DirectionPair pair{test::randomUpper(random), test::randomUpper(random)};
+    if (pair.wi.z > 0.1 && pair.wo.z > 0.1) pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+/// 10 log10 of the energy of the reflected light, f cos theta_i, over that of its errors, where each direction of the
+/// viewer counts as the part of a sphere's picture that is seen from there.
+double ratio(const Brdf& truth, const std::function<Rgb(const DirectionPair&)>& found) {
+  double energy = 0, error = 0;
+  for (const DirectionPair& pair : randomPairs(2000)) {
+    const Rgb value = truth.evaluate(pair.wi, pair.wo) * pair.wi.z, difference = found(pair) * pair.wi.z - value;
+    energy += pair.wo.z * glm::dot(value, value);
+    error += pair.wo.z * glm::dot(difference, difference);
+  }
+  return 10 * std::log10(energy / error);
+}
+
+class RglExportTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void loadersTakeTheFiles_data() {
+    QTest::addColumn<int>("kind");
+    QTest::newRow("glossy") << 0;
+    QTest::newRow("anisotropic") << 1;
+    QTest::newRow("black") << 2;
+    QTest::newRow("negative") << 3;
+    QTest::newRow("RGL") << 4;
+  }
+  void loadersTakeTheFiles() {
+    QFETCH(int, kind);
+    ExportSource source = sourceOf(glossy());
+    if (kind == 1)
+      source.brdf = std::make_shared<test::FunctionBrdf>(
+          [](const Direction& wi, const Direction&) { return Rgb(0.2 + 0.1 * wi.x * wi.x); }, false);
+    if (kind == 2) source.brdf = std::make_shared<test::FunctionBrdf>(test::lambert(Rgb(0)));
+    if (kind == 3)
+      source.brdf = std::make_shared<test::FunctionBrdf>(
+          [](const Direction& wi, const Direction&) { return Rgb(wi.z - 0.5, 0.1, 0.1); });
+    if (kind == 4) source = bundled("paper_blue");
+    const RglExport made = exports::exportRgl(source, kind == 4 ? exports::RglOptions{} : small(5, 16));
+    QCOMPARE(test::brokenRule(made.rgb, false), QString());
+    QCOMPARE(test::brokenRule(made.spectral, true), QString());
+    QCOMPARE(made.clippedValues > 0, kind == 3);
+    if (kind == 3)
+      for (const glm::vec3& value : read(made.rgb)->tables()->data.rgb.values) QVERIFY(value.x >= 0);
+  }
+
+  /// Mitsuba leaves how it folds the azimuth of an isotropic file to chance.
+  void isotropicFilesAreMirrorSymmetric() {
+    const auto file = read(exports::exportRgl(sourceOf(glossy()), small(4, 16)).rgb);
+    const SliceStack<glm::vec3>& rgb = file->tables()->data.rgb;
+    for (std::size_t slice = 0; slice < 4; ++slice)
+      for (std::size_t row = 0; row < 16; ++row)
+        for (std::size_t column = 0; column < 16; ++column)
+          QVERIFY(*rgb.node(slice, row, column) == *rgb.node(slice, 15 - row, column));
+  }
+
+  /// The published formula and our reader agree to the rounding of floats.
+  void readersAgree() {
+    const RglExport made = exports::exportRgl(sourceOf(glossy()), small(24, 32));
+    const auto ours = read(made.rgb);
+    const test::PublishedReader published(made.rgb);
+    for (const DirectionPair& pair : randomPairs(500)) {
+      const Rgb a = ours->evaluate(pair.wi, pair.wo), b = published.value(pair.wo, pair.wi);
+      for (int c = 0; c < 3; ++c)
+        QVERIFY2(std::abs(a[c] - b[c]) <= 1e-4 * b[c], qPrintable(QString::number(a[c] / b[c])));
+    }
+  }
+
+  /// By the published formula a file comes to the material with its size, to less than half the error with four times
+  /// the nodes each way: the parameterisation has a square root at the pole and kinks at the horizon.
+  void filesConverge() {
+    const auto material = glossy();
+    const auto found = [&](std::size_t thetaCount, std::size_t size) {
+      const RglExport made = exports::exportRgl(sourceOf(material), small(thetaCount, size));
+      const test::PublishedReader file(made.rgb);
+      return ratio(*material, [&](const DirectionPair& pair) { return file.value(pair.wo, pair.wi); });
+    };
+    const double coarse = found(12, 16), fine = found(48, 64);
+    QVERIFY2(fine > coarse + 6, qPrintable(QString("%1 to %2 dB").arg(coarse).arg(fine)));
+    const double snr = exports::exportRgl(sourceOf(material), small(24, 32)).snr;
+    QVERIFY2(snr > 40, qPrintable(QString::number(snr)));
+  }
+
+  /// A material that is not reciprocal keeps the viewer in the slot of the incident direction.
+  void viewerIsIncident() {
+    const test::FunctionBrdf material(
+        [](const Direction& wi, const Direction& wo) { return Rgb(0.1 + 0.2 * wi.z + 0.05 * wo.z); }, true, false);
+    const auto made = exports::exportRgl(sourceOf(std::make_shared<test::FunctionBrdf>(material)), small(12, 32));
+    const auto file = read(made.rgb);
+    const double found = ratio(material, [&](const DirectionPair& p) { return file->evaluate(p.wi, p.wo); });
+    QVERIFY2(found > 35, qPrintable(QString::number(found)));
+  }
+
+  void anisotropicMaterials() {
+    const test::FunctionBrdf material(
+        [](const Direction& wi, const Direction& wo) {
+          const Direction h = glm::normalize(wi + wo);
+          return Rgb(0.05) + 0.5 * std::exp(-(h.x * h.x / 0.16 + h.y * h.y / 0.49) / (h.z * h.z));
+        },
+        false);
+    exports::RglOptions options = small(12, 24);
+    options.azimuths = 16;
+    const auto made = exports::exportRgl(sourceOf(std::make_shared<test::FunctionBrdf>(material)), options);
+    const auto file = read(made.rgb);
+    QVERIFY(!file->isIsotropic());
+    const double found = ratio(material, [&](const DirectionPair& p) { return file->evaluate(p.wi, p.wo); });
+    QVERIFY2(found > 30, qPrintable(QString::number(found)));
+  }
+
+  /// Both files hold the same material: spectra seen under D65 are the colours.
+  void spectraAreTheColours() {
+    const RglExport made = exports::exportRgl(sourceOf(glossy()), small(5, 16));
+    const auto rgb = read(made.rgb), spectral = read(made.spectral);
+    for (const DirectionPair& pair : randomPairs(100)) {
+      const Rgb a = rgb->evaluate(pair.wi, pair.wo), b = spectral->evaluate(pair.wi, pair.wo);
+      for (int c = 0; c < 3; ++c) QVERIFY(std::abs(a[c] - b[c]) <= 1e-5 * luminance(a));
+    }
+  }
+
+  /// Light that is sampled by the file's own densities has the material's albedo.
+  void sampledAlbedo() {
+    const auto material = glossy();
+    const auto file = read(exports::exportRgl(sourceOf(material), small(24, 32)).rgb);
+    for (const double theta : {0.2, 0.9}) {
+      const Direction viewer = fromSpherical(theta, 0.3);
+      std::mt19937_64 random(3);
+      std::uniform_real_distribution<double> uniform(0, 1);
+      Rgb sum(0);
+      constexpr int samples = 200000;
+      for (int i = 0; i < samples; ++i) {
+        const DirectionSample s = file->sample(viewer, {uniform(random), uniform(random), uniform(random)});
+        if (s.pdf > 0) sum += file->evaluate(s.wi, viewer) * s.wi.z / s.pdf;
+      }
+      const Rgb albedo = directionalAlbedo(*material, theta);
+      for (int c = 0; c < 3; ++c)
+        QVERIFY2(std::abs(sum[c] / samples / albedo[c] - 1) < 5e-3, qPrintable(QString::number(sum[c] / samples)));
+    }
+  }
+
+  /// A chosen size reaches what was asked for, and a more exact file is not smaller.
+  void sizeFollowsTheAccuracy() {
+    exports::RglOptions options = small(0, 0);
+    options.fixed.reset();
+    options.snr = 25;
+    const RglExport rough = exports::exportRgl(sourceOf(glossy()), options);
+    QVERIFY(rough.snr >= 25);
+    options.maxBytes = 100'000;
+    options.snr = 90;
+    QVERIFY(exports::exportRgl(sourceOf(glossy()), options).rgb.size() < 110'000);
+  }
+
+  /// All fields of an unedited file come back: those of the bundled one with their values, of a whole one with its
+  /// bytes.
+  void uneditedFilesStay() {
+    const ExportSource source = bundled("vch_golden_yellow");
+    const RglExport first = exports::exportRgl(source);
+    QVERIFY(first.unchanged && std::isinf(first.snr));
+    const auto again = read(first.rgb);
+    for (const DirectionPair& pair : randomPairs(300)) {
+      const Rgb a = source.rgl->evaluate(pair.wi, pair.wo), b = again->evaluate(pair.wi, pair.wo);
+      for (int c = 0; c < 3; ++c) QVERIFY(std::abs(a[c] - b[c]) <= 1e-5 * std::abs(a[c]) + 1e-9);
+    }
+    ExportSource whole{.name = "whole", .brdf = again, .rgl = again, .rglFile = first.rgb};
+    const RglExport second = exports::exportRgl(whole);
+    QVERIFY(second.rgb == first.rgb);
+    whole.rgl = read(first.spectral);
+    whole.brdf = whole.rgl;
+    whole.rglFile = first.spectral;
+    QVERIFY(exports::exportRgl(whole).spectral == first.spectral);
+  }
+
+  /// An edit changes the colours alone, and the file shows the edited material.
+  void editedFilesKeepTheirParameterisation() {
+    ExportSource source = bundled("satin_purple");
+    const auto base = source.rgl;
+    source.brdf = std::make_shared<test::FunctionBrdf>(
+        [base](const Direction& wi, const Direction& wo) {
+          return glm::max(Rgb(0), base->evaluate(wi, wo)) * Rgb(0.5, 1.5, 1) * (1 + 0.3 * wo.z);
+        },
+        true, false);
+    exports::RglOptions options;
+    options.pictureSize = options.samples = 32;
+    const RglExport made = exports::exportRgl(source, options);
+    QVERIFY(!made.unchanged);
+    QVERIFY2(made.snr > 40, qPrintable(QString::number(made.snr)));
+    const io::TensorFile before{io::MemorySource(source.rglFile)}, after{io::MemorySource(made.rgb)};
+    for (const char* name : {"theta_i", "phi_i"}) QVERIFY(before.floats(name, 1) == after.floats(name, 1));
+    for (const char* name : {"ndf", "sigma"}) QVERIFY(before.floats(name, 2) == after.floats(name, 2));
+    const auto spectral = read(made.spectral);
+    const double found = ratio(*source.brdf, [&](const DirectionPair& p) { return spectral->evaluate(p.wi, p.wo); });
+    QVERIFY2(found > 30, qPrintable(QString::number(found)));
+  }
+
+  void descriptionTellsTheOrigin() {
+    ExportSource source = sourceOf(glossy());
+    source.origin = "glossy, of nothing";
+    const RglExport made = exports::exportRgl(source, small(4, 16));
+    const std::string text = io::readRgl(io::MemorySource(made.rgb)).description;
+    for (const char* part : {"glossy, of nothing", "viewer", "dB", "0 negative values"})
+      QVERIFY2(text.find(part) != std::string::npos, text.c_str());
+  }
+};
+
+GONIO_TEST(RglExportTest)
+
+}  // namespace rgl_export_test
+
+#include "rgl_export_test.moc"
