@@ -37,8 +37,11 @@ void lobes_layered(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_LAYERED], out vec3 l
   lobes[1] = lit ? layeredLobe(g, p[1], p[2], p[3].x) : vec3(0.0);
   lobes[2] = lit && p[14].x > 0.5 ? layeredLobe(g, p[4], p[5], p[6].x) : vec3(0.0);
   lobes[3] = lit && p[15].x > 0.5 ? layeredLobe(g, p[7], p[8], p[9].x) : vec3(0.0);
-  lobes[4] = lit && p[16].x > 0.5 ? layeredSheen(g, p[10], p[11].x) : vec3(0.0);
-  lobes[5] = lit && p[17].x > 0.5 ? layeredRetro(wi, wo, p[12], p[13].x) : vec3(0.0);
+  // Loops of at most one turn: software OpenGL runs the body of an `if` whether it is true or not.
+  lobes[4] = lobes[5] = vec3(0.0);
+  for (int turn = 0; turn < int(p[16].x + 0.5); ++turn) lobes[4] = lit ? layeredSheen(g, p[10], p[11].x) : vec3(0.0);
+  for (int turn = 0; turn < int(p[17].x + 0.5); ++turn)
+    lobes[5] = lit ? layeredRetro(wi, wo, p[12], p[13].x) : vec3(0.0);
 }
 
 vec3 evaluate_layered(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_LAYERED]) {

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/gl/edit_chain.h"
 
+#include <algorithm>
+
 #include "core/editing/lobe_change.h"
 
 namespace gonio::widgets {
@@ -18,7 +20,9 @@ QString modelId(const models::Model& model) {
 }
 
 /// A function for an edit that is composed by lobes: twin of editing::LobeChange. %1 its name, %2 the stage before it,
-/// %3 the model's name in the shader, %4 that in upper case, %5 the number of the edit.
+/// %3 the model's name in the shader, %4 that in upper case, %5 the number of the edit. Lobes that widen alike share a
+/// look-up of the base, in a loop over the widths that there are: software OpenGL runs the body of an `if` whether it
+/// is true or not.
 constexpr const char* lobesStage = R"(
 vec3 %1(vec3 wi, vec3 wo, out bool valid) {
   vec3 value = %2(wi, wo, valid);
@@ -29,20 +33,19 @@ vec3 %1(vec3 wi, vec3 wo, out bool valid) {
   vec3 model = vec3(0.0);
   for (int part = 0; part < LOBE_COUNT_%4; ++part) model += before[part];
   vec3 ratio = fitRatio(value, model);
-  vec3 change = vec3(0.0), moved = ratio;
-  float scale = 1.0;
+  vec3 change = vec3(0.0);
   for (int part = 0; part < LOBE_COUNT_%4; ++part) {
-    if (scales%5[part] == 0.0) continue;
-    if (scales%5[part] != 1.0 && scales%5[part] != scale) {
-      vec3 movedIn = wi, movedOut = wo;
-      bool measured;
-      scale = scales%5[part];
-      scaleHalfTangent(movedIn, movedOut, scale);
-      vec3 there = %2(movedIn, movedOut, measured);
-      moved = measured ? fitRatio(there, evaluate_%3(movedIn, movedOut, fitted%5)) : ratio;
-    }
-    vec3 carried = scales%5[part] == 1.0 ? ratio : moved;
-    change += after[part] * carried - before[part] * ratio;
+    if (scales%5[part] != 0.0) change -= before[part] * ratio;
+    if (scales%5[part] == 1.0) change += after[part] * ratio;
+  }
+  for (int turn = 0; turn < warps%5; ++turn) {
+    vec3 movedIn = wi, movedOut = wo;
+    bool measured;
+    scaleHalfTangent(movedIn, movedOut, warpScales%5[turn]);
+    vec3 there = %2(movedIn, movedOut, measured);
+    vec3 carried = measured ? fitRatio(there, evaluate_%3(movedIn, movedOut, fitted%5)) : ratio;
+    for (int part = 0; part < LOBE_COUNT_%4; ++part)
+      if (scales%5[part] == warpScales%5[turn]) change += after[part] * carried;
   }
   return withChange(value, strength%5 * change);
 })";
@@ -78,7 +81,9 @@ struct ChainText {
   void addLobes(const DifferentialEdit& edit) {
     endSteps();
     const QString model = modelId(*edit.model).replace('-', '_'), name = nextStage();
-    uniforms += QString(" uniform float scales%1[%2];").arg(edits).arg(edit.model->lobes(edit.fitted).size());
+    uniforms += QString(" uniform float scales%1[%2], warpScales%1[%2]; uniform int warps%1;")
+                    .arg(edits)
+                    .arg(edit.model->lobes(edit.fitted).size());
     functions += QString(lobesStage).arg(name, stage, model, model.toUpper()).arg(edits).replace('\n', ' ');
     stage = name;
     ++lobeEdits;
@@ -101,11 +106,19 @@ struct ChainText {
   }
 };
 
-/// Of each part of the model what LobeChange scales by; 0 where it does not change.
-std::vector<float> scaleUniforms(const DifferentialEdit& edit) {
-  std::vector<float> scales;
-  for (const double scale : editing::lobeScales(edit)) scales.push_back(float(scale));
-  return scales;
+/// Of each part of the model what LobeChange scales by, 0 where it does not change; and those at which the base is
+/// looked up once more.
+void setScales(QOpenGLShaderProgram& program, const QString& suffix, const DifferentialEdit& edit) {
+  std::vector<float> scales, warps;
+  for (const double scale : editing::lobeScales(edit)) {
+    scales.push_back(float(scale));
+    const bool isKnown = std::ranges::find(warps, scales.back()) != warps.end();
+    if (scale != 0 && scale != 1 && !isKnown) warps.push_back(scales.back());
+  }
+  program.setUniformValue(("warps" + suffix).toUtf8().constData(), int(warps.size()));
+  warps.resize(scales.size());
+  program.setUniformValueArray(("scales" + suffix).toUtf8().constData(), scales.data(), int(scales.size()), 1);
+  program.setUniformValueArray(("warpScales" + suffix).toUtf8().constData(), warps.data(), int(warps.size()), 1);
 }
 
 }  // namespace
@@ -149,10 +162,7 @@ void EditChain::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& progra
     if (const auto* differential = std::get_if<DifferentialEdit>(&edit.content)) {
       setModelParameters(program, "edited" + suffix, *differential->model, differential->target());
       setModelParameters(program, "fitted" + suffix, *differential->model, differential->fitted);
-      if (differential->composition == editing::Composition::lobes) {
-        const std::vector<float> scales = scaleUniforms(*differential);
-        program.setUniformValueArray(("scales" + suffix).toUtf8().constData(), scales.data(), int(scales.size()), 1);
-      }
+      if (differential->composition == editing::Composition::lobes) setScales(program, suffix, *differential);
     } else {
       factors.push_back(std::get<FactorEdit>(edit.content));
     }
