@@ -13,7 +13,6 @@ namespace gonio::app {
 namespace {
 
 const QString blendKey = QStringLiteral("blend-spaces");
-constexpr int spaceSide = 112, spaceSamples = 16;
 
 bool sameEnd(const editing::InterpolationEnd& a, const editing::InterpolationEnd& b) {
   return a.table == b.table && a.factors == b.factors && a.code == b.code;
@@ -40,13 +39,14 @@ std::vector<double> inOrder(const std::vector<std::size_t>& order, const std::ve
 }
 
 std::vector<QImage> drawStrip(const widgets::PreparedBlend& blend, const std::vector<std::size_t>& order,
-                              const TaskControl& control) {
+                              const StripPictures& strip, const TaskControl& control) {
   std::vector<QImage> pictures;
   const int materials = int(blend.ends.size());
   for (int i = 0; i < BlendSpaces::pictureCount; ++i) {
     const double t = i / (BlendSpaces::pictureCount - 1.0);
     const auto weights = inOrder(order, widgets::weightsAt(materials, widgets::wayPlace(materials, t)));
-    pictures.push_back(spherePicture(*blend.interpolation->brdf(weights), spaceSide, spaceSamples, {control.stop, {}}));
+    pictures.push_back(
+        spherePicture(*blend.interpolation->brdf(weights), strip.side, strip.samples, {control.stop, {}}));
     control.report((i + 1.0) / BlendSpaces::pictureCount);
   }
   return pictures;
@@ -54,9 +54,10 @@ std::vector<QImage> drawStrip(const widgets::PreparedBlend& blend, const std::ve
 
 }  // namespace
 
-BlendSpaces::BlendSpaces(BackgroundTasks& tasks, QObject* parent)
+BlendSpaces::BlendSpaces(BackgroundTasks& tasks, QObject* parent, const StripPictures& pictures)
     : QObject(parent),
       m_tasks(tasks),
+      m_stripPictures(pictures),
       m_spaces{Space::linear, Space::parameters, Space::differential, Space::factors, Space::dictionary} {}
 
 void BlendSpaces::setEnds(std::vector<editing::InterpolationEnd> ends) {
@@ -145,8 +146,8 @@ void BlendSpaces::prepare(Space space) {
 void BlendSpaces::draw(Space space) {
   m_tasks.run<std::vector<QImage>>(
       {tr("Drawing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
-      [prepared = entry(space).prepared, order = m_order](const TaskControl& control) {
-        return drawStrip(*prepared, order, control);
+      [prepared = entry(space).prepared, order = m_order, strip = m_stripPictures](const TaskControl& control) {
+        return drawStrip(*prepared, order, strip, control);
       },
       [this, space](const std::vector<QImage>& pictures) {
         entry(space).pictures = pictures;

@@ -12,6 +12,11 @@
 
 namespace gonio::app {
 
+/// How the small spheres are drawn.
+struct StripPictures {
+  int side = 112, samples = 16;
+};
+
 /// Prepares materials for every space of interpolation, one space after the other in the background, and draws the
 /// small spheres that show them side by side.
 class BlendSpaces : public QObject {
@@ -22,7 +27,7 @@ class BlendSpaces : public QObject {
   static constexpr int pictureCount = 7;  ///< t = 0, 1/6, .. 1 on the way of widgets::wayPlace()
   enum class State { waiting, running, ready, failed, cancelled };
 
-  explicit BlendSpaces(BackgroundTasks& tasks, QObject* parent = nullptr);
+  explicit BlendSpaces(BackgroundTasks& tasks, QObject* parent = nullptr, const StripPictures& pictures = {});
 
   /// The spaces that can be offered, in the order in which they are shown.
   const std::vector<Space>& spaces() const { return m_spaces; }
@@ -74,6 +79,7 @@ class BlendSpaces : public QObject {
   void cancelAll();
 
   BackgroundTasks& m_tasks;
+  StripPictures m_stripPictures;
   std::vector<Space> m_spaces;
   std::vector<editing::InterpolationEnd> m_ends;  ///< in the order in which they are prepared
   std::vector<std::size_t> m_order;

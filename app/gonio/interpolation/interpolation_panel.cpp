@@ -23,12 +23,13 @@ const QString keepKey = QStringLiteral("keep-blend");
 using Space = editing::InterpolationSpace;
 }  // namespace
 
-InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& tasks, QWidget* parent)
+InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& tasks, QWidget* parent,
+                                       const StripPictures& pictures)
     : QWidget(parent),
       m_document(document),
       m_tasks(tasks),
       m_ends(document, tasks),
-      m_spaces(tasks),
+      m_spaces(tasks, nullptr, pictures),
       m_place(widgets::middlePlace(widgets::fewestBlended)),
       m_wells(new BlendWells(document, m_ends)),
       m_placeEditor(new BlendPlaceEditor),

@@ -26,7 +26,8 @@ class InterpolationPanel : public QWidget {
   Q_OBJECT
 
  public:
-  InterpolationPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
+  InterpolationPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr,
+                     const StripPictures& pictures = {});
 
   /// What the preview is to show instead of the document's material; nothing while the panel is out of sight, is not
   /// shown in the preview, or has nothing to show.

@@ -46,7 +46,7 @@ class BlendSpacesTest : public QObject {
   /// Exchanged materials are blended by what is there; the strip runs the other way.
   void aSwapKeepsEverything() {
     BackgroundTasks tasks;
-    BlendSpaces spaces(tasks);
+    BlendSpaces spaces(tasks, nullptr, smallPictures);
     spaces.setEnds(ends({0, 1}));
     settle(spaces);
     const auto before = prepared(spaces);
@@ -64,7 +64,7 @@ class BlendSpacesTest : public QObject {
   /// Of three the strip's way is another one: drawn anew, from what was prepared, in the order of the places.
   void threeTurnedAround() {
     BackgroundTasks tasks;
-    BlendSpaces spaces(tasks);
+    BlendSpaces spaces(tasks, nullptr, smallPictures);
     spaces.setEnds(ends({0, 1, 2}));
     settle(spaces);
     const auto before = prepared(spaces);
@@ -84,7 +84,7 @@ class BlendSpacesTest : public QObject {
   /// A place that is added and taken away again costs nothing; while it is empty nothing is offered.
   void noneInBetween() {
     BackgroundTasks tasks;
-    BlendSpaces spaces(tasks);
+    BlendSpaces spaces(tasks, nullptr, smallPictures);
     spaces.setEnds(ends({0, 1}));
     settle(spaces);
     const auto before = prepared(spaces);
@@ -101,7 +101,7 @@ class BlendSpacesTest : public QObject {
   /// Another material, or the same one twice, is another blend.
   void othersAreForgotten() {
     BackgroundTasks tasks;
-    BlendSpaces spaces(tasks);
+    BlendSpaces spaces(tasks, nullptr, smallPictures);
     spaces.setEnds(ends({0, 1}));
     settle(spaces);
     for (const auto& others : {ends({0, 2}), ends({0, 0}), ends({0, 1, 2})}) {

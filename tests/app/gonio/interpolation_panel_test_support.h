@@ -32,11 +32,14 @@ inline LoadedMaterialPtr greyMaterial(const char* name, double albedo) {
 
 inline double normalValue(const Brdf& brdf) { return pi * brdf.evaluate({0, 0, 1}, {0, 0, 1}).r; }
 
+/// Enough to tell materials apart.
+inline constexpr StripPictures smallPictures{.side = 24, .samples = 2};
+
 struct Editor {
   BackgroundTasks tasks;
   Document document;
   DocumentController controller{document, tasks};
-  InterpolationPanel panel{document, tasks};
+  InterpolationPanel panel{document, tasks, nullptr, smallPictures};
 
   Editor() {
     panel.resize(1300, 400);
