@@ -159,7 +159,8 @@ CoefficientPrior priorOf(const Dictionary& dictionary, const ProjectedSignals& s
   return prior;
 }
 
-void check(const Ensemble& ensemble, const TrainingMaterials& materials, const DictionaryPriorOptions& options) {
+void checkPriorInput(const Ensemble& ensemble, const TrainingMaterials& materials,
+                     const DictionaryPriorOptions& options) {
   if (materials.names.empty()) throw Error("no material to learn a prior from");
   if (ensemble.dictionaries.empty()) throw Error("an ensemble without dictionaries");
   if (!(materials.grid == ensemble.grid)) throw Error("the materials' grid is not that of the dictionaries");
@@ -174,7 +175,7 @@ void check(const Ensemble& ensemble, const TrainingMaterials& materials, const D
 
 DictionaryPrior learnDictionaryPrior(const Ensemble& ensemble, const TrainingMaterials& materials,
                                      const DictionaryPriorOptions& options, const TaskControl& control) {
-  check(ensemble, materials, options);
+  checkPriorInput(ensemble, materials, options);
   const ProjectedSignals signals = projected(materials, options.transform, control.between(0, 0.5));
   DictionaryPrior prior{
       .grid = ensemble.grid, .transform = options.transform, .highest = signals.highest, .dictionaries = {}};

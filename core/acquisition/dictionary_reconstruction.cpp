@@ -131,7 +131,8 @@ Posterior::Score bestOf(const Posterior& posterior, const DictionaryReconstructi
   return best;
 }
 
-dictionary::SparseCode codeOf(const DictionaryPrior& prior, std::size_t chosen, const Eigen::MatrixXd& coefficients) {
+dictionary::SparseCode sparseCodeOf(const DictionaryPrior& prior, std::size_t chosen,
+                                    const Eigen::MatrixXd& coefficients) {
   dictionary::SparseCode code{.grid = prior.grid, .transform = prior.transform, .channels = {}};
   const std::vector<std::uint32_t>& indices = prior.dictionaries[chosen].indices;
   for (Eigen::Index channel = 0; channel < 3; ++channel) {
@@ -145,7 +146,8 @@ dictionary::SparseCode codeOf(const DictionaryPrior& prior, std::size_t chosen, 
   return code;
 }
 
-void check(const Ensemble& ensemble, const DictionaryPrior& prior, const DictionaryReconstructionOptions& options) {
+void checkDictionaryInput(const Ensemble& ensemble, const DictionaryPrior& prior,
+                          const DictionaryReconstructionOptions& options) {
   if (!(prior.grid == ensemble.grid) || prior.dictionaries.empty() ||
       prior.dictionaries.size() != ensemble.dictionaries.size())
     throw Error("the prior is not of this ensemble: found " + std::to_string(prior.dictionaries.size()) +
@@ -162,7 +164,7 @@ DictionaryReconstruction reconstructInDictionaries(const Ensemble& ensemble, con
                                                    const SamplingPlan& plan, const MeasuredValues& values,
                                                    const DictionaryReconstructionOptions& options,
                                                    const TaskControl& control) {
-  check(ensemble, prior, options);
+  checkDictionaryInput(ensemble, prior, options);
   const ScaledSamples samples = scaledSamples(prior, plan, values);
   std::vector<Posterior::Score> scores(prior.dictionaries.size());
   parallelForBlocks(
@@ -180,7 +182,7 @@ DictionaryReconstruction reconstructInDictionaries(const Ensemble& ensemble, con
   result.noise = scores[chosen].noise;
   result.logEvidence = scores[chosen].logEvidence;
   result.leaveOneOutError = scores[chosen].leaveOneOut;
-  result.code = codeOf(prior, chosen, posterior.coefficients(result.noise));
+  result.code = sparseCodeOf(prior, chosen, posterior.coefficients(result.noise));
   result.table = dictionary::decode(ensemble, result.code);
   control.report(1);
   return result;

@@ -23,16 +23,16 @@ Direction turned(const Direction& w, const glm::dvec2& offset) {
   return glm::normalize(result);
 }
 
-void check(double error, const char* what) {
+void checkError(double error, const char* what) {
   if (!(error >= 0) || !std::isfinite(error)) throw Error(std::string(what) + " must be a number, 0 or more");
 }
 
 }  // namespace
 
 MeasuredValues measure(const Brdf& material, const SamplingPlan& plan, const MeasurementNoise& noise) {
-  check(noise.relative, "the relative noise");
-  check(noise.absolute, "the absolute noise");
-  check(noise.misalignment, "the misalignment");
+  checkError(noise.relative, "the relative noise");
+  checkError(noise.absolute, "the absolute noise");
+  checkError(noise.misalignment, "the misalignment");
   std::mt19937_64 random(noise.seed);
   std::normal_distribution<double> gaussian;
   const auto pair = [&] {

@@ -23,7 +23,7 @@ double trainingVariance(const PrincipalComponents& basis) {
   return 1 / double(std::max<Eigen::Index>(1, basis.svd.v.rows()));
 }
 
-void check(const ReconstructionOptions& options) {
+void checkOptions(const ReconstructionOptions& options) {
   if (options.ridge && !(*options.ridge >= 0)) throw Error("the ridge must be a number, 0 or more");
   if (options.noise && !(*options.noise >= 0 && std::isfinite(*options.noise)))
     throw Error("the noise must be a number, 0 or more");
@@ -97,7 +97,7 @@ Eigen::MatrixXd solveRidge(const PrincipalComponents& basis, const SampleRows& s
 
 Reconstruction reconstruct(const PrincipalComponents& basis, const SamplingPlan& plan, const MeasuredValues& values,
                            const ReconstructionOptions& options, const TaskControl& control) {
-  check(options);
+  checkOptions(options);
   Reconstruction result;
   result.components = options.components > 0 ? std::min(options.components, basis.count()) : basis.count();
   result.leaveOneOutError = std::numeric_limits<double>::quiet_NaN();

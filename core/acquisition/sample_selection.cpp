@@ -123,7 +123,7 @@ bool isPursuit(SelectionMethod method) {
 
 bool needsComponents(SelectionMethod method) { return isPursuit(method) || method == SelectionMethod::conditionNumber; }
 
-void check(const PrincipalComponents& basis, const SelectionOptions& options) {
+void checkSelection(const PrincipalComponents& basis, const SelectionOptions& options) {
   if (options.samples < 1)
     throw Error("a selection of " + std::to_string(options.samples) + " samples: expected at least 1");
   if (options.components < 0)
@@ -138,7 +138,7 @@ void check(const PrincipalComponents& basis, const SelectionOptions& options) {
 
 SampleSelection selectSamples(const PrincipalComponents& basis, const SelectionOptions& options,
                               const TaskControl& control, const Chosen& chosen) {
-  check(basis, options);
+  checkSelection(basis, options);
   const Rows rows = measurableRows(basis, options.measurable);
   if (rows.empty())
     throw Error("no direction pair can be measured: the limits of the rig leave none of the materials' cells");

@@ -45,7 +45,7 @@ class Brdf {
   virtual const RglBrdf* asRgl() const { return nullptr; }
 
   /// Whether sample() knows this BRDF better than a cosine does.
-  virtual bool samplesItself() const { return false; }
+  virtual bool hasImportanceSampling() const { return false; }
 
   /// Draws a direction of light wi for the viewer wo (z > 0) from the density pdf(), for importance sampling: about
   /// proportional to the value times cos theta_i. `u` are three numbers in [0, 1): which lobe, then two for the

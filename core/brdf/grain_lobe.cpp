@@ -20,7 +20,7 @@ constexpr double searchShare = 0.7;
 constexpr std::array shares{0.2, 0.4, 0.6, 0.75, 0.9};
 /// What a grain must save of the second moment: where it saves less, pictures under an environment, which also sample
 /// the light, have no less noise.
-constexpr double leastGain = 0.5;
+constexpr double leastLobeGain = 0.5;
 
 /// One direction in which a BRDF is looked at for the fit.
 struct Probe {
@@ -153,7 +153,7 @@ GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, 
     other.share = share;
     best.consider(moments, other);
   }
-  return best.moment < (1 - leastGain) * without ? best.grain : GrainLobe{};
+  return best.moment < (1 - leastLobeGain) * without ? best.grain : GrainLobe{};
 }
 
 bool areSimilar(const GrainLobe& a, const GrainLobe& b) {

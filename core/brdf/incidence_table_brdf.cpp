@@ -14,7 +14,7 @@ namespace gonio {
 namespace {
 
 /// Rounding of angles in degrees that became radians, and of directions.
-constexpr double angleTolerance = 1e-9;
+constexpr double incidenceTolerance = 1e-9;
 
 using Axis = IncidenceTable::Axis;
 
@@ -36,13 +36,13 @@ struct Frame {
 };
 
 /// A place between two nodes.
-struct Bracket {
+struct IncidenceBracket {
   std::size_t below, above;
   double share;  ///< of `above`
 };
 
 /// Held at the ends.
-Bracket bracketOf(const std::vector<double>& nodes, double at) {
+IncidenceBracket bracketOf(const std::vector<double>& nodes, double at) {
   const auto next = std::size_t(std::upper_bound(nodes.begin(), nodes.end(), at) - nodes.begin());
   if (next == 0) return {0, 0, 0};
   if (next == nodes.size()) return {next - 1, next - 1, 0};
@@ -50,7 +50,7 @@ Bracket bracketOf(const std::vector<double>& nodes, double at) {
 }
 
 /// Of azimuths, (-pi, pi]: the last node is followed by the first, a turn on.
-Bracket azimuthBracket(const IncidenceTable& table, double azimuth) {
+IncidenceBracket azimuthBracket(const IncidenceTable& table, double azimuth) {
   const std::vector<double>& nodes = table.azimuths;
   if (table.symmetric) return bracketOf(nodes, std::abs(azimuth));
   const double at = azimuth < 0 ? azimuth + 2 * pi : azimuth;
@@ -63,12 +63,13 @@ Bracket azimuthBracket(const IncidenceTable& table, double azimuth) {
 void checkNodes(const std::vector<double>& nodes, double highest, const char* name) {
   if (nodes.empty()) throw Error(std::string("found no ") + name + ", expected at least one");
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (!(nodes[i] >= -angleTolerance && nodes[i] <= highest + angleTolerance) || (i > 0 && !(nodes[i] > nodes[i - 1])))
+    if (!(nodes[i] >= -incidenceTolerance && nodes[i] <= highest + incidenceTolerance) ||
+        (i > 0 && !(nodes[i] > nodes[i - 1])))
       throw Error("found the " + std::string(name) + " " + std::to_string(degrees(nodes[i])) +
                   " degrees, expected ascending angles from 0 to " + std::to_string(std::lround(degrees(highest))));
 }
 
-void check(const IncidenceTable& table) {
+void checkIncidences(const IncidenceTable& table) {
   checkNodes(table.incident, halfPi, "angle of incidence");
   checkNodes(table.azimuths, table.symmetric ? pi : 2 * pi, "azimuth");
   checkNodes(table.polars, pi, "polar angle");
@@ -107,7 +108,8 @@ std::vector<std::uint8_t> nodesAboveHorizon(const IncidenceTable& table) {
   for (const double thetaI : table.incident) {
     const Frame frame(table.axis, thetaI);
     for (const double azimuth : table.azimuths)
-      for (const double polar : table.polars) result.push_back(frame.direction(polar, azimuth).z >= -angleTolerance);
+      for (const double polar : table.polars)
+        result.push_back(frame.direction(polar, azimuth).z >= -incidenceTolerance);
   }
   return result;
 }
@@ -121,14 +123,14 @@ struct IncidenceTableBrdf::Weighted {
 };
 
 IncidenceTableBrdf::IncidenceTableBrdf(IncidenceTable table) : table_(std::move(table)) {
-  check(table_);
+  checkIncidences(table_);
   negativeCount_ = cutNegative(table_.values);
   uniteAxis(table_);
   aboveHorizon_ = nodesAboveHorizon(table_);
 }
 
 IncidenceTableBrdf::Weighted IncidenceTableBrdf::lookup(std::size_t incident, double polar, double azimuth) const {
-  const Bracket p = bracketOf(table_.polars, polar), a = azimuthBracket(table_, azimuth);
+  const IncidenceBracket p = bracketOf(table_.polars, polar), a = azimuthBracket(table_, azimuth);
   Weighted result;
   for (const auto& [node, weightA] : {std::pair(a.below, 1 - a.share), {a.above, a.share}})
     for (const auto& [step, weightP] : {std::pair(p.below, 1 - p.share), {p.above, p.share}}) {
@@ -145,13 +147,13 @@ Rgb IncidenceTableBrdf::value(const DirectionPair& pair) const {
   const Direction wo = AzimuthRotation(-azimuth(pair.wi))(pair.wo);
   const Frame mirror(Axis::mirror, thetaI);
   const double polar = mirror.polar(wo), turn = mirror.azimuth(wo);
-  const Bracket bracket = bracketOf(table_.incident, thetaI);
+  const IncidenceBracket bracket = bracketOf(table_.incident, thetaI);
   Weighted result;
   for (const auto& [incident, share] : {std::pair(bracket.below, 1 - bracket.share), {bracket.above, bracket.share}}) {
     if (!(share > 0)) continue;
     // The viewer that sees the same of the highlight under this angle of incidence.
     const Direction seen = Frame(Axis::mirror, table_.incident[incident]).direction(polar, turn);
-    if (seen.z < -angleTolerance) continue;
+    if (seen.z < -incidenceTolerance) continue;
     const Frame normal(Axis::normal, 0);
     const Weighted found = table_.axis == Axis::mirror ? lookup(incident, polar, turn)
                                                        : lookup(incident, normal.polar(seen), normal.azimuth(seen));
@@ -170,7 +172,7 @@ void IncidenceTableBrdf::evaluate(std::span<const DirectionPair> pairs, std::spa
 bool IncidenceTableBrdf::hasData(const DirectionPair& pair) const {
   if (!Brdf::hasData(pair)) return false;
   const auto isWithin = [](double angle, const std::vector<double>& nodes) {
-    return angle >= nodes.front() - angleTolerance && angle <= nodes.back() + angleTolerance;
+    return angle >= nodes.front() - incidenceTolerance && angle <= nodes.back() + incidenceTolerance;
   };
   const double thetaI = polarAngle(pair.wi);
   const Direction wo = AzimuthRotation(-azimuth(pair.wi))(pair.wo);

@@ -50,7 +50,7 @@ class RglBrdf final : public Brdf {
 
   /// The file's own importance sampling (section 5.2): its luminance, then its visible normals, both seen by the
   /// viewer, beside a tenth of cosine-weighted directions. The density is that of the viewer's slot in every order.
-  bool samplesItself() const override { return true; }
+  bool hasImportanceSampling() const override { return true; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override;
   double pdf(const Direction& wi, const Direction& wo) const override;
 

@@ -19,11 +19,11 @@ constexpr std::size_t directions = UtiaBrdf::directionCount, azimuths = UtiaBrdf
 constexpr double angleTolerance = 1e-9;
 
 /// The four nodes about a direction with their weights, which sum to 1.
-struct Nodes {
+struct UtiaNodes {
   std::array<std::size_t, 4> index;
   std::array<double, 4> weight;
 
-  explicit Nodes(const Direction& w) {
+  explicit UtiaNodes(const Direction& w) {
     const double theta = std::min(polarAngle(w), UtiaBrdf::maxPolarAngle) / UtiaBrdf::polarStep;
     const auto below = std::min(std::size_t(theta), UtiaBrdf::polarCount - 2);
     const double turn = azimuth(w) / UtiaBrdf::azimuthStep, floor = std::floor(turn);
@@ -43,7 +43,7 @@ void unitePole(std::vector<glm::vec3>& values, std::size_t first, std::size_t st
   for (std::size_t azimuth = 0; azimuth < azimuths; ++azimuth) values[first + azimuth * stride] = mean;
 }
 
-void check(const std::vector<glm::vec3>& values) {
+void checkUtia(const std::vector<glm::vec3>& values) {
   if (values.size() != directions * directions)
     throw Error("found " + std::to_string(values.size()) + " values, expected 288 x 288");
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -53,8 +53,8 @@ void check(const std::vector<glm::vec3>& values) {
 }
 
 /// The value at the file's own incident and viewing directions.
-Rgb stored(const UtiaBrdf::Values& values, const Direction& incident, const Direction& viewing) {
-  const Nodes rows(incident), columns(viewing);
+Rgb storedValues(const UtiaBrdf::Values& values, const Direction& incident, const Direction& viewing) {
+  const UtiaNodes rows(incident), columns(viewing);
   Rgb value(0);
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t v = 0; v < 4; ++v)
@@ -65,7 +65,7 @@ Rgb stored(const UtiaBrdf::Values& values, const Direction& incident, const Dire
 }  // namespace
 
 UtiaBrdf::UtiaBrdf(std::vector<glm::vec3> values, IncidentSlot slot) : slot_(slot) {
-  check(values);
+  checkUtia(values);
   for (glm::vec3& value : values)
     for (int channel = 0; channel < 3; ++channel) {
       negativeCount_ += value[channel] < 0;
@@ -82,7 +82,7 @@ std::shared_ptr<const UtiaBrdf> UtiaBrdf::withIncident(IncidentSlot slot) const 
 
 void UtiaBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {
   const auto value = [this](const Direction& incident, const Direction& viewing) {
-    return stored(*values_, incident, viewing);
+    return storedValues(*values_, incident, viewing);
   };
   for (std::size_t p = 0; p < pairs.size(); ++p)
     values[p] =

@@ -41,8 +41,8 @@ class WeightedSum final : public Brdf {
   bool isIsotropic() const override {
     return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->isIsotropic(); });
   }
-  bool samplesItself() const override {
-    return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->samplesItself(); });
+  bool hasImportanceSampling() const override {
+    return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->hasImportanceSampling(); });
   }
   bool isReciprocal() const override {
     return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->isReciprocal(); });

@@ -14,7 +14,7 @@ namespace gonio::dictionary {
 
 namespace {
 
-constexpr std::size_t blockCells = 2048;
+constexpr std::size_t evaluatedCells = 2048;
 
 void checkGrid(const MappedCells& mapping, const HalfDifferenceGrid& grid) {
   if (grid == mapping.grid) return;
@@ -30,7 +30,7 @@ void forEachMappedBlock(const PrincipalComponents& pca, const TabulatedBrdf& tab
                         const Work& work) {
   const MappedCells& m = pca.mapping;
   parallelForBlocks(
-      m.cells.size(), blockCells,
+      m.cells.size(), evaluatedCells,
       [&](std::size_t begin, std::size_t end) {
         Eigen::MatrixX3d block = Eigen::MatrixX3d::Zero(Eigen::Index(end - begin), 3);
         for (std::size_t i = begin; i < end; ++i) {
@@ -91,9 +91,9 @@ ComponentCode encode(const PrincipalComponents& pca, const TabulatedBrdf& table,
   checkGrid(pca.mapping, table.grid());
   const Eigen::Index count = std::clamp(components, 0, pca.count());
   const auto u = pca.svd.u.view().leftCols(count);
-  std::vector<Eigen::MatrixX3d> sums((pca.mapping.cells.size() + blockCells - 1) / blockCells);
+  std::vector<Eigen::MatrixX3d> sums((pca.mapping.cells.size() + evaluatedCells - 1) / evaluatedCells);
   forEachMappedBlock(pca, table, control, [&](std::size_t begin, std::size_t end, const Eigen::MatrixX3d& block) {
-    sums[begin / blockCells] =
+    sums[begin / evaluatedCells] =
         u.middleRows(Eigen::Index(begin), Eigen::Index(end - begin)).cast<double>().transpose() * block;
   });
   Eigen::MatrixX3d total = Eigen::MatrixX3d::Zero(count, 3);
@@ -116,7 +116,7 @@ std::shared_ptr<const TabulatedBrdf> decode(const PrincipalComponents& pca, cons
   std::vector<std::uint8_t> valid(m.grid.size(), 0);
   std::atomic<std::size_t> capped = 0;
   parallelForBlocks(
-      m.cells.size(), blockCells,
+      m.cells.size(), evaluatedCells,
       [&](std::size_t begin, std::size_t end) {
         const Eigen::MatrixX3f block = u.middleRows(Eigen::Index(begin), Eigen::Index(end - begin)) * coefficients;
         std::size_t cappedHere = 0;

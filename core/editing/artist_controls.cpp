@@ -47,12 +47,12 @@ constexpr ParameterSpec controls[] = {
                     "k_s' = x k_s"),
     {.id = "tint", .label = "Tint", .symbol = "t", .unit = "",
      .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = 1, .perChannel = true,
-     .description = "Multiplies the colours of the body and of the highlights; white changes nothing.",
-     .formula = "k' = t k in each channel"},
+     .description = "Multiplies the colour of the whole material; white changes nothing.",
+     .formula = "rho' = t rho in each channel"},
     {.id = "saturation", .label = "Saturation", .symbol = "s", .unit = "",
      .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 10, .defaultValue = 1,
-     .description = "How colourful the body and the highlights are at equal luminance: 0 is grey, 2 twice as colourful.",
-     .formula = "k' = max(0, Y + s (k - Y)), Y the luminance of k"},
+     .description = "How colourful the whole material is at equal luminance: 0 is grey, 2 twice as colourful.",
+     .formula = "rho' = max(0, Y + s (rho - Y)), Y the luminance of rho"},
     ratioControl("contrast", "Contrast", "x", "Brightens the highlights and dims the body so that their ratio changes by this factor.",
                  "k_s' = k_s sqrt x, k_d' = k_d / sqrt x"),
     strengthControl("coat-strength", "Coat strength", "x",
@@ -101,11 +101,6 @@ void widen(const Controlled& c, double x) {
       default:
         break;
     }
-}
-
-void saturate(const Controlled& c, double s) {
-  c.change([](ParameterRole role) { return role == ParameterRole::body || isSpecular(role); },
-           [s](const Rgb& k) { return glm::max(Rgb(0), luminance(k) + s * (k - luminance(k))); });
 }
 
 /// The choice that a parameter matters with; none where it always does.
@@ -167,10 +162,8 @@ void apply(ArtistControl control, const Rgb& value, const Controlled& c) {
     case ArtistControl::specularStrength:
       return c.change(isSpecular, [x](const Rgb& k) { return x * k; });
     case ArtistControl::tint:
-      return c.change([](ParameterRole role) { return role == ParameterRole::body || isSpecular(role); },
-                      [&](const Rgb& k) { return value * k; });
     case ArtistControl::saturation:
-      return saturate(c, x);
+      return;
     case ArtistControl::contrast:
       c.change(isSpecular, [root = std::sqrt(x)](const Rgb& k) { return k * root; });
       return c.change([](ParameterRole role) { return role == ParameterRole::body; },
@@ -191,7 +184,7 @@ ParameterValues withFirst(std::size_t count, const ModelSpec& model, ParameterVa
                           const ParameterValues& values) {
   bool changed = false;
   for (std::size_t i = 0; i < count; ++i) {
-    if (isNeutral(values, i) || !actsOn(ArtistControl(i), model)) continue;
+    if (isNeutral(values, i) || actsOnValues(ArtistControl(i)) || !actsOn(ArtistControl(i), model)) continue;
     apply(ArtistControl(i), values.values[i], {model, parameters});
     changed = true;
   }
@@ -202,6 +195,21 @@ ParameterValues withFirst(std::size_t count, const ModelSpec& model, ParameterVa
 }  // namespace
 
 const ModelSpec& artistControls() { return controlsSpec; }
+
+bool actsOnValues(ArtistControl control) {
+  return control == ArtistControl::tint || control == ArtistControl::saturation;
+}
+
+glm::dmat3 colourMatrix(const ParameterValues& values) {
+  glm::dmat3 matrix(1);
+  const auto tint = std::size_t(ArtistControl::tint), saturation = std::size_t(ArtistControl::saturation);
+  if (isNeutral(values, tint) && isNeutral(values, saturation)) return matrix;
+  for (int channel = 0; channel < 3; ++channel) {
+    const Rgb tinted = matrix[channel] * values.values[tint][channel];
+    matrix[channel] = luminance(tinted) + values.values[saturation].x * (tinted - luminance(tinted));
+  }
+  return matrix;
+}
 
 bool actsOn(ArtistControl control, const ModelSpec& model) {
   const auto has = [&](const auto& wanted) {
@@ -215,7 +223,7 @@ bool actsOn(ArtistControl control, const ModelSpec& model) {
       return has(isSpecular);
     case ArtistControl::tint:
     case ArtistControl::saturation:
-      return has(isBody) || has(isSpecular);
+      return true;
     case ArtistControl::contrast:
       return has(isBody) && has(isSpecular);
     case ArtistControl::coatStrength:

@@ -28,14 +28,6 @@ InterpolationSpace spaceFromJson(const JsonObject& object) {
   return InterpolationSpace(found - interpolationSpaceNames.begin());
 }
 
-const models::Model* modelFromJson(const JsonObject& object) {
-  try {
-    return &models::findModel(object.text("model"));
-  } catch (const Error& error) {
-    throw Error(object.place("model") + ": " + error.what());
-  }
-}
-
 /// Of one material: its own hash and its edits.
 nlohmann::json identityOf(const EditDocument& material) {
   nlohmann::json json = contentToJson(material);
@@ -102,7 +94,7 @@ std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& jso
     throw Error(where + ": found more than " + std::to_string(mostBlendsInBlends) + " blends in one another");
   auto blend = std::make_shared<BlendSource>();
   blend->space = spaceFromJson(object);
-  if (hasModel(blend->space)) blend->model = modelFromJson(object);
+  if (hasModel(blend->space)) blend->model = &modelFromJson(object);
   const nlohmann::json& materials = object.array("materials");
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const JsonObject material(materials[i], object.place("materials") + "[" + std::to_string(i) + "]");

@@ -17,13 +17,16 @@ struct DifferentialEdit {
   models::ParameterValues fitted;
   models::ParameterValues edited;
   Composition composition = Composition::additive;
-  /// artistControls(), applied to `edited`.
+  /// artistControls(), applied to `edited`, or to the values that come of it (colours()).
   models::ParameterValues controls = models::defaultParameters(artistControls());
 
   /// The parameters of the edited model: `edited` with the controls applied.
   models::ParameterValues target() const { return withControls(model->spec(), edited, controls); }
-  /// Whether the edited model is the fitted one.
-  bool isIdentity() const { return target() == fitted; }
+  /// Applied to the edited values, after the change of the model: v' = max(0, v + strength (C v - v)).
+  glm::dmat3 colours() const { return colourMatrix(controls); }
+  bool changesModel() const { return target() != fitted; }
+  bool changesColours() const { return colours() != glm::dmat3(1); }
+  bool isIdentity() const { return !changesModel() && !changesColours(); }
   bool operator==(const DifferentialEdit&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cassert>
 #include <limits>
+#include <optional>
 
 #include "core/coordinates/azimuth_rotation.h"
 #include "core/editing/lobe_change.h"
@@ -20,19 +21,22 @@ constexpr std::size_t bakeBlock = 4096;
 /// Pairs that are worked on at once: scratch stays on the stack, so single look-ups allocate nothing.
 constexpr std::size_t chunkSize = LobeChange::maxPairs;
 
-/// An edit that changes something, ready to evaluate.
+/// A step of an edit that changes something, ready to evaluate.
 struct ActiveEdit {
   std::shared_ptr<const Brdf> edited = {};
   std::shared_ptr<const Brdf> fitted = {};  ///< null: `edited` takes the place of the base
   double strength = 1;
   Composition composition = Composition::additive;
   std::shared_ptr<const LobeChange> lobes = {};  ///< of Composition::lobes, which looks at other directions too
+  std::optional<glm::dmat3> colours = {};        ///< of a step that changes colours alone
 
   bool isIsotropic() const {
+    if (colours) return true;
     if (lobes) return lobes->isIsotropic();
     return edited->isIsotropic() && (!fitted || fitted->isIsotropic());
   }
   bool isReciprocal() const {
+    if (colours) return true;
     if (lobes) return lobes->isReciprocal();
     return edited->isReciprocal() && (!fitted || fitted->isReciprocal());
   }
@@ -42,25 +46,29 @@ bool allIsotropic(std::span<const ActiveEdit> edits) {
   return std::all_of(edits.begin(), edits.end(), [](const ActiveEdit& edit) { return edit.isIsotropic(); });
 }
 
-ActiveEdit activated(const DifferentialEdit& edit, double strength) {
-  assert(edit.model);
+ActiveEdit modelChange(const DifferentialEdit& edit, double strength) {
   if (edit.composition == Composition::lobes)
     return {.strength = strength, .composition = edit.composition, .lobes = std::make_shared<const LobeChange>(edit)};
   return {edit.model->instantiate(edit.target()), edit.model->instantiate(edit.fitted), strength, edit.composition};
 }
 
-ActiveEdit activated(const FactorEdit& edit, double strength) {
+void append(std::vector<ActiveEdit>& steps, const DifferentialEdit& edit, double strength) {
+  assert(edit.model);
+  if (edit.changesModel()) steps.push_back(modelChange(edit, strength));
+  if (edit.changesColours()) steps.push_back({.strength = strength, .colours = edit.colours()});
+}
+
+void append(std::vector<ActiveEdit>& steps, const FactorEdit& edit, double strength) {
   assert(edit.original && edit.edited);
-  return {factorization::makePdvBrdf(*edit.edited),
-          edit.keepDetail ? factorization::makePdvBrdf(*edit.original) : nullptr, strength};
+  steps.push_back({factorization::makePdvBrdf(*edit.edited),
+                   edit.keepDetail ? factorization::makePdvBrdf(*edit.original) : nullptr, strength});
 }
 
 std::vector<ActiveEdit> activate(std::span<const Edit> edits) {
   std::vector<ActiveEdit> active;
   for (const Edit& edit : edits)
     if (!edit.isIdentity())
-      active.push_back(
-          std::visit([&](const auto& content) { return activated(content, edit.strength); }, edit.content));
+      std::visit([&](const auto& content) { append(active, content, edit.strength); }, edit.content);
   return active;
 }
 
@@ -79,6 +87,10 @@ void addEdits(std::span<const ActiveEdit> edits, std::span<const DirectionPair> 
               const Rgb& floor = Rgb(0)) {
   std::array<Rgb, chunkSize> edited, fitted;
   for (const ActiveEdit& edit : edits) {
+    if (edit.colours) {
+      for (Rgb& value : values) value = changed(value, edit.strength * (*edit.colours * value - value), floor);
+      continue;
+    }
     edit.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
     if (!edit.fitted) {
       for (std::size_t i = 0; i < pairs.size(); ++i)

@@ -50,14 +50,6 @@ nlohmann::json toJson(const Edit& edit) {
   return json;
 }
 
-const models::Model& modelFromJson(const JsonObject& object) {
-  try {
-    return models::findModel(object.text("model"));
-  } catch (const Error& error) {
-    throw Error(object.place("model") + ": " + error.what());
-  }
-}
-
 Composition compositionFromJson(const JsonObject& object, const models::Model& model) {
   const std::string id = object.text("composition");
   const auto found = std::ranges::find(compositionIds, id);
@@ -133,6 +125,14 @@ EditDocument withPaths(EditDocument document, const Change& change) {
 }
 
 }  // namespace
+
+const models::Model& modelFromJson(const JsonObject& object) {
+  try {
+    return models::findModel(object.text("model"));
+  } catch (const Error& error) {
+    throw Error(object.place("model") + ": " + error.what());
+  }
+}
 
 nlohmann::json contentToJson(const EditDocument& document) {
   nlohmann::json edits = nlohmann::json::array();

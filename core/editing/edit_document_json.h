@@ -12,4 +12,7 @@ nlohmann::json contentToJson(const EditDocument& document);
 /// @param depth how many blends it lies in. @throws Error as documentFromJson().
 EditDocument contentFromJson(const JsonObject& object, int version, int depth = 0);
 
+/// The model named under "model". @throws Error naming the key.
+const models::Model& modelFromJson(const JsonObject& object);
+
 }  // namespace gonio::editing

@@ -55,6 +55,14 @@ std::vector<double> lobeScales(const DifferentialEdit& edit) {
   return scalesOf(edit.model->lobes(edit.fitted), edit.model->lobes(edit.target()));
 }
 
+Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited) {
+  constexpr double darkest = 1e-30, leastChannel = 1e-6;
+  const double before = luminance(fitted), after = luminance(edited);
+  if (before < darkest || after < darkest) return ratio;
+  const Rgb kept = glm::min(Rgb(1), (fitted / before) / glm::max(edited / after, Rgb(leastChannel)));
+  return glm::mix(Rgb(luminance(fitted * ratio) / before), ratio, kept);
+}
+
 void LobeChange::evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
                           std::span<Rgb> changes) const {
   assert(pairs.size() <= maxPairs);
@@ -79,7 +87,8 @@ void LobeChange::add(const Lobe& lobe, std::span<const DirectionPair> pairs, std
   std::array<Rgb, maxPairs> fitted, edited;
   lobe.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
   lobe.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
-  for (std::size_t i = 0; i < pairs.size(); ++i) changes[i] += edited[i] * carried[i] - fitted[i] * ratios[i];
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    changes[i] += edited[i] * recolouredRatio(carried[i], fitted[i], edited[i]) - fitted[i] * ratios[i];
 }
 
 void LobeChange::carryRatios(double scale, const Brdf& base, std::span<const DirectionPair> pairs,

@@ -18,6 +18,10 @@ namespace gonio::editing {
 /// where w_k scales tan theta_h by alpha_k / alpha'_k (withScaledHalfTangent()): it maps a direction to where the
 /// unedited lobe had the same place in its profile. A highlight keeps its colour and its shape while it widens, and
 /// lobes that do not change add exactly nothing. Where w_k(x) was not measured, q(x) is taken.
+///
+/// A lobe that gets another colour carries the ratio of each channel as far as it keeps its chromaticity, and the ratio
+/// of luminance for the rest (recolouredRatio()): a red body that is made grey does not keep the errors of a channel in
+/// which it was dark.
 class LobeChange {
  public:
   /// @throws Error where the model is no sum of lobes.
@@ -51,6 +55,11 @@ class LobeChange {
   std::unique_ptr<const Brdf> fitted_;
   std::vector<Lobe> lobes_;  ///< those that change, by their scale
 };
+
+/// The ratio that a lobe carries. With the chromaticities c = M_k / Y(M_k) and c' = M'_k / Y(M'_k), Y the luminance,
+/// and s = min(1, c / c') in each channel: s q + (1 - s) Y(M_k q) / Y(M_k). It is q where the colour stays.
+/// @param ratio q; fitted, edited M_k and M'_k, 1/sr.
+Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited);
 
 /// alpha / alpha' of each part of the edited model, 1 where it keeps its width; 0 where it does not change at all. What
 /// the shader reads. Only of models with lobes.

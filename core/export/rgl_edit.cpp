@@ -11,7 +11,7 @@ namespace gonio::exports {
 
 namespace {
 
-constexpr SliceBlend onlySlice{1, {0}, {1}};
+constexpr SliceBlend onlyEditSlice{1, {0}, {1}};
 /// As RglBrdf divides: not by less.
 constexpr double minCosine = 1e-3;
 
@@ -26,7 +26,7 @@ SliceNodes nodesOf(const RglBrdf::Tables& tables, std::size_t slice) {
   const std::size_t thetas = data.incident.thetas().size();
   const double phi = data.incident.phis()[slice / thetas], theta = data.incident.thetas()[slice % thetas];
   const Direction viewer = fromSpherical(theta, phi);
-  const double sigma = interpolate<double>(data.sigma, onlySlice, toNormalSquare(viewer, 0));
+  const double sigma = interpolate<double>(data.sigma, onlyEditSlice, toNormalSquare(viewer, 0));
   const SliceBlend blend{1, {std::uint32_t(slice)}, {1}};
   SliceNodes nodes;
   for (std::size_t row = 0; row < data.rgb.height; ++row)
@@ -34,7 +34,7 @@ SliceNodes nodesOf(const RglBrdf::Tables& tables, std::size_t slice) {
       const glm::dvec2 at(double(column) / double(data.rgb.width - 1), double(row) / double(data.rgb.height - 1));
       const glm::dvec2 square = tables.visibleNormals.sample(blend, at).point;
       const Direction light = reflected(viewer, fromNormalSquare(square, data.isotropic ? phi : 0));
-      const double ndf = data.jacobian ? interpolate<double>(data.ndf, onlySlice, square) : 4 * sigma;
+      const double ndf = data.jacobian ? interpolate<double>(data.ndf, onlyEditSlice, square) : 4 * sigma;
       const bool seen = light.z > horizonTolerance && ndf > 0 && viewer.z > horizonTolerance;
       nodes.pairs.push_back({seen ? glm::normalize(light) : viewer, viewer});
       nodes.scale.push_back(seen ? std::max(light.z, minCosine) * 4 * sigma / ndf : 0);

@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::size_t nodes = NonparametricFactors::nodes;
-using Curve = std::array<double, nodes>;
+constexpr std::size_t nodeCount = NonparametricFactors::nodes;
+using NodeValues = std::array<double, nodeCount>;
 
 /// A valid node of the samples.
 struct Cell {
@@ -29,8 +29,8 @@ struct Cell {
 
 std::vector<Cell> cellsOf(const HalfDifferenceSamples& s) {
   std::vector<Cell> cells;
-  for (std::size_t h = 0, i = 0; h < nodes; ++h)
-    for (std::size_t d = 0; d < nodes; ++d)
+  for (std::size_t h = 0, i = 0; h < nodeCount; ++h)
+    for (std::size_t d = 0; d < nodeCount; ++d)
       for (std::size_t p = 0; p < s.axes.phiD.size(); ++p, ++i) {
         if (!s.valid[i]) continue;
         const double cosines = s.cosI[i] * s.cosO[i];
@@ -81,12 +81,12 @@ class ChannelFit {
   }
 
  private:
-  static double at(const Curve& g, const NodePlace& place) {
+  static double at(const NodeValues& g, const NodePlace& place) {
     return (1 - place.share) * g[place.index] + place.share * g[place.index + 1];
   }
-  double masking(const Cell& cell, const Curve& g) const { return at(g, cell.i) * at(g, cell.o) / cell.cosines; }
+  double masking(const Cell& cell, const NodeValues& g) const { return at(g, cell.i) * at(g, cell.o) / cell.cosines; }
 
-  double leftOver(const Curve& g) const {
+  double leftOver(const NodeValues& g) const {
     double sum = 0;
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       const Cell& cell = cells_[k];
@@ -99,28 +99,28 @@ class ChannelFit {
   /// No shadowing, no Fresnel effect; D from the mean at each theta_h, half of the smallest of which is diffuse.
   void start() {
     f_.fill(1);
-    for (std::size_t i = 0; i < nodes; ++i) g_[i] = std::cos(radians(double(i) + 0.5));
-    Curve sums{}, weights{};
+    for (std::size_t i = 0; i < nodeCount; ++i) g_[i] = std::cos(radians(double(i) + 0.5));
+    NodeValues sums{}, weights{};
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       sums[cells_[k].h] += weights_[k] * values_[k];
       weights[cells_[k].h] += weights_[k];
     }
     base_ = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < nodes; ++i)
+    for (std::size_t i = 0; i < nodeCount; ++i)
       if (weights[i] > 0) base_ = std::min(base_, sums[i] / weights[i] / 2);
     if (cells_.empty()) base_ = 0;
-    for (std::size_t i = 0; i < nodes; ++i) d_[i] = weights[i] > 0 ? sums[i] / weights[i] - base_ : 0;
+    for (std::size_t i = 0; i < nodeCount; ++i) d_[i] = weights[i] > 0 ? sums[i] / weights[i] - base_ : 0;
   }
 
-  void updateCurve(Curve& curve, const Curve& other, std::size_t Cell::*own, std::size_t Cell::*others) {
-    Curve products{}, squares{};
+  void updateCurve(NodeValues& curve, const NodeValues& other, std::size_t Cell::*own, std::size_t Cell::*others) {
+    NodeValues products{}, squares{};
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       const Cell& cell = cells_[k];
       const double factor = other[cell.*others] * masking(cell, g_);
       products[cell.*own] += weights_[k] * factor * (values_[k] - base_);
       squares[cell.*own] += weights_[k] * factor * factor;
     }
-    for (std::size_t i = 0; i < nodes; ++i)
+    for (std::size_t i = 0; i < nodeCount; ++i)
       if (squares[i] > 0) curve[i] = std::max(0.0, products[i] / squares[i]);
   }
 
@@ -136,8 +136,8 @@ class ChannelFit {
 
   /// G stands twice in a cell.
   void updateMasking() {
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(nodes, nodes);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(nodes);
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(nodeCount, nodeCount);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(nodeCount);
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       const Cell& cell = cells_[k];
       const double lobe = d_[cell.h] * f_[cell.d] / cell.cosines, gI = at(g_, cell.i), gO = at(g_, cell.o);
@@ -156,15 +156,15 @@ class ChannelFit {
 
   /// Levenberg and Marquardt: nodes that the lobe hardly reaches stay where they are.
   void takeDampedStep(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
-    const double unit = matrix.trace() / nodes, before = leftOver(g_);
+    const double unit = matrix.trace() / nodeCount, before = leftOver(g_);
     if (!(unit > 0)) return;
     for (const double damping : {1e-3, 1e-1, 10.0, 1000.0}) {
       Eigen::MatrixXd damped = matrix;
       damped.diagonal() *= 1 + damping;
       damped.diagonal().array() += 1e-9 * unit;
       const Eigen::VectorXd step = solveSymmetric(damped, right);
-      Curve trial;
-      for (std::size_t i = 0; i < nodes; ++i) trial[i] = std::max(0.0, g_[i] + step[Index(i)]);
+      NodeValues trial;
+      for (std::size_t i = 0; i < nodeCount; ++i) trial[i] = std::max(0.0, g_[i] + step[Index(i)]);
       if (!(leftOver(trial) < before)) continue;
       g_ = trial;
       return;
@@ -174,16 +174,16 @@ class ChannelFit {
   const std::vector<Cell>& cells_;
   std::vector<double> values_, weights_;
   double total_ = 0, base_ = 0;
-  Curve d_{}, f_{}, g_{};
+  NodeValues d_{}, f_{}, g_{};
 };
 
 }  // namespace
 
-HalfDifferenceAxes nonparametricAxes() { return makeHalfDifferenceAxes(int(nodes), int(nodes), 10); }
+HalfDifferenceAxes nonparametricAxes() { return makeHalfDifferenceAxes(int(nodeCount), int(nodeCount), 10); }
 
 NonparametricFit fitNonparametric(const HalfDifferenceSamples& samples, const NonparametricOptions& options,
                                   const TaskControl& control) {
-  assert(samples.axes.thetaH.size() == nodes && samples.axes.thetaD.size() == nodes);
+  assert(samples.axes.thetaH.size() == nodeCount && samples.axes.thetaD.size() == nodeCount);
   const std::vector<Cell> cells = cellsOf(samples);
   NonparametricFit result;
   parallelForBlocks(3, 1,

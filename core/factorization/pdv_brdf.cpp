@@ -117,7 +117,7 @@ class PdvBrdf final : public Brdf {
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
     for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
   }
-  bool samplesItself() const override { return true; }
+  bool hasImportanceSampling() const override { return true; }
   bool isReciprocal() const override { return false; }
   const std::shared_ptr<const PdvFactors>& factors() const { return factors_; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler().sample(wo, u); }

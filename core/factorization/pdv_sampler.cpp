@@ -14,7 +14,7 @@ namespace gonio::factorization {
 namespace {
 
 constexpr double leastCosineShare = 0.1;
-constexpr double smallestCosine = 1e-9;
+constexpr double smallestSampledCosine = 1e-9;
 
 /// The viewer, with the azimuth that projected deviations are told in.
 struct Viewer {
@@ -38,7 +38,7 @@ Direction directionAbove(glm::dvec2 point) {
   const double radius = glm::length(point);
   if (radius > 1) point /= radius;
   const double cosine = radius < 1 ? std::sqrt((1 - radius) * (1 + radius)) : 0;
-  return {point.x, point.y, std::max(cosine, smallestCosine)};
+  return {point.x, point.y, std::max(cosine, smallestSampledCosine)};
 }
 
 /// No more rows than draw any better: of many nodes (files may hold thousands) some, the ends among them.
@@ -142,7 +142,7 @@ DirectionSample PdvSampler::sample(const Direction& wo, const glm::dvec3& u) con
   Direction wi;
   if (u.x < cosine) {
     wi = CosineLobe().sample(wo, {u.y, u.z});
-    wi.z = std::max(wi.z, smallestCosine);
+    wi.z = std::max(wi.z, smallestSampledCosine);
   } else {
     const std::size_t bin = rows_.draw(viewer.theta, (u.x - cosine) / (1 - cosine));
     const double deviation = deviationIn(rows_.low(bin), rows_.high(bin, viewer.sine), u.y);

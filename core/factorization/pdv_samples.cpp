@@ -20,7 +20,7 @@ constexpr double besideShare = 0.01;
 /// Added to all cells, in mean weights: with none, the mirror directions of grazing viewers are left free.
 constexpr double evenShare = 2e-5;
 /// The last nodes stand on the limit itself.
-const double smallestCosine = std::cos(largestPolarAngle) * (1 - 1e-9);
+const double smallestSampleCosine = std::cos(largestPolarAngle) * (1 - 1e-9);
 
 /// Differences of f between the borders of the nodes' cells, which lie midway between nodes and at the ends.
 template <typename Function>
@@ -82,7 +82,7 @@ class Sampler {
     for (std::size_t k = 0; k < phis_.size(); ++k) {
       const auto at = fromProjectedDeviation({axes_.thetaNodes[i], axes_.deviationNodes[j], phis_[k]});
       const Direction &wi = at.pair.wi, &wo = at.pair.wo;
-      if (!at.valid || wi.z < smallestCosine) continue;
+      if (!at.valid || wi.z < smallestSampleCosine) continue;
       row.nodes.push_back(k);
       row.pairs.push_back(at.pair);
       row.pairs.push_back({{wi.x, -wi.y, wi.z}, wo});

@@ -20,13 +20,13 @@ namespace gonio::io {
 namespace {
 
 /// Fields of a table take more memory than their text.
-constexpr std::uint64_t maxBytes = 1 << 24;
+constexpr std::uint64_t maxAstmBytes = 1 << 24;
 /// Radians end at a full turn; rounded to a few digits.
-constexpr double maxRadians = 2 * pi + 0.01;
+constexpr double maxAstmRadians = 2 * pi + 0.01;
 
-const std::string expected = "lines NUM_POINTS and VARS (ASTM E1392)";
+const std::string expectedAstm = "lines NUM_POINTS and VARS (ASTM E1392)";
 
-struct Header {
+struct AstmHeader {
   std::optional<TextLine> points, variables;
   std::string sample;  ///< what the file says of the sample; may be empty
 };
@@ -38,8 +38,8 @@ std::pair<std::string_view, std::string_view> keyOf(std::string_view line) {
   return {line.substr(0, end), line.substr(begin)};
 }
 
-Header readHeader(std::string_view text) {
-  Header header;
+AstmHeader readAstmHeader(std::string_view text) {
+  AstmHeader header;
   TextLines lines(text);
   while (const auto line = lines.next()) {
     const auto [key, rest] = keyOf(line->text);
@@ -49,11 +49,11 @@ Header readHeader(std::string_view text) {
     header.variables = line;
     break;
   }
-  if (!header.points || !header.variables) throw FormatMismatch("text without such lines", expected);
+  if (!header.points || !header.variables) throw FormatMismatch("text without such lines", expectedAstm);
   return header;
 }
 
-std::size_t pointsOf(const Header& header) {
+std::size_t pointsOf(const AstmHeader& header) {
   const auto count = finiteNumber(keyOf(header.points->text).second);
   if (!count || !(*count >= 1 && *count <= 1e9) || *count != std::floor(*count))
     header.points->fail("NUM_POINTS and a whole number, 1 or more");
@@ -101,17 +101,17 @@ ColourColumns colourColumns(const CsvText& csv, const AngleColumns& angles) {
 double unitOf(const CsvText& csv, const AngleColumns& angles) {
   for (const CsvText::Row& row : csv.rows)
     for (const double angle : angles.at(csv, row))
-      if (std::abs(angle) > maxRadians) return radians(1);
+      if (std::abs(angle) > maxAstmRadians) return radians(1);
   return 1;
 }
 
 }  // namespace
 
-void expectAstm(const ByteSource& source) { readHeader(textHead(source, expected)); }
+void expectAstm(const ByteSource& source) { readAstmHeader(textHead(source, expectedAstm)); }
 
 ScatteredSamples readAstm(const ByteSource& source) {
-  const std::string text = allText(source, maxBytes);
-  const Header header = readHeader(text);
+  const std::string text = allText(source, maxAstmBytes);
+  const AstmHeader header = readAstmHeader(text);
   const std::string_view names = keyOf(header.variables->text).second;
   const CsvText csv =
       readCsvText(std::string_view(text).substr(std::size_t(names.data() - text.data())), {}, header.variables->number);

@@ -15,10 +15,10 @@ namespace gonio::io {
 
 namespace {
 
-const std::string expected =
+const std::string expectedGoniophotometer =
     "# lines with 'format: theta phi BSDF' (or DSF) and 'intheta', 'inphi' or 'incident_angle'";
 
-struct Header {
+struct GoniophotometerHeader {
   std::string quantity;              ///< "dsf", "bsdf", "brdf", "btdf"
   std::string colorimetry, sample;   ///< may be empty
   std::optional<double> theta, phi;  ///< of the light, degrees
@@ -28,14 +28,16 @@ struct Header {
 std::string lower(std::string_view text) { return lowerCase(std::string(text)); }
 
 /// A # line: its words, the first in lower case without a colon.
-void readHeaderLine(const TextLine& line, Header& header) {
+void readHeaderLine(const TextLine& line, GoniophotometerHeader& header) {
   const std::vector<std::string_view> all = words(line.text.substr(1));
   if (all.empty()) return;
   std::string key = lower(all[0]);
   if (key.ends_with(':')) key.pop_back();
   const auto number = [&](std::size_t word) -> double {
     const auto value = word < all.size() ? finiteNumber(all[word]) : std::nullopt;
-    if (!value) throw FormatMismatch("'" + key + "' without an angle in line " + std::to_string(line.number), expected);
+    if (!value)
+      throw FormatMismatch("'" + key + "' without an angle in line " + std::to_string(line.number),
+                           expectedGoniophotometer);
     return *value;
   };
   if (key == "format" && all.size() >= 4 && lower(all[1]) == "theta" && lower(all[2]) == "phi")
@@ -55,17 +57,18 @@ void readHeaderLine(const TextLine& line, Header& header) {
 }
 
 /// Reads the # lines at the start. @return the first line of another kind, if there is one.
-std::optional<TextLine> readHeader(TextLines& lines, Header& header) {
+std::optional<TextLine> readGoniophotometerHeader(TextLines& lines, GoniophotometerHeader& header) {
   std::optional<TextLine> line = lines.next();
-  if (!line || !line->text.starts_with('#')) throw FormatMismatch("a first line that does not begin with #", expected);
+  if (!line || !line->text.starts_with('#'))
+    throw FormatMismatch("a first line that does not begin with #", expectedGoniophotometer);
   for (; line && line->text.starts_with('#'); line = lines.next()) readHeaderLine(*line, header);
   if (header.quantity.empty() || !header.theta || !header.phi)
-    throw FormatMismatch("# lines without the quantity or the incident direction", expected);
+    throw FormatMismatch("# lines without the quantity or the incident direction", expectedGoniophotometer);
   return line;
 }
 
 /// Of the values after the two angles.
-Rgb colourOf(const Header& header, const std::vector<double>& row) {
+Rgb colourOf(const GoniophotometerHeader& header, const std::vector<double>& row) {
   if (row.size() == 3) return Rgb(row[2]);
   const glm::dvec3 three(row[2], row[3], row[4]);
   return header.colorimetry == "cie-xyz" ? linearSrgb(three) : three;
@@ -79,17 +82,17 @@ Direction directionOf(double theta, double phi, bool fromBelow) {
 }  // namespace
 
 void expectGoniophotometer(const ByteSource& source) {
-  const std::string head = textHead(source, expected);
+  const std::string head = textHead(source, expectedGoniophotometer);
   TextLines lines(head);
-  Header header;
-  readHeader(lines, header);
+  GoniophotometerHeader header;
+  readGoniophotometerHeader(lines, header);
 }
 
 ScatteredSamples readGoniophotometer(const ByteSource& source) {
   const std::string text = allText(source);
   TextLines lines(text);
-  Header header;
-  std::optional<TextLine> line = readHeader(lines, header);
+  GoniophotometerHeader header;
+  std::optional<TextLine> line = readGoniophotometerHeader(lines, header);
   const bool isTimesCosine = header.quantity == "dsf";
   if (!isTimesCosine && header.quantity != "bsdf" && header.quantity != "brdf")
     throw FormatMismatch("the quantity '" + header.quantity + "'", "reflection: BSDF, BRDF or DSF");

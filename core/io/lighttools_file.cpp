@@ -15,7 +15,7 @@ namespace gonio::io {
 
 namespace {
 
-const std::string expected = "the keys ScatterRadial and AOI (LightTools BSDF)";
+const std::string expectedLightTools = "the keys ScatterRadial and AOI (LightTools BSDF)";
 
 /// Of the light about the plane of incidence, degrees.
 constexpr double lightAzimuth = 90;
@@ -36,7 +36,7 @@ struct Blocks {
   std::size_t leftOut = 0;
 };
 
-void readHeader(WordReader& words, ScatterHeader& header) {
+void readLightToolsHeader(WordReader& words, ScatterHeader& header) {
   for (;;) {
     const std::string_view key = words.word("the header up to DataBegin");
     if (key == "DataBegin") return header.check();
@@ -110,7 +110,7 @@ std::map<double, std::size_t> azimuthsFromLight(const ScatterHeader& header, dou
   return order;
 }
 
-IncidenceTable tableOf(const ScatterHeader& header, const Blocks& blocks) {
+IncidenceTable lightToolsTable(const ScatterHeader& header, const Blocks& blocks) {
   IncidenceTable table{.axis = IncidenceTable::Axis::normal,
                        .symmetric = header.symmetry == ScatterSymmetry::plane,
                        .incident = {},
@@ -134,21 +134,22 @@ IncidenceTable tableOf(const ScatterHeader& header, const Blocks& blocks) {
 }  // namespace
 
 void expectLightTools(const ByteSource& source) {
-  const std::string head = textHead(source, expected);
-  if (!hasKey(head, "AOI") || !hasKey(head, "ScatterRadial")) throw FormatMismatch("text without these keys", expected);
+  const std::string head = textHead(source, expectedLightTools);
+  if (!hasKey(head, "AOI") || !hasKey(head, "ScatterRadial"))
+    throw FormatMismatch("text without these keys", expectedLightTools);
 }
 
 IncidenceFile readLightTools(const ByteSource& source) {
   const std::string text = allText(source);
   WordReader words(text);
   ScatterHeader header;
-  readHeader(words, header);
+  readLightToolsHeader(words, header);
   const Blocks blocks = readBlocks(words, header);
   if (blocks.byIncident.empty())
     throw FormatMismatch(std::to_string(blocks.leftOut) + " blocks of transmission or of the back",
                          "reflection: blocks with Side Front and ScatterType BRDF");
   IncidenceFile file;
-  file.brdf = std::make_shared<const IncidenceTableBrdf>(tableOf(header, blocks));
+  file.brdf = std::make_shared<const IncidenceTableBrdf>(lightToolsTable(header, blocks));
   if (blocks.leftOut > 0)
     file.notes.push_back(std::to_string(blocks.leftOut) + " blocks of transmission or of the back were left out");
   if (blocks.wavelengths.size() > 1)

@@ -19,9 +19,9 @@ constexpr const char* typeNames[] = {"",      "uint8",  "int8",  "uint16",  "int
                                      "int32", "uint64", "int64", "float16", "float32", "float64"};
 
 /// Reads numbers one after another and never beyond the end.
-class Cursor {
+class TensorCursor {
  public:
-  explicit Cursor(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  explicit TensorCursor(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   std::span<const std::byte> take(std::uint64_t count, const char* what) {
     if (count > bytes_.size() - position_)
@@ -53,14 +53,14 @@ std::uint64_t boundedBytes(const Tensor& tensor, std::uint64_t limit) {
   return bytes;
 }
 
-std::vector<std::byte> readWhole(const ByteSource& source) {
+std::vector<std::byte> readTensorFile(const ByteSource& source) {
   expectTensorFile(source);
   if (source.size() > maxFileBytes)
     throw FormatMismatch(std::to_string(source.size()) + " bytes", "at most " + std::to_string(maxFileBytes));
   return source.readAll();
 }
 
-Tensor readField(Cursor& cursor, std::span<const std::byte> file, const std::string& name) {
+Tensor readField(TensorCursor& cursor, std::span<const std::byte> file, const std::string& name) {
   Tensor tensor;
   const auto dimensions = cursor.number<std::uint16_t>("a number of dimensions");
   const auto type = cursor.number<std::uint8_t>("a type");
@@ -116,8 +116,8 @@ std::string Tensor::describe() const {
   return text;
 }
 
-TensorFile::TensorFile(const ByteSource& source) : bytes_(readWhole(source)) {
-  Cursor cursor(bytes_);
+TensorFile::TensorFile(const ByteSource& source) : bytes_(readTensorFile(source)) {
+  TensorCursor cursor(bytes_);
   cursor.take(tensorMagic.size() + 2, "a signature");
   const auto count = cursor.number<std::uint32_t>("a number of fields");
   for (std::uint32_t i = 0; i < count; ++i) {

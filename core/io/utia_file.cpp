@@ -25,7 +25,7 @@ constexpr std::uint64_t maxExrBytes = 1 << 24;
 /// No BRDF value comes near it: bytes of another format, read as float64, mostly lie beyond.
 constexpr double maxValue = 1e9;
 
-const std::string expected =
+const std::string expectedUtia =
     std::to_string(binBytes) + " bytes of float64 (3 planes of 288 x 288), or an EXR picture of 288 x 288 pixels";
 
 bool hasExrSignature(const ByteSource& source) {
@@ -40,22 +40,22 @@ void expectValues(const ByteSource& source) {
   std::array<double, side> row{};
   source.readAt(0, std::as_writable_bytes(std::span(row)));
   if (std::ranges::any_of(row, [](double value) { return !(std::abs(value) <= maxValue); }))
-    throw FormatMismatch(std::to_string(binBytes) + " bytes that are not values of a BRDF", expected);
+    throw FormatMismatch(std::to_string(binBytes) + " bytes that are not values of a BRDF", expectedUtia);
 }
 
 Image readPicture(const ByteSource& source) {
   if (source.size() > maxExrBytes)
-    throw FormatMismatch("an EXR picture of " + std::to_string(source.size()) + " bytes", expected);
+    throw FormatMismatch("an EXR picture of " + std::to_string(source.size()) + " bytes", expectedUtia);
   try {
     Image image = readImage(source.readAll(maxExrBytes));
     if (image.width == int(side) && image.height == int(side)) return image;
     throw FormatMismatch(
         "an EXR picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels",
-        expected);
+        expectedUtia);
   } catch (const FormatMismatch&) {
     throw;
   } catch (const Error& error) {
-    throw FormatMismatch(std::string("an EXR picture that cannot be read (") + error.what() + ")", expected);
+    throw FormatMismatch(std::string("an EXR picture that cannot be read (") + error.what() + ")", expectedUtia);
   }
 }
 
@@ -73,14 +73,14 @@ void expectUtia(const ByteSource& source) {
   if (hasExrSignature(source))
     readPicture(source);
   else if (source.size() != binBytes)
-    throw FormatMismatch(std::to_string(source.size()) + " bytes", expected);
+    throw FormatMismatch(std::to_string(source.size()) + " bytes", expectedUtia);
   else
     expectValues(source);
 }
 
 std::shared_ptr<const UtiaBrdf> readUtia(const ByteSource& source) {
   if (hasExrSignature(source)) return std::make_shared<const UtiaBrdf>(readPicture(source).pixels);
-  if (source.size() != binBytes) throw FormatMismatch(std::to_string(source.size()) + " bytes", expected);
+  if (source.size() != binBytes) throw FormatMismatch(std::to_string(source.size()) + " bytes", expectedUtia);
   return std::make_shared<const UtiaBrdf>(readPlanes(source));
 }
 

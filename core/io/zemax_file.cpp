@@ -8,9 +8,9 @@ namespace gonio::io {
 
 namespace {
 
-const std::string expected = "the keys AngleOfIncidence and ScatterRadial (Zemax tabular BSDF)";
+const std::string expectedZemax = "the keys AngleOfIncidence and ScatterRadial (Zemax tabular BSDF)";
 
-struct Header {
+struct ZemaxHeader {
   ScatterHeader common;
   std::vector<double> rotations{0}, incident;  ///< degrees
 };
@@ -20,7 +20,7 @@ void expectReflection(std::string_view type) {
 }
 
 /// Up to the name of the first channel, which is returned.
-std::string_view readHeader(WordReader& words, Header& header) {
+std::string_view readZemaxHeader(WordReader& words, ZemaxHeader& header) {
   for (;;) {
     const std::string_view key = words.word("the header up to Monochrome or TristimulusX");
     if (header.common.readKey(key, words)) continue;
@@ -36,7 +36,7 @@ std::string_view readHeader(WordReader& words, Header& header) {
   }
 }
 
-std::size_t channelOf(std::string_view name, const Header& header, const WordReader& words) {
+std::size_t channelOf(std::string_view name, const ZemaxHeader& header, const WordReader& words) {
   const bool isXyz = header.common.content == SpectralContent::xyz;
   for (std::size_t channel = 0; isXyz && channel < 3; ++channel)
     if (name == std::string("Tristimulus") + "XYZ"[channel]) return channel;
@@ -46,7 +46,7 @@ std::size_t channelOf(std::string_view name, const Header& header, const WordRea
 }
 
 /// The blocks of one channel, between DataBegin and DataEnd.
-void readChannel(WordReader& words, const Header& header, std::size_t channel, std::vector<ScatterBlock>& blocks) {
+void readChannel(WordReader& words, const ZemaxHeader& header, std::size_t channel, std::vector<ScatterBlock>& blocks) {
   if (const std::string_view word = words.word("DataBegin"); word != "DataBegin") words.fail(word, "DataBegin");
   for (std::size_t rotation = 0; rotation < header.rotations.size(); ++rotation)
     for (ScatterBlock& block : blocks) {
@@ -57,7 +57,7 @@ void readChannel(WordReader& words, const Header& header, std::size_t channel, s
   if (const std::string_view word = words.word("DataEnd"); word != "DataEnd") words.fail(word, "DataEnd");
 }
 
-IncidenceTable tableOf(const Header& header, const std::vector<ScatterBlock>& blocks) {
+IncidenceTable zemaxTable(const ZemaxHeader& header, const std::vector<ScatterBlock>& blocks) {
   IncidenceTable table{.axis = IncidenceTable::Axis::mirror,
                        .symmetric = header.common.symmetry == ScatterSymmetry::plane,
                        .incident = inRadians(header.incident),
@@ -74,22 +74,22 @@ IncidenceTable tableOf(const Header& header, const std::vector<ScatterBlock>& bl
 }  // namespace
 
 void expectZemax(const ByteSource& source) {
-  const std::string head = textHead(source, expected);
+  const std::string head = textHead(source, expectedZemax);
   if (!hasKey(head, "AngleOfIncidence") || !hasKey(head, "ScatterRadial"))
-    throw FormatMismatch("text without these keys", expected);
+    throw FormatMismatch("text without these keys", expectedZemax);
 }
 
 IncidenceFile readZemax(const ByteSource& source) {
   const std::string text = allText(source);
   WordReader words(text);
-  Header header;
-  std::string_view name = readHeader(words, header);
+  ZemaxHeader header;
+  std::string_view name = readZemaxHeader(words, header);
   header.common.check();
   if (header.incident.empty()) throw Error("found no AngleOfIncidence before the data, expected its angles");
   std::vector<ScatterBlock> blocks(header.incident.size());
   for (; !name.empty(); name = words.next()) readChannel(words, header, channelOf(name, header, words), blocks);
   IncidenceFile file;
-  file.brdf = std::make_shared<const IncidenceTableBrdf>(tableOf(header, blocks));
+  file.brdf = std::make_shared<const IncidenceTableBrdf>(zemaxTable(header, blocks));
   if (header.rotations.size() > 1)
     file.notes.push_back("mean of " + std::to_string(header.rotations.size()) +
                          " sample rotations: the material is shown as an isotropic one");

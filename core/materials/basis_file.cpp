@@ -22,7 +22,7 @@ using nlohmann::json;
 
 using HalfVector = Eigen::Matrix<Eigen::half, Eigen::Dynamic, 1>;
 
-constexpr io::ContainerFormat format{.name = "basis", .signature = "GONIOPCA", .version = 2};
+constexpr io::ContainerFormat basisFormat{.name = "basis", .signature = "GONIOPCA", .version = 2};
 constexpr int mostSignals = 1 << 20, mostComponents = 1 << 14;
 
 std::vector<std::uint8_t> cellBits(const MappedCells& mapping) {
@@ -55,7 +55,7 @@ struct Sizes {
   }
 };
 
-Sizes sizesOf(const io::ContainerReader& file, const JsonObject& root) {
+Sizes basisSizes(const io::ContainerReader& file, const JsonObject& root) {
   Sizes sizes;
   sizes.grid = gridOf(root.object("grid"));
   sizes.cells = std::size_t(root.number("cells", 1, double(sizes.grid.size())));
@@ -91,7 +91,7 @@ MappedCells mappingOf(const Sizes& sizes, io::ContainerReader& file) {
 }
 
 /// What appendColumn() wrote. @param name for errors.
-Eigen::VectorXf columnOf(const Sizes& sizes, const std::string& name, io::ContainerReader& file) {
+Eigen::VectorXf basisColumn(const Sizes& sizes, const std::string& name, io::ContainerReader& file) {
   const auto cells = Eigen::Index(sizes.cells);
   const auto scale = file.number<float>();
   if (!std::isfinite(scale)) file.fail("found a scale that is not finite, of " + name);
@@ -110,7 +110,7 @@ Eigen::VectorXf columnOf(const Sizes& sizes, const std::string& name, io::Contai
 
 /// The file has standard deviations: half a precision of variances would reach to one part in 4000 of them only.
 std::vector<float> leftOutOf(const Sizes& sizes, io::ContainerReader& file) {
-  const Eigen::VectorXf deviations = columnOf(sizes, "what is left out", file);
+  const Eigen::VectorXf deviations = basisColumn(sizes, "what is left out", file);
   if (deviations.isZero(0)) return {};
   const Eigen::VectorXf variances = deviations.cwiseAbs2();
   if (deviations.minCoeff() < 0 || !variances.allFinite())
@@ -132,7 +132,7 @@ GramSvd svdOf(const Sizes& sizes, io::ContainerReader& file) {
   svd.u.columns = components;
   svd.u.values.resize(sizes.cells * sizes.components);
   for (Eigen::Index k = 0; k < components; ++k)
-    svd.u.view().col(k) = columnOf(sizes, "component " + std::to_string(k), file);
+    svd.u.view().col(k) = basisColumn(sizes, "component " + std::to_string(k), file);
   return svd;
 }
 
@@ -142,7 +142,7 @@ std::vector<std::byte> encodeBasis(const PrincipalComponents& basis, int compone
                                    const std::vector<std::string>& learnedFrom, BasisPrecision precision) {
   const MappedCells& m = basis.mapping;
   const Eigen::Index count = std::clamp(components, 0, basis.count());
-  io::ContainerWriter file(format);
+  io::ContainerWriter file(basisFormat);
   file.description({{"grid", gridJson(m.grid)},
                     {"cells", m.cells.size()},
                     {"components", count},
@@ -167,10 +167,10 @@ void writeBasis(const PrincipalComponents& basis, int components, const std::vec
 }
 
 std::shared_ptr<const BasisFile> readBasis(const io::ByteSource& source) {
-  io::ContainerReader reader(format, source);
+  io::ContainerReader reader(basisFormat, source);
   const json description = reader.description();
   const JsonObject root(description, "");
-  const Sizes sizes = sizesOf(reader, root);
+  const Sizes sizes = basisSizes(reader, root);
   auto file = std::make_shared<BasisFile>();
   for (const json& name : root.array("learnedFrom"))
     file->learnedFrom.push_back(name.is_string() ? name.get<std::string>() : name.dump());

@@ -17,11 +17,11 @@ namespace {
 using dictionary::CodePrecision;
 using dictionary::SparseCode;
 
-constexpr io::ContainerFormat format{.name = "sparse code",
-                                     .signature = "GONIOCOD",
-                                     .versionBytes = sizeof(std::uint16_t),
-                                     .maxBytes = std::uint64_t(1) << 21};
-constexpr int mostNodes = 1024;
+constexpr io::ContainerFormat codeFormat{.name = "sparse code",
+                                         .signature = "GONIOCOD",
+                                         .versionBytes = sizeof(std::uint16_t),
+                                         .maxBytes = std::uint64_t(1) << 21};
+constexpr int mostCodeNodes = 1024;
 
 /// A number of the header. @param what for the error.
 template <typename Number>
@@ -34,7 +34,7 @@ Number takeNumber(io::ContainerReader& file, const char* what, int low, int high
 }
 
 HalfDifferenceGrid takeGrid(io::ContainerReader& file) {
-  const auto nodes = [&file] { return int(takeNumber<std::uint16_t>(file, "a count of nodes", 1, mostNodes)); };
+  const auto nodes = [&file] { return int(takeNumber<std::uint16_t>(file, "a count of nodes", 1, mostCodeNodes)); };
   return {.thetaHCount = nodes(),
           .thetaDCount = nodes(),
           .phiDCount = nodes(),
@@ -45,7 +45,7 @@ HalfDifferenceGrid takeGrid(io::ContainerReader& file) {
 
 std::vector<std::byte> encodeCode(const SparseCode& code, std::uint64_t dictionaryId, CodePrecision precision) {
   const HalfDifferenceGrid& grid = code.grid;
-  io::ContainerWriter file(format);
+  io::ContainerWriter file(codeFormat);
   file.number(std::uint8_t(code.transform));
   file.number(std::uint8_t(precision));
   for (const int number : {grid.thetaHCount, grid.thetaDCount, grid.phiDCount, int(grid.reciprocal)})
@@ -61,7 +61,7 @@ void writeCode(const SparseCode& code, std::uint64_t dictionaryId, const std::fi
 }
 
 CodeFile readCode(const io::ByteSource& source) {
-  io::ContainerReader file(format, source);
+  io::ContainerReader file(codeFormat, source);
   CodeFile result;
   result.code.transform = DataTransform(takeNumber<std::uint8_t>(file, "the transform", 0, 1));
   result.precision = CodePrecision(takeNumber<std::uint8_t>(file, "the precision", 0, 1));
@@ -75,7 +75,7 @@ CodeFile readCode(const std::filesystem::path& path) {
   return namingFile(path, [&] { return readCode(io::FileSource(path)); });
 }
 
-void expectCode(const io::ByteSource& source) { io::expectSignature(source, format); }
+void expectCode(const io::ByteSource& source) { io::expectSignature(source, codeFormat); }
 
 void checkDictionary(const CodeFile& code, const NamedEnsemble& dictionary) {
   if (code.dictionaryId != dictionary.id)

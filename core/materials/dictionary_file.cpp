@@ -16,7 +16,7 @@ using dictionary::Dictionary;
 using dictionary::Ensemble;
 using nlohmann::json;
 
-constexpr io::ContainerFormat format{.name = "dictionary", .signature = "GONIODIC"};
+constexpr io::ContainerFormat dictionaryFormat{.name = "dictionary", .signature = "GONIODIC"};
 constexpr int mostDictionaries = 256;
 /// Of matrices that were orthonormal before they were rounded to single precision.
 constexpr double mostRounding = 1e-4;
@@ -32,7 +32,7 @@ Eigen::MatrixXd orthonormalMatrix(io::ContainerReader& file, int size) {
 void writeDictionary(const Ensemble& ensemble, const std::filesystem::path& path) {
   json sparsities = json::array();
   for (const Dictionary& dictionary : ensemble.dictionaries) sparsities.push_back(dictionary.sparsity);
-  io::ContainerWriter file(format);
+  io::ContainerWriter file(dictionaryFormat);
   file.description(
       {{"grid", gridJson(ensemble.grid)}, {"sparsities", sparsities}, {"learnedFrom", ensemble.learnedFrom}});
   for (const Dictionary& dictionary : ensemble.dictionaries)
@@ -41,7 +41,7 @@ void writeDictionary(const Ensemble& ensemble, const std::filesystem::path& path
 }
 
 std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source) {
-  io::ContainerReader file(format, source);
+  io::ContainerReader file(dictionaryFormat, source);
   const json description = file.description();
   const JsonObject root(description, "");
   auto named = std::make_shared<NamedEnsemble>();

@@ -19,8 +19,8 @@ using factorization::PdvFactors;
 using factorization::PdvForm;
 using factorization::PdvTerm;
 
-constexpr io::ContainerFormat format{.name = "PDV", .signature = "GONIOPDV"};
-constexpr std::uint32_t mostNodes = 4096;
+constexpr io::ContainerFormat pdvFormat{.name = "PDV", .signature = "GONIOPDV"};
+constexpr std::uint32_t mostFactorNodes = 4096;
 enum HeaderAt { formAt, transformAt, thetaAt, deviationAt, phiAt, termsAt, headerNumbers };
 using Header = std::array<std::uint32_t, headerNumbers>;
 /// Signature, version, header and highest y.
@@ -77,10 +77,10 @@ void checkHeader(const io::ContainerReader& file, const Header& header, float hi
   };
   check("the form", formAt, 0, 1);
   check("the transform", transformAt, 0, std::uint32_t(dataTransformNames.size()) - 1);
-  check("the count of nodes of theta_R", thetaAt, 2, mostNodes);
-  check("the count of nodes of |Dp|", deviationAt, 2, mostNodes);
+  check("the count of nodes of theta_R", thetaAt, 2, mostFactorNodes);
+  check("the count of nodes of |Dp|", deviationAt, 2, mostFactorNodes);
   const bool isFlat = header[formAt] == 0;
-  check("the count of nodes of |phi|", phiAt, isFlat ? 1 : 2, isFlat ? 1 : mostNodes);
+  check("the count of nodes of |phi|", phiAt, isFlat ? 1 : 2, isFlat ? 1 : mostFactorNodes);
   check("the count of terms", termsAt, 1, std::uint32_t(mostPdvTerms));
   if (!std::isfinite(highest)) fail(file, "the highest value", "not finite", "a number");
   const std::size_t nodes = std::size_t(header[thetaAt]) + header[deviationAt] + header[phiAt];
@@ -96,7 +96,7 @@ std::size_t pdvFileBytes(const PdvFactors& f) {
 
 void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {
   PdvFactors f = factors;
-  io::ContainerWriter file(format);
+  io::ContainerWriter file(pdvFormat);
   file.values(Header{f.form == PdvForm::twoFactors ? 0u : 1u, std::uint32_t(f.transform),
                      std::uint32_t(f.thetaNodes.size()), std::uint32_t(f.deviationNodes.size()),
                      std::uint32_t(f.phiNodes.size()), std::uint32_t(f.terms())});
@@ -108,7 +108,7 @@ void writePdv(const PdvFactors& factors, const std::filesystem::path& path) {
 }
 
 PdvFactors readPdv(const io::ByteSource& source) {
-  io::ContainerReader file(format, source);
+  io::ContainerReader file(pdvFormat, source);
   Header header;
   file.values(header, "header");
   const auto highest = file.number<float>();
@@ -134,12 +134,12 @@ PdvFactors readPdv(const std::filesystem::path& path) {
 
 bool isPdv(const std::filesystem::path& path) {
   try {
-    return io::hasSignature(io::FileSource(path), format);
+    return io::hasSignature(io::FileSource(path), pdvFormat);
   } catch (const Error&) {
     return false;
   }
 }
 
-void expectPdv(const io::ByteSource& source) { io::expectSignature(source, format); }
+void expectPdv(const io::ByteSource& source) { io::expectSignature(source, pdvFormat); }
 
 }  // namespace gonio::materials

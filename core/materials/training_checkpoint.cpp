@@ -15,7 +15,7 @@ using dictionary::ModeMatrices;
 using dictionary::TrainingState;
 using nlohmann::json;
 
-constexpr io::ContainerFormat format{.name = "checkpoint", .signature = "GONIOCKP"};
+constexpr io::ContainerFormat checkpointFormat{.name = "checkpoint", .signature = "GONIOCKP"};
 
 void append(const ModeMatrices<double>& matrices, io::ContainerWriter& file) {
   for (const Eigen::MatrixXd& mode : matrices) file.values(mode);
@@ -27,7 +27,7 @@ ModeMatrices<double> take(io::ContainerReader& file, const dictionary::Sizes& si
   return matrices;
 }
 
-dictionary::Sizes sizesOf(const io::ContainerReader& file, const json& numbers) {
+dictionary::Sizes checkpointSizes(const io::ContainerReader& file, const json& numbers) {
   dictionary::Sizes sizes{};
   if (!numbers.is_array() || numbers.size() != 3)
     file.fail("found " + describeJson(numbers) + ", expected three sizes");
@@ -56,8 +56,8 @@ TrainingState stateOf(io::ContainerReader file, const std::string& training) {
   if (root.text("training") != training)
     throw Error("the checkpoint is of another training; found " + root.text("training") + ", expected " + training);
   TrainingState state;
-  state.subspace.bases = take(file, sizesOf(file, root.array("sizes")));
-  state.subspace.ranks = sizesOf(file, root.array("ranks"));
+  state.subspace.bases = take(file, checkpointSizes(file, root.array("sizes")));
+  state.subspace.ranks = checkpointSizes(file, root.array("ranks"));
   state.subspace.loss = root.number("loss", 0, 1);
   const int dictionaries = int(root.number("dictionaries", 1, 256));
   for (const json& errors : root.array("errors")) {
@@ -73,7 +73,7 @@ TrainingState stateOf(io::ContainerReader file, const std::string& training) {
 
 void writeCheckpoint(const TrainingState& state, const std::string& training, const std::filesystem::path& path) {
   const ModeMatrices<double>& bases = state.subspace.bases;
-  io::ContainerWriter file(format);
+  io::ContainerWriter file(checkpointFormat);
   file.description({{"training", training},
                     {"sizes", {bases[0].rows(), bases[1].rows(), bases[2].rows()}},
                     {"ranks", state.subspace.ranks},
@@ -87,7 +87,7 @@ void writeCheckpoint(const TrainingState& state, const std::string& training, co
 }
 
 TrainingState readCheckpoint(const std::string& training, const std::filesystem::path& path) {
-  return namingFile(path, [&] { return stateOf({format, io::FileSource(path)}, training); });
+  return namingFile(path, [&] { return stateOf({checkpointFormat, io::FileSource(path)}, training); });
 }
 
 }  // namespace gonio::materials

@@ -12,12 +12,12 @@ namespace gonio {
 
 namespace {
 
-struct Bracket {
+struct WarpBracket {
   std::size_t low;
   double weight;  ///< of the node after `low`; 0 where there is none
 };
 
-Bracket bracket(const std::vector<float>& nodes, double x) {
+WarpBracket bracket(const std::vector<float>& nodes, double x) {
   const auto above = std::upper_bound(nodes.begin(), nodes.end(), x);
   if (above == nodes.begin()) return {0, 0};
   const std::size_t low = std::size_t(above - nodes.begin()) - 1;
@@ -40,7 +40,7 @@ ParameterGrid::ParameterGrid(std::vector<float> phis, std::vector<float> thetas)
 }
 
 SliceBlend ParameterGrid::blend(double phi, double theta) const {
-  const Bracket p = bracket(phis_, phi), t = bracket(thetas_, theta);
+  const WarpBracket p = bracket(phis_, phi), t = bracket(thetas_, theta);
   SliceBlend result;
   for (std::size_t corner = 0; corner < 4; ++corner) {
     const bool upperP = corner & 2, upperT = corner & 1;

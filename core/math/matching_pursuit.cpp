@@ -33,7 +33,7 @@ Choice bestAtom(const AtomSet& atoms, const Eigen::VectorXd& residual, const std
   return best;
 }
 
-void check(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal) {
+void checkSignal(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal) {
   if (signal.size() != atoms.length())
     throw Error("a signal of " + std::to_string(signal.size()) + " values where the atoms have " +
                 std::to_string(atoms.length()));
@@ -62,7 +62,7 @@ AtomSet::AtomSet(Eigen::MatrixXd atoms) : atoms_(std::move(atoms)), inverseNorms
 
 PursuitResult orthogonalMatchingPursuit(const AtomSet& atoms, const Eigen::Ref<const Eigen::VectorXd>& signal,
                                         const PursuitOptions& options) {
-  check(atoms, signal);
+  checkSignal(atoms, signal);
   Eigen::VectorXd residual = signal;
   const double norm = residual.norm();
   const Eigen::Index most = std::min<Eigen::Index>({atoms.count(), atoms.length(), std::max(0, options.steps)});

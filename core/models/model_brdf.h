@@ -24,7 +24,7 @@ class ModelBrdf final : public Brdf {
   bool isIsotropic() const override { return brdf_->isIsotropic(); }
   bool isReciprocal() const override { return brdf_->isReciprocal(); }
   bool hasData(const DirectionPair& pair) const override { return brdf_->hasData(pair); }
-  bool samplesItself() const override { return brdf_->samplesItself(); }
+  bool hasImportanceSampling() const override { return brdf_->hasImportanceSampling(); }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return brdf_->sample(wo, u); }
   double pdf(const Direction& wi, const Direction& wo) const override { return brdf_->pdf(wi, wo); }
 

@@ -42,7 +42,7 @@ class GeometryBrdf final : public Brdf {
       values[i] = surfaceGeometry(pairs[i], geometry) ? evaluatePair_(geometry) : Rgb(0);
   }
   bool isIsotropic() const override { return isotropic_; }
-  bool samplesItself() const override { return true; }
+  bool hasImportanceSampling() const override { return true; }
   bool isReciprocal() const override { return reciprocal_; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler_.sample(wo, u); }
   double pdf(const Direction& wi, const Direction& wo) const override { return sampler_.pdf(wi, wo); }

@@ -34,7 +34,7 @@ std::shared_ptr<const EnvironmentMap> paint(const std::string& name, int perAxis
   return std::make_shared<const EnvironmentMap>(std::move(image), name);
 }
 
-double smoothStep(double low, double high, double x) {
+double smoothRise(double low, double high, double x) {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
@@ -58,16 +58,16 @@ struct SoftBox {
     const double dx = std::abs(x) - (halfWidth - corner), dy = std::abs(y) - (halfHeight - corner);
     const double outside = std::hypot(std::max(dx, 0.0), std::max(dy, 0.0)) + std::min(std::max(dx, dy), 0.0) - corner;
     const double r2 = (x * x) / (halfWidth * halfWidth) + (y * y) / (halfHeight * halfHeight);
-    return radiance * (smoothStep(0, falloff, -outside) * (1 - hotSpot + hotSpot * std::exp(-1.5 * r2)));
+    return radiance * (smoothRise(0, falloff, -outside) * (1 - hotSpot + hotSpot * std::exp(-1.5 * r2)));
   }
 };
 
 /// A dark grey room: a cyclorama that runs smoothly from the floor into the wall, with a glow where they meet.
 Rgb studioRoom(const Direction& w) {
-  const double wall = glm::mix(0.030, 0.060, smoothStep(-0.1, 0.9, w.y));
-  const double floor = glm::mix(0.020, 0.085, smoothStep(-1.0, -0.02, w.y));
+  const double wall = glm::mix(0.030, 0.060, smoothRise(-0.1, 0.9, w.y));
+  const double floor = glm::mix(0.020, 0.085, smoothRise(-1.0, -0.02, w.y));
   const double glow = 0.05 * std::exp(-40 * (w.y + 0.12) * (w.y + 0.12));
-  return (glm::mix(floor, wall, smoothStep(-0.05, 0.03, w.y)) + glow) * Rgb(0.98, 0.99, 1.03);
+  return (glm::mix(floor, wall, smoothRise(-0.05, 0.03, w.y)) + glow) * Rgb(0.98, 0.99, 1.03);
 }
 
 Rgb studioRadiance(const Direction& w) {
@@ -95,9 +95,9 @@ Rgb skyRadiance(const Direction& w) {
   const Rgb zenith(0.16, 0.33, 0.78), horizon(0.78, 0.90, 1.05);
   Rgb sky = glm::mix(zenith, horizon, std::exp(-3.2 * height));
   sky += Rgb(1.0, 0.86, 0.62) * (0.9 * std::exp(-angle / radians(9)) + 0.25 * std::exp(-angle / radians(35)));
-  sky += Rgb(1.0, 0.93, 0.80) * sunRadiance * (1 - smoothStep(sunRadius - sunEdge, sunRadius + sunEdge, angle));
+  sky += Rgb(1.0, 0.93, 0.80) * sunRadiance * (1 - smoothRise(sunRadius - sunEdge, sunRadius + sunEdge, angle));
   const Rgb ground = glm::mix(Rgb(0.20, 0.17, 0.13), Rgb(0.42, 0.40, 0.36), std::exp(4 * std::min(0.0, w.y)));
-  return glm::mix(ground, sky, smoothStep(-0.012, 0.012, w.y));
+  return glm::mix(ground, sky, smoothRise(-0.012, 0.012, w.y));
 }
 
 /// A white Lambert sphere comes out about mid-bright (its visible half 0.5 on average) at exposure 0.

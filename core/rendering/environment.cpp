@@ -16,7 +16,7 @@ namespace gonio {
 
 namespace {
 
-void requireUsable(const Image& image, const std::string& name) {
+void requireUsableImage(const Image& image, const std::string& name) {
   if (image.width <= 0 || image.height <= 0 ||
       image.pixels.size() != std::size_t(image.width) * std::size_t(image.height))
     throw Error("environment '" + name + "': the picture is empty");
@@ -105,7 +105,7 @@ std::size_t pixelOf(double share, int count) {
 }  // namespace
 
 EnvironmentMap::EnvironmentMap(Image radiance, std::string name) : image_(std::move(radiance)), name_(std::move(name)) {
-  requireUsable(image_, name_);
+  requireUsableImage(image_, name_);
   buildTables();
 }
 

@@ -8,7 +8,7 @@
 namespace gonio {
 
 namespace {
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 }  // namespace
 
 bool hasSize(const SceneLight& light) {
@@ -20,7 +20,7 @@ LightSample LightSampler::sample(const SceneLight& light, const Direction& posit
   switch (light.kind) {
     case SceneLight::Kind::directional: {
       const DirectionalLight& source = scene_.directionalLights[light.index];
-      return {source.toLight, infinity, source.irradiance, 0};
+      return {source.toLight, unbounded, source.irradiance, 0};
     }
     case SceneLight::Kind::point: {
       const PointLight& source = scene_.pointLights[light.index];
@@ -41,7 +41,7 @@ LightSample LightSampler::sample(const SceneLight& light, const Direction& posit
       break;
   }
   const EnvironmentMap::Sample sampled = scene_.environment->sampleAbove(rotation_.toEnvironment(normal), u.x, u.y);
-  return {rotation_.fromEnvironment(sampled.direction), infinity, sampled.radiance, sampled.pdf};
+  return {rotation_.fromEnvironment(sampled.direction), unbounded, sampled.radiance, sampled.pdf};
 }
 
 LightSampler::Found LightSampler::evalLight(const SceneLight& light, const Direction& toward, double distance) const {

@@ -9,12 +9,12 @@ namespace gonio {
 namespace {
 
 std::optional<SamplingLobe> lobeOf(const Brdf& brdf, std::optional<SamplingLobe> lobe, RenderMaterial::LobeUse use) {
-  if (brdf.samplesItself() && !(lobe && use == RenderMaterial::LobeUse::always)) return std::nullopt;
+  if (brdf.hasImportanceSampling() && !(lobe && use == RenderMaterial::LobeUse::always)) return std::nullopt;
   return lobe;
 }
 
 std::shared_ptr<const TabulatedLobe> tabulatedLobeOf(const Brdf& brdf, const std::optional<SamplingLobe>& lobe) {
-  return lobe || brdf.samplesItself() ? nullptr : std::make_shared<const TabulatedLobe>(brdf);
+  return lobe || brdf.hasImportanceSampling() ? nullptr : std::make_shared<const TabulatedLobe>(brdf);
 }
 
 class DiffuseBrdf final : public Brdf {
@@ -25,7 +25,7 @@ class DiffuseBrdf final : public Brdf {
     for (std::size_t i = 0; i < pairs.size(); ++i)
       values[i] = isBelowHorizon(pairs[i].wi) || isBelowHorizon(pairs[i].wo) ? Rgb(0) : value_;
   }
-  bool samplesItself() const override { return true; }
+  bool hasImportanceSampling() const override { return true; }
 
  private:
   Rgb value_;
@@ -41,7 +41,7 @@ RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<S
 
 RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedLobe> lobe)
     : brdf_(std::move(brdf)),
-      tabulated_(brdf_->samplesItself() ? nullptr : std::move(lobe)),
+      tabulated_(brdf_->hasImportanceSampling() ? nullptr : std::move(lobe)),
       bound_(*brdf_, [this](const Direction& wo, const glm::dvec3& u) { return sample(wo, u); }) {}
 
 std::shared_ptr<const RenderMaterial> diffuseMaterial(const Rgb& reflectance) {

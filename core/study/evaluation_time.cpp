@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t pairCount = 1 << 14;
 constexpr std::size_t mostRuns = 7, fewestRuns = 3;
-constexpr double enoughSeconds = 0.5;
+constexpr double enoughTimedSeconds = 0.5;
 
 std::vector<DirectionPair> randomPairs() {
   std::mt19937_64 random(1);
@@ -60,7 +60,7 @@ EvaluationTime measureEvaluation(const Brdf& brdf, const TaskControl& control) {
   std::vector<Rgb> values(pairs.size());
   std::vector<double> runs;
   double total = 0;
-  while (runs.size() < fewestRuns || (runs.size() < mostRuns && total < enoughSeconds)) {
+  while (runs.size() < fewestRuns || (runs.size() < mostRuns && total < enoughTimedSeconds)) {
     control.throwIfStopped();
     const double start = threadSeconds();
     brdf.evaluate(pairs, values);

@@ -15,6 +15,15 @@ void scaleHalfTangent(inout vec3 wi, inout vec3 wo, float scale) {
   wo = vec3(wo.xy + (along.y * (cosine - 1.0) + wo.z * sine) * axis, wo.z * cosine - along.y * sine);
 }
 
+// The ratio that a lobe carries as it changes its colour: twin of core/editing/lobe_change.h.
+vec3 recolouredRatio(vec3 ratio, vec3 fitted, vec3 edited) {
+  const vec3 weights = vec3(0.2126, 0.7152, 0.0722);
+  float before = max(dot(fitted, weights), 1e-30), after = max(dot(edited, weights), 1e-30);
+  vec3 kept = min(vec3(1.0), (fitted / before) / max(edited / after, vec3(1e-6)));
+  vec3 carried = mix(vec3(dot(fitted * ratio, weights) / before), ratio, kept);
+  return min(before, after) > 1e-30 ? carried : ratio;
+}
+
 // What a fit does not explain: twin of LobeChange.
 vec3 fitRatio(vec3 measured, vec3 fitted) {
   const float epsilon = 0.01;

@@ -61,6 +61,7 @@ EDIT_UNIFORMS
 #define FACTOR_STEP(edit, terms, axes, keepDetail, strength) value = editedByFactors(value, wi, wo, edit, terms, axes, keepDetail, strength);
 #define ADDITIVE_STEP(model, edited, fitted, strength) value = withChange(value, strength * (model(wi, wo, edited) - model(wi, wo, fitted)));
 #define LOG_PLUS_STEP(model, edited, fitted, strength) value = withChange(value, strength * logPlusChange(value, model(wi, wo, edited), model(wi, wo, fitted)));
+#define COLOUR_STEP(colours, strength) value = withChange(value, strength * (colours * value - value));
 #define STEPS(name, previous, steps) vec3 name(vec3 wi, vec3 wo, out bool valid) { vec3 value = previous(wi, wo, valid); if (valid) { steps } return value; }
 EDIT_STAGES
 #else

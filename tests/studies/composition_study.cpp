@@ -55,6 +55,7 @@ Outcome bestOf(const EditTruth& truth, const RenderedComparison& comparison, Dif
     const double snr = comparison.signalToNoiseRatio(picture);
     if (snr > best.snr) best = {snr, highlightHueError(comparison.reference(), picture.image), candidate};
   };
+  if (truth.recolour) truth.recolour(change.model->spec(), change.edited);
   for (const ControlSearch& search : truth.search) change.controls.values[std::size_t(search.control)] = search.start;
   consider(change);
   for (const ControlSearch& search : truth.search) {

@@ -63,15 +63,42 @@ struct Change {
 const Change changes[] = {
     {"roughness", ArtistControl::roughness, {Rgb(0.25), Rgb(0.5), Rgb(2), Rgb(4)}, true},
     {"specular", ArtistControl::specularStrength, {Rgb(0.5), Rgb(2)}, true},
-    {"tint", ArtistControl::tint, {{0.4, 0.7, 1}}, false},
-    {"saturation", ArtistControl::saturation, {Rgb(0)}, false},
     {"coat", ArtistControl::coatStrength, {Rgb(0)}, false},
+};
+
+using models::ParameterRole;
+
+struct Recolouring {
+  const char* kind;
+  ParameterRole role;
+  Rgb (*change)(const Rgb& colour);
+};
+const Recolouring recolourings[] = {
+    {"body tint", ParameterRole::body, [](const Rgb& c) { return c * Rgb(0.4, 0.7, 1); }},
+    {"body grey", ParameterRole::body, [](const Rgb& c) { return Rgb(luminance(c)); }},
+    {"highlight tint", ParameterRole::highlight, [](const Rgb& c) { return c * Rgb(0.4, 0.7, 1); }},
+    {"highlight grey", ParameterRole::highlight, [](const Rgb& c) { return Rgb(luminance(c)); }},
 };
 
 std::string numbered(const std::string& name, const Rgb& value) {
   char text[32];
   std::snprintf(text, sizeof text, value.x == value.y ? " %.3g" : " %.3g.", value.x);
   return name + text;
+}
+
+void addRecolourings(const KnownMaterial& known, const std::shared_ptr<const TabulatedBrdf>& before,
+                     std::vector<EditTruth>& truths) {
+  for (const Recolouring& one : recolourings) {
+    const auto recolour = [&one](const models::ModelSpec& spec, ParameterValues& p) {
+      for (std::size_t i = 0; i < p.values.size(); ++i)
+        if (spec.parameters[i].role == one.role) p.values[i] = one.change(p.values[i]);
+    };
+    ParameterValues after = known.parameters;
+    recolour(known.model->spec(), after);
+    if (after == known.parameters) continue;
+    truths.push_back(
+        {one.kind, known.name, before, bakeTable(*known.model->instantiate(after), before->grid()), {}, recolour});
+  }
 }
 
 std::shared_ptr<const TabulatedBrdf> libraryTable(const std::string& path, const HalfDifferenceGrid& grid) {
@@ -105,6 +132,7 @@ std::vector<EditTruth> editTruths(const HalfDifferenceGrid& grid) {
                           {{change.control, value, 4, change.searched ? 4 : 0}}});
       }
     }
+    addRecolourings(known, before, truths);
   }
   for (const auto& [from, to] : pairs)
     truths.push_back({"pair",

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct EditTruth {
   std::string name;
   std::shared_ptr<const TabulatedBrdf> before, after;
   std::vector<ControlSearch> search;
+  /// Changes colours of a model's parameters by their roles; null where the controls alone are searched.
+  std::function<void(const models::ModelSpec&, models::ParameterValues&)> recolour = {};
 };
 
 /// Materials of models that are no editing model (GGX, layered lobes), their own parameters changed; and pairs of

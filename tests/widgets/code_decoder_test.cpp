@@ -12,6 +12,7 @@
 #include "core/support/error.h"
 #include "offscreen_context.h"
 #include "tests/support/code_files.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/sphere_preview.h"
 #include "tests/support/test_program.h"
 #include "widgets/preview/gl/preview_renderer.h"
@@ -145,7 +146,7 @@ class CodeDecoderTest : public QObject, protected QOpenGLFunctions_4_1_Core {
       Eigen::MatrixXd columns = ensemble.dictionaries[0].modes[mode];
       columns.col(0) = geometry->importance[mode].matrix();
       scale *= columns.col(0).norm();
-      ensemble.dictionaries[0].modes[mode] = Eigen::HouseholderQR<Eigen::MatrixXd>(columns).householderQ();
+      ensemble.dictionaries[0].modes[mode] = test::orthonormalised(columns);
       if (ensemble.dictionaries[0].modes[mode](0, 0) < 0) ensemble.dictionaries[0].modes[mode].col(0) *= -1;
     }
     SparseCode code{.grid = oddGrid, .transform = DataTransform::cosineLog, .channels = {}};

@@ -67,6 +67,16 @@ class CompositionPreviewTest : public QObject {
       }
   }
 
+  void coloursOfTheValues() {
+    for (const auto& [from, to] : {std::pair{0.2, 0.2}, {0.2, 0.3}}) {
+      editing::Edit edit = ofGgx(Composition::lobes, from, to);
+      auto& controls = std::get<editing::DifferentialEdit>(edit.content).controls;
+      controls.values[std::size_t(editing::ArtistControl::tint)] = Rgb(0.9, 0.4, 1);
+      controls.values[std::size_t(editing::ArtistControl::saturation)] = Rgb(1.8);
+      verify(table_, {edit, ofGgx(Composition::additive, 0.2, 0.25)});
+    }
+  }
+
   /// An edit by lobes asks the edits before it for other directions; what follows it looks at its result.
   void inStacks() {
     const editing::Edit lobes = ofLayers(Composition::lobes, 0.1, 0.3), others = ofGgx(Composition::logPlus, 0.2, 0.3);

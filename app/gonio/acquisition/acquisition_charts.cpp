@@ -28,8 +28,8 @@ AcquisitionCharts::AcquisitionCharts(const AcquisitionSession& session, const Ac
     showDirections();
     showSlice();
   });
-  for (const auto signal : {&AcquisitionSession::referenceChanged, &AcquisitionSession::resultChanged})
-    connect(&m_session, signal, this, &AcquisitionCharts::showSlice);
+  connect(&m_session.referenceReader(), &ReferenceReader::changed, this, &AcquisitionCharts::showSlice);
+  connect(&m_session, &AcquisitionSession::resultChanged, this, &AcquisitionCharts::showSlice);
   connect(&m_controls, &AcquisitionControls::planSettingsEdited, this, &AcquisitionCharts::showSlice);
   showSlice();
 }

@@ -89,12 +89,12 @@ QWidget* AcquisitionPanel::buildControls() {
 
 void AcquisitionPanel::connectSession() {
   using Session = AcquisitionSession;
-  for (const auto signal : {&Session::referenceChanged, &Session::resultChanged})
-    connect(&m_session, signal, this, &AcquisitionPanel::showResultPage);
+  connect(&m_session.referenceReader(), &ReferenceReader::changed, this, &AcquisitionPanel::showResultPage);
+  connect(&m_session, &Session::resultChanged, this, &AcquisitionPanel::showResultPage);
   // After the pages, which connected themselves before.
-  for (const auto signal :
-       {&Session::referenceChanged, &Session::directionsChanged, &Session::planChanged, &Session::valuesChanged,
-        &Session::resultChanged, &Session::curveChanged, &Session::progressed})
+  connect(&m_session.referenceReader(), &ReferenceReader::changed, this, &AcquisitionPanel::refresh);
+  for (const auto signal : {&Session::directionsChanged, &Session::planChanged, &Session::valuesChanged,
+                            &Session::resultChanged, &Session::curveChanged, &Session::progressed})
     connect(&m_session, signal, this, &AcquisitionPanel::refresh);
   connect(&m_session, &Session::failed, this, &AcquisitionPanel::failed);
   connect(m_controls, &AcquisitionControls::planSettingsEdited, this, &AcquisitionPanel::refresh);
@@ -117,7 +117,7 @@ void AcquisitionPanel::connectParts() {
 QString AcquisitionPanel::status() const { return m_status->text(); }
 
 bool AcquisitionPanel::isSettled() const {
-  return !isVisible() || (!m_session.isBusy() && !m_session.isReadingReference() && !m_session.isOpening());
+  return !isVisible() || (!m_session.isBusy() && !m_session.referenceReader().isReading() && !m_session.isOpening());
 }
 
 void AcquisitionPanel::showEvent(QShowEvent* event) {

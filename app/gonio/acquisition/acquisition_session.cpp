@@ -13,7 +13,7 @@
 namespace gonio::app {
 
 namespace {
-const QString referenceKey = QStringLiteral("acquisition reference"), openKey = QStringLiteral("open acquisition");
+const QString openKey = QStringLiteral("open acquisition");
 
 /// A file of this name that is not there yet: "name.binary", "name 2.binary". Another document may stand on the first.
 QString freePath(const QString& folder, QString name) {
@@ -26,8 +26,10 @@ QString freePath(const QString& folder, QString name) {
 }  // namespace
 
 AcquisitionSession::AcquisitionSession(BackgroundTasks& tasks, QObject* parent)
-    : QObject(parent), m_tasks(tasks), m_planner(tasks, stepKey, this) {
+    : QObject(parent), m_tasks(tasks), m_referenceReader(tasks), m_planner(tasks, stepKey, this) {
   connect(&m_tasks, &BackgroundTasks::changed, this, &AcquisitionSession::progressed);
+  connect(&m_referenceReader, &ReferenceReader::finished, this, &AcquisitionSession::followReference);
+  connect(&m_referenceReader, &ReferenceReader::failed, this, &AcquisitionSession::failed);
   connectPlanner();
 }
 
@@ -53,7 +55,7 @@ void AcquisitionSession::connectPlanner() {
 void AcquisitionSession::plan(const PlanSettings& settings, const std::optional<acquisition::SamplingPlan>& given) {
   m_tasks.drop(stepKey);
   forgetPlan();
-  m_planner.plan(settings, m_referenceId, given);
+  m_planner.plan(settings, m_referenceReader.id(), given);
 }
 
 void AcquisitionSession::forgetPlan() {
@@ -104,49 +106,7 @@ void AcquisitionSession::cancel() {
 
 // --- The material that is measured
 
-bool AcquisitionSession::isReadingReference() const { return m_tasks.isRunning(referenceKey); }
-
-void AcquisitionSession::readReference(std::function<AcquisitionReferencePtr(const TaskControl&)> read) {
-  m_reference.reset();
-  m_tasks.run<AcquisitionReferencePtr>(
-      {tr("Preparing %1").arg(m_referenceName), referenceKey}, std::move(read),
-      [this](const AcquisitionReferencePtr& reference) { install(reference); },
-      [this](const QString& error) {
-        const QString name = m_referenceName;
-        clearReference();
-        Q_EMIT failed(tr("Cannot measure %1").arg(name), error);
-      },
-      [this] { clearReference(); });
-  Q_EMIT referenceChanged();
-}
-
-void AcquisitionSession::setReference(const QString& id) {
-  m_referenceId = id;
-  m_referenceName = id.section('/', -1);
-  readReference(
-      [id, picture = m_picture](const TaskControl& control) { return readAcquisitionReference(id, picture, control); });
-}
-
-void AcquisitionSession::setReference(const QString& id, const QString& name, TableMaker makeTable) {
-  m_referenceId = id;
-  m_referenceName = name;
-  readReference([id, name, make = std::move(makeTable), picture = m_picture](const TaskControl& control) {
-    constexpr double madeShare = 0.4;
-    return acquisitionReference(id, name, make(control.between(0, madeShare)), picture, control.between(madeShare, 1));
-  });
-}
-
-void AcquisitionSession::clearReference() {
-  m_tasks.drop(referenceKey);
-  m_referenceId.clear();
-  m_referenceName.clear();
-  install(nullptr);
-}
-
-void AcquisitionSession::install(const AcquisitionReferencePtr& reference) {
-  m_reference = reference;
-  if (reference) m_referenceName = reference->name;
-  Q_EMIT referenceChanged();
+void AcquisitionSession::followReference() {
   if (m_step == Step::learning || m_step == Step::choosing) return;
   if (m_simulated) return measureReference();
   if (m_planner.hasPlan() && !m_values.rgb.empty()) reconstruct();
@@ -163,14 +123,14 @@ void AcquisitionSession::simulate(const acquisition::MeasurementNoise& noise) {
 void AcquisitionSession::measureReference() {
   forgetResult();
   m_values = {};
-  if (m_planner.hasPlan() && m_reference) {
+  if (m_planner.hasPlan() && m_referenceReader.reference()) {
     try {
-      m_values = acquisition::measure(*m_reference->table, m_planner.samplingPlan(), m_noise);
+      m_values = acquisition::measure(*m_referenceReader.reference()->table, m_planner.samplingPlan(), m_noise);
     } catch (const Error& error) {
-      Q_EMIT failed(tr("Cannot measure %1").arg(m_referenceName), QString::fromUtf8(error.what()));
+      Q_EMIT failed(tr("Cannot measure %1").arg(m_referenceReader.name()), QString::fromUtf8(error.what()));
     }
-    m_valuesName = tr("simulated from %1").arg(m_referenceName);
-    m_valuesOf = m_referenceName;
+    m_valuesName = tr("simulated from %1").arg(m_referenceReader.name());
+    m_valuesOf = m_referenceReader.name();
   }
   Q_EMIT valuesChanged();
   if (!m_values.rgb.empty()) return reconstruct();
@@ -208,7 +168,7 @@ void AcquisitionSession::reconstruct() {
   Q_EMIT curveChanged();
   m_tasks.run<AcquisitionResultPtr>(
       {tr("Reconstructing the material"), stepKey},
-      [input = input(), reference = m_reference](const TaskControl& control) {
+      [input = input(), reference = m_referenceReader.reference()](const TaskControl& control) {
         return acquire(input, reference, control);
       },
       [this, input = input(), of = m_valuesOf](const AcquisitionResultPtr& result) {
@@ -216,7 +176,7 @@ void AcquisitionSession::reconstruct() {
         m_resultOf = of;
         setStep(Step::idle);
         Q_EMIT resultChanged();
-        if (m_reference) startCurve(input);
+        if (m_referenceReader.reference()) startCurve(input);
       },
       failure(tr("Cannot reconstruct the material")), stopped());
   setStep(Step::reconstructing);
@@ -236,7 +196,7 @@ void AcquisitionSession::startCurve(const AcquisitionInput& input) {
   };
   m_tasks.run<bool>(
       {tr("Measuring the error over the number of samples"), stepKey},
-      [input, reference = m_reference, tell](const TaskControl& control) {
+      [input, reference = m_referenceReader.reference(), tell](const TaskControl& control) {
         measureCurve(input, reference, tell, control);
         return true;
       },

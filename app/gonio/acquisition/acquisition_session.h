@@ -6,6 +6,7 @@
 
 #include "app/gonio/acquisition/acquisition_planner.h"
 #include "app/gonio/acquisition/acquisition_result.h"
+#include "app/gonio/acquisition/reference_reader.h"
 #include "app/gonio/document/document.h"
 
 namespace gonio::app {
@@ -27,18 +28,9 @@ class AcquisitionSession : public QObject {
   /// @param tasks may end before the session, never run on after it.
   explicit AcquisitionSession(BackgroundTasks& tasks, QObject* parent = nullptr);
 
-  /// Of the pictures that are rendered from now on.
-  void setPicture(const RenderOptions& picture) { m_picture = picture; }
-  /// The material that is measured and compared with; read in the background.
-  void setReference(const QString& id);
-  /// The same of a table that is made in the background.
-  using TableMaker = std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)>;
-  void setReference(const QString& id, const QString& name, TableMaker makeTable);
-  void clearReference();
-  const AcquisitionReferencePtr& reference() const { return m_reference; }
-  QString referenceId() const { return m_referenceId; }
-  QString referenceName() const { return m_referenceName; }
-  bool isReadingReference() const;
+  /// The material that is measured and compared with.
+  ReferenceReader& referenceReader() { return m_referenceReader; }
+  const ReferenceReader& referenceReader() const { return m_referenceReader; }
 
   /// Chooses directions anew, and reports each as it is chosen. With a reference it is measured then.
   /// @param given a plan that was made before, to take instead.
@@ -51,7 +43,7 @@ class AcquisitionSession : public QObject {
   /// Share of the current step, [0, 1].
   double share() const;
   /// Whether the reference, or a copy of it, is among the materials that were learned.
-  bool isReferenceLearned() const { return m_planner.hasLearned(m_referenceId); }
+  bool isReferenceLearned() const { return m_planner.hasLearned(m_referenceReader.id()); }
 
   /// From now on the reference is measured with this noise.
   void simulate(const acquisition::MeasurementNoise& noise);
@@ -75,7 +67,6 @@ class AcquisitionSession : public QObject {
   QString resultName() const;
 
  Q_SIGNALS:
-  void referenceChanged();
   /// Another direction is chosen, or all are forgotten.
   void directionsChanged();
   void planChanged();
@@ -92,8 +83,7 @@ class AcquisitionSession : public QObject {
   void setStep(Step step);
   void forgetPlan();
   void forgetResult();
-  void install(const AcquisitionReferencePtr& reference);
-  void readReference(std::function<AcquisitionReferencePtr(const TaskControl&)> read);
+  void followReference();
   void connectPlanner();
   void measureReference();
   void reconstruct();
@@ -103,9 +93,7 @@ class AcquisitionSession : public QObject {
   AcquisitionInput input() const;
 
   BackgroundTasks& m_tasks;
-  RenderOptions m_picture = acquisitionPicture();
-  QString m_referenceId, m_referenceName;
-  AcquisitionReferencePtr m_reference;
+  ReferenceReader m_referenceReader;
   AcquisitionPlanner m_planner;
   acquisition::MeasurementNoise m_noise;
   acquisition::MeasuredValues m_values;

@@ -36,11 +36,11 @@ QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionCo
   if (!planner.hasPlan()) return Text::tr("Start chooses where to measure.");
   if (planner.settings() != controls.planSettings()) return Text::tr("The settings have changed: start anew.");
   if (!planner.selection().warning.empty()) return QString::fromStdString(planner.selection().warning);
-  if (session.isReadingReference()) return Text::tr("Preparing %1...").arg(session.referenceName());
+  if (session.referenceReader().isReading()) return Text::tr("Preparing %1...").arg(session.referenceReader().name());
   if (session.values().rgb.empty()) return Text::tr("Save the plan, measure, then paste or open the values.");
   if (session.isReferenceLearned() && session.result())
     return Text::tr("%1 is in the training set: the error is too small. Start anew to leave it out.")
-        .arg(session.referenceName());
+        .arg(session.referenceReader().name());
   if (!session.result()) return Text::tr("Stopped before the material was reconstructed: start anew.");
   return Text::tr("Values: %1").arg(session.valuesName());
 }

@@ -11,7 +11,7 @@ AcquisitionSubject::AcquisitionSubject(const Document& document, AcquisitionSess
     : QObject(&controls), m_document(document), m_session(session), m_controls(controls) {
   connect(&m_document, &Document::materialChanged, this, &AcquisitionSubject::takeOpenMaterial);
   connect(&m_controls.subject(), &SubjectRows::edited, this, &AcquisitionSubject::edited);
-  connect(&m_session, &AcquisitionSession::referenceChanged, this, &AcquisitionSubject::showReference);
+  connect(&m_session.referenceReader(), &ReferenceReader::changed, this, &AcquisitionSubject::showReference);
 }
 
 void AcquisitionSubject::takeOpenMaterial() {
@@ -19,36 +19,37 @@ void AcquisitionSubject::takeOpenMaterial() {
   const LoadedMaterialPtr material = m_document.material();
   const std::vector<editing::Edit> edits = m_document.edits();
   const auto base = m_document.base();
-  if (base == m_taken && edits == m_takenEdits && m_session.referenceName() == m_document.name()) return;
+  if (base == m_taken && edits == m_takenEdits && m_session.referenceReader().name() == m_document.name()) return;
   m_taken = base;
   m_takenEdits = edits;
-  if (!material) return m_session.clearReference();
-  m_session.setReference(
+  if (!material) return m_session.referenceReader().clear();
+  m_session.referenceReader().read(
       QString::fromStdString(material->material.source.path.string()), m_document.name(),
       [base, edits](const TaskControl& control) { return editing::bakeEdits(base, edits, control); });
 }
 
 void AcquisitionSubject::edited() {
   m_taken.reset();
-  if (m_controls.subject().subject() == Subject::none) m_session.clearReference();
+  if (m_controls.subject().subject() == Subject::none) m_session.referenceReader().clear();
   if (m_controls.subject().subject() == Subject::openMaterial) takeOpenMaterial();
-  if (m_controls.subject().subject() == Subject::chosen) m_session.setReference(m_controls.subject().chosenId());
+  if (m_controls.subject().subject() == Subject::chosen)
+    m_session.referenceReader().read(m_controls.subject().chosenId());
 }
 
 void AcquisitionSubject::choose(const QString& id) {
-  m_session.setReference(id);
-  m_controls.subject().choose(id, m_session.referenceName());
+  m_session.referenceReader().read(id);
+  m_controls.subject().choose(id, m_session.referenceReader().name());
 }
 
 void AcquisitionSubject::keepOpenMaterial() {
-  if (m_controls.subject().subject() == Subject::openMaterial && m_session.reference())
-    m_controls.subject().choose(m_session.referenceId(), m_session.referenceName());
+  if (m_controls.subject().subject() == Subject::openMaterial && m_session.referenceReader().reference())
+    m_controls.subject().choose(m_session.referenceReader().id(), m_session.referenceReader().name());
 }
 
 void AcquisitionSubject::showReference() {
-  if (m_controls.subject().subject() == Subject::chosen && !m_session.referenceName().isEmpty())
-    m_controls.subject().choose(m_session.referenceId(), m_session.referenceName());
-  m_controls.training().setMeasuredId(m_session.referenceId());
+  if (m_controls.subject().subject() == Subject::chosen && !m_session.referenceReader().name().isEmpty())
+    m_controls.subject().choose(m_session.referenceReader().id(), m_session.referenceReader().name());
+  m_controls.training().setMeasuredId(m_session.referenceReader().id());
 }
 
 }  // namespace gonio::app

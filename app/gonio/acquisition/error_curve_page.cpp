@@ -40,9 +40,10 @@ void ErrorCurvePage::showCurve() {
 }
 
 void ErrorCurvePage::refresh() {
-  m_curve->setHint(!m_session.reference() ? tr("The error needs a material to compare with: choose one to measure.")
-                   : m_session.isBusy()   ? tr("Working...")
-                                          : tr("Start measures the error over ever more of the samples."));
+  m_curve->setHint(!m_session.referenceReader().reference()
+                       ? tr("The error needs a material to compare with: choose one to measure.")
+                   : m_session.isBusy() ? tr("Working...")
+                                        : tr("Start measures the error over ever more of the samples."));
 }
 
 }  // namespace gonio::app

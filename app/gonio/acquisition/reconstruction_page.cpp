@@ -32,8 +32,8 @@ ReconstructionPage::ReconstructionPage(const AcquisitionSession& session, const 
   layout->addWidget(m_view, 1);
   layout->addLayout(row);
   connect(m_open, &QPushButton::clicked, this, &ReconstructionPage::openRequested);
-  for (const auto signal : {&AcquisitionSession::referenceChanged, &AcquisitionSession::resultChanged})
-    connect(&m_session, signal, this, &ReconstructionPage::showResult);
+  connect(&m_session.referenceReader(), &ReferenceReader::changed, this, &ReconstructionPage::showResult);
+  connect(&m_session, &AcquisitionSession::resultChanged, this, &ReconstructionPage::showResult);
   showResult();
 }
 
@@ -41,7 +41,7 @@ QString ReconstructionPage::numbers() const { return m_numbers->text(); }
 
 void ReconstructionPage::showResult() {
   widgets::ReconstructionView::Content content;
-  if (const AcquisitionReferencePtr& reference = m_session.reference()) {
+  if (const AcquisitionReferencePtr& reference = m_session.referenceReader().reference()) {
     content.reference = reference->picture;
     content.referenceName = reference->name;
   }

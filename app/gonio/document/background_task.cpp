@@ -84,6 +84,8 @@ void BackgroundTasks::finish(const std::shared_ptr<Task>& task, Outcome outcome,
     callbacks.done();
   else if (outcome == Outcome::failed && callbacks.failed)
     callbacks.failed(error);
+  else if (outcome == Outcome::failed)
+    Q_EMIT failed(tr("%1 failed").arg(task->request.title), error);
   else if (outcome == Outcome::cancelled && callbacks.cancelled)
     callbacks.cancelled();
   Q_EMIT changed();

@@ -34,7 +34,8 @@ class BackgroundTasks : public QObject {
   ~BackgroundTasks() override;
 
   /// Runs `work` in another thread, then in this one: `done` with its result, or `failed` with the text of what it
-  /// threw, or `cancelled` when it threw Cancelled. None of them for a task that was replaced.
+  /// threw, or `cancelled` when it threw Cancelled. None of them for a task that was replaced. Without `failed` the
+  /// signal of that name is emitted, so that no failure is lost.
   template <class Result>
   void run(const TaskRequest& request, std::function<Result(const TaskControl&)> work, std::function<void(Result)> done,
            std::function<void(const QString&)> failed = {}, std::function<void()> cancelled = {}) {
@@ -68,6 +69,8 @@ class BackgroundTasks : public QObject {
  Q_SIGNALS:
   /// A task started, ended or progressed.
   void changed();
+  /// A task without a `failed` callback failed.
+  void failed(const QString& title, const QString& text);
 
  private:
   struct Callbacks {

@@ -133,6 +133,7 @@ void MainWindow::connectDocument() {
 }
 
 void MainWindow::connectMessages() {
+  connect(&m_parts.tasks, &BackgroundTasks::failed, this, &MainWindow::showFailure);
   connect(&m_parts.controller, &DocumentController::failed, this, &MainWindow::showFailure);
   connect(&m_parts.environment, &EnvironmentController::failed, this, &MainWindow::showFailure);
   connect(&m_parts.comparison, &ComparisonController::failed, this, &MainWindow::showFailure);

@@ -43,7 +43,7 @@ struct Editor {
   Editor() {
     panel.resize(1400, 420);
     panel.show();
-    panel.session().setPicture(smallPicture());
+    panel.session().referenceReader().setPicture(smallPicture());
     panel.controls().training().setTraining(library.training);
     panel.controls().directions().setSamples(8);
   }
@@ -249,7 +249,7 @@ class AcquisitionPanelTest : public QObject {
     QVERIFY(editor.document.name().startsWith("subject from 8 samples"));
     QVERIFY(editor.document.history().canUndo());
     QCOMPARE(panel.session().result(), result);
-    QCOMPARE(panel.session().referenceName(), "subject");
+    QCOMPARE(panel.session().referenceReader().name(), "subject");
     QCOMPARE(panel.controls().subject().subject(), SubjectRows::Subject::chosen);
     QCOMPARE(panel.controls().subject().box().currentText(), "subject");
     editor.document.history().undo();

@@ -25,7 +25,7 @@ struct Acquisition {
   QStringList failures;
 
   Acquisition() {
-    session.setPicture(smallPicture());
+    session.referenceReader().setPicture(smallPicture());
     QObject::connect(&session, &AcquisitionSession::progressed, &session, [this] {
       if (steps.empty() || steps.back() != session.step()) steps.push_back(session.step());
     });
@@ -38,8 +38,8 @@ struct Acquisition {
     return done;
   }
   bool measure(const QString& id) {
-    session.setReference(id);
-    return waitForAll() && session.reference();
+    session.referenceReader().read(id);
+    return waitForAll() && session.referenceReader().reference();
   }
   bool plan(const PlanSettings& settings) {
     session.plan(settings);
@@ -68,7 +68,8 @@ class AcquisitionSessionTest : public QObject {
     // Without noise a reading is the table's value there.
     QCOMPARE(session.values().rgb.size(), std::size_t(8));
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const Rgb expected(cellValue(*session.reference()->table, cells[i])), read = session.values().rgb[i];
+      const Rgb expected(cellValue(*session.referenceReader().reference()->table, cells[i])),
+          read = session.values().rgb[i];
       QVERIFY(glm::length(read - expected) <= 1e-5 * glm::length(expected));
     }
     QVERIFY(session.result() && session.result()->error);
@@ -203,12 +204,12 @@ class AcquisitionSessionTest : public QObject {
     AcquisitionSession& session = acquisition.session;
     QVERIFY(acquisition.measure(acquisition.library.subject));
     QVERIFY(acquisition.plan(acquisition.library.settings(6)));
-    session.setReference(acquisition.library.training.ids[0]);
+    session.referenceReader().read(acquisition.library.training.ids[0]);
     QCOMPARE(session.resultName(), QString("subject from 6 samples"));
     QVERIFY(acquisition.waitForAll());
     session.simulate({.relative = 0.1});
     QVERIFY(session.isBusy());
-    session.clearReference();
+    session.referenceReader().clear();
     QVERIFY(acquisition.waitForAll());
     QVERIFY(!session.isBusy() && !session.result() && session.values().rgb.empty() && session.curve().empty());
     QVERIFY(session.planner().hasPlan());
@@ -246,7 +247,7 @@ class AcquisitionSessionTest : public QObject {
     QVERIFY(!acquisition.plan(settings));
     QVERIFY2(acquisition.failures.last().contains("/nowhere/missing.binary"), qPrintable(acquisition.failures.last()));
     QVERIFY(!acquisition.measure("/nowhere/missing.binary"));
-    QVERIFY(acquisition.session.referenceId().isEmpty());
+    QVERIFY(acquisition.session.referenceReader().id().isEmpty());
     QCOMPARE(acquisition.failures.size(), 3);
   }
 

@@ -51,6 +51,16 @@ class BackgroundTaskTest : public QObject {
     QTRY_COMPARE(error, QStringLiteral("a.binary: too short"));
   }
 
+  void failuresThatNobodyHandlesAreReported() {
+    BackgroundTasks tasks;
+    QSignalSpy failed(&tasks, &BackgroundTasks::failed);
+    tasks.run<int>(
+        {"Check", "check"}, [](const TaskControl&) -> int { throw Error("a.binary: too short"); }, [](int) {});
+    QTRY_COMPARE(failed.size(), 1);
+    QCOMPARE(failed[0][0].toString(), QStringLiteral("Check failed"));
+    QCOMPARE(failed[0][1].toString(), QStringLiteral("a.binary: too short"));
+  }
+
   /// Live work is neither shown nor stopped by Esc, and does not wait for thumbnails or other work.
   void liveWorkGoesOnUnseen() {
     BackgroundTasks tasks;

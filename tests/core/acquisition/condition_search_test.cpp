@@ -11,6 +11,7 @@
 #include "core/math/parallel.h"
 #include "core/support/error.h"
 #include "tests/core/acquisition/selection_test_support.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/test_program.h"
 
 namespace condition_search_test {
@@ -33,7 +34,7 @@ double conditionOf(const dictionary::PrincipalComponents& basis, const Rows& row
   for (std::size_t i = 0; i < rows.size(); ++i)
     matrix.row(Eigen::Index(i)) = basis.svd.u.view().row(Eigen::Index(rows[i])).head(components).cast<double>();
   matrix *= basis.svd.singularValues.head(components).asDiagonal();
-  const Eigen::VectorXd values = matrix.jacobiSvd().singularValues();
+  const Eigen::VectorXd values = test::singularValues(matrix);
   return values[0] / values[components - 1];
 }
 

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/acquisition/dictionary_reconstruction.h"
 
-#include <Eigen/Dense>
 #include <QTest>
 #include <cmath>
 #include <limits>
@@ -12,6 +11,7 @@
 #include "core/math/parallel.h"
 #include "tests/core/dictionary/code_test_support.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/test_program.h"
 
 namespace dictionary_reconstruction_test {
@@ -160,7 +160,7 @@ class DictionaryReconstructionTest : public QObject {
       MatrixXd ofSamples = covariance(truth.cells, truth.cells);
       ofSamples.diagonal().array() += noise * (restVariance + told.array());
       const MatrixXd residuals = (truth.signals.colwise() - mean)(truth.cells, Eigen::all);
-      const MatrixXd dual = ofSamples.ldlt().solve(residuals);
+      const MatrixXd dual = test::solved(ofSamples, residuals);
       const MatrixXd expected = (covariance(Eigen::all, truth.cells) * dual).colwise() + mean;
       const auto signals = decodeSignals(ensemble, found.code);
       for (std::size_t cell = 0; cell < smallGrid.size(); ++cell)
@@ -171,14 +171,14 @@ class DictionaryReconstructionTest : public QObject {
       if (isNoiseTold) continue;
       const double energy = residuals.cwiseProduct(dual).sum();
       const double evidence =
-          -0.5 * (61 * std::log((energy + 1) / 61) + 3 * VectorXd(ofSamples.ldlt().vectorD()).array().log().sum());
+          -0.5 * (61 * std::log((energy + 1) / 61) + 3 * test::singularValues(ofSamples).array().log().sum());
       QVERIFY(std::abs(found.logEvidence - evidence) < 1e-6 * std::abs(evidence));
       double leftOut = 0;
       for (Eigen::Index s = 0; s < 20; ++s) {
         std::vector<Eigen::Index> others;
         for (Eigen::Index other = 0; other < 20; ++other)
           if (other != s) others.push_back(other);
-        const MatrixXd weights = ofSamples(others, others).ldlt().solve(MatrixXd(ofSamples(others, std::vector{s})));
+        const MatrixXd weights = test::solved(ofSamples(others, others), ofSamples(others, std::vector{s}));
         leftOut += (residuals.row(s) - weights.transpose() * residuals(others, Eigen::all)).squaredNorm();
       }
       QVERIFY(std::abs(found.leaveOneOutError - std::sqrt(leftOut / 60)) < 1e-8);

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/acquisition/noisy_ridge.h"
 
-#include <Eigen/Dense>
 #include <QTest>
 #include <cmath>
 #include <limits>
 
 #include "core/acquisition/reconstruction.h"
 #include "core/math/parallel.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/random_matrix.h"
 #include "tests/support/test_program.h"
 
@@ -38,7 +38,7 @@ SampleRows without(const SampleRows& samples, Eigen::Index row) {
 /// Q^T (Q Q^T + N)^-1 y.
 MatrixXd byDefinition(const SampleRows& samples, const VectorXd& variances) {
   const MatrixXd covariance = samples.rows * samples.rows.transpose() + MatrixXd(variances.asDiagonal());
-  return samples.rows.transpose() * covariance.inverse() * samples.values;
+  return samples.rows.transpose() * test::inverse(covariance) * samples.values;
 }
 
 class NoisyRidgeTest : public QObject {
@@ -53,11 +53,11 @@ class NoisyRidgeTest : public QObject {
         const MatrixXd expected = byDefinition(samples, variances);
         QVERIFY((found.coefficients() - expected).norm() < 1e-9 * expected.norm());
         const MatrixXd precision = samples.rows.transpose() * variances.cwiseInverse().asDiagonal() * samples.rows;
-        const MatrixXd covariance = (precision + MatrixXd::Identity(columns, columns)).inverse();
+        const MatrixXd covariance = test::inverse(precision + MatrixXd::Identity(columns, columns));
         const MatrixXd factor = found.posteriorFactor();
         QVERIFY((factor * factor - covariance).norm() < 1e-9);
         const MatrixXd all = samples.rows * samples.rows.transpose() + MatrixXd(variances.asDiagonal());
-        const double energy = (samples.values.transpose() * all.inverse() * samples.values).trace();
+        const double energy = (samples.values.transpose() * test::inverse(all) * samples.values).trace();
         QVERIFY(std::abs(found.weightedEnergy() / energy - 1) < 1e-9);
       }
   }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include <Eigen/Dense>
 #include <QTest>
 #include <cmath>
 #include <limits>
 
 #include "tests/core/acquisition/reconstruction_oracles.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/smooth_materials.h"
 #include "tests/support/test_program.h"
 
@@ -32,7 +32,7 @@ class ReconstructionDeviationTest : public QObject {
       const MeasuredValues values = measure(*test::smoothMaterial(77), plan);
       const MatrixXd q = rowsAt(basis_, plan, components), y = mappedAt(basis_, plan, values);
       for (const double ridge : {1e-3, 1.0, 40.0}) {
-        const MatrixXd k = covarianceAt(basis_, plan, components, ridge).inverse();
+        const MatrixXd k = test::inverse(covarianceAt(basis_, plan, components, ridge));
         const MatrixXd posterior = MatrixXd::Identity(components, components) - q.transpose() * k * q;
         const double estimated = (1 / signals + (y.transpose() * k * y).trace()) / double(1 + y.size());
         for (const std::optional<double> noise : {std::optional<double>(), std::optional<double>(0.3)}) {

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/acquisition/reconstruction.h"
 
-#include <Eigen/Dense>
 #include <QTest>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include "core/math/parallel.h"
 #include "tests/core/acquisition/reconstruction_oracles.h"
 #include "tests/core/io/test_files.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/smooth_materials.h"
 #include "tests/support/test_program.h"
 
@@ -57,7 +57,7 @@ class ReconstructionTest : public QObject {
     for (const int components : {4, 12}) {
       const MatrixXd q = rowsAt(basis_, plan_, components), y = mappedAt(basis_, plan_, values_);
       for (const double ridge : {1.0, 40.0, 1000.0}) {
-        const MatrixXd expected = q.transpose() * covarianceAt(basis_, plan_, components, ridge).inverse() * y;
+        const MatrixXd expected = q.transpose() * test::inverse(covarianceAt(basis_, plan_, components, ridge)) * y;
         const Reconstruction found = reconstruct(basis_, plan_, values_, ridgeOf(ridge, components));
         QCOMPARE(found.ridge, ridge);
         QVERIFY((coefficients(basis_, found) - expected).norm() < 1e-5 * expected.norm());
@@ -78,7 +78,7 @@ class ReconstructionTest : public QObject {
     const MatrixXd q = rowsAt(basis_, few, components), y = mappedAt(basis_, few, values);
     const MatrixXd c = coefficients(basis_, found);
     QVERIFY((q * c - y).norm() < 1e-4 * y.norm());
-    const MatrixXd least = q.completeOrthogonalDecomposition().solve(y);
+    const MatrixXd least = test::leastSquares(q, y);
     QVERIFY((c - least).norm() < 1e-5 * least.norm());
     for (const double ridge : {infinite, 1e300}) {
       const Reconstruction mean = reconstruct(basis_, few, values, ridgeOf(ridge, components));

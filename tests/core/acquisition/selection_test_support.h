@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <random>
 #include <set>
@@ -10,6 +9,7 @@
 
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/random_matrix.h"
 
 /// Bases of random numbers, and Algorithm 4 of the dissertation in the plainest way: what the selection is checked
@@ -25,9 +25,7 @@ inline const MeasurableDirections everything{.largestPolarAngle = halfPi};
 
 /// Of random directions.
 inline Eigen::MatrixXd orthonormalColumns(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
-  const Eigen::MatrixXd q =
-      randomMatrix(rows, columns, seed).householderQr().householderQ() * Eigen::MatrixXd::Identity(rows, columns);
-  return q;
+  return test::orthonormalised(randomMatrix(rows, columns, seed)).leftCols(columns);
 }
 
 /// A basis with these U and V over the first cells above the horizon, every `stride`-th, each pair of directions once
@@ -120,7 +118,7 @@ inline PlainPursuit plainPursuit(const dictionary::PrincipalComponents& basis, E
     if (best < 0) break;
     support.conservativeResize(Eigen::NoChange, step + 1);
     support.col(step) = atoms.col(best);
-    residual = s - support * support.colPivHouseholderQr().solve(s);
+    residual = s - support * test::leastSquares(support, s);
     result.cells.push_back(basis.mapping.cells[std::size_t(best)]);
     result.residuals.push_back(residual.norm() / s.norm());
   }

@@ -25,7 +25,7 @@ class Sampled final : public Brdf {
  public:
   explicit Sampled(const Brdf& brdf) : lobe_(brdf) {}
   void evaluate(std::span<const DirectionPair>, std::span<Rgb>) const override {}
-  bool samplesItself() const override { return true; }
+  bool hasImportanceSampling() const override { return true; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override {
     const DirectionSample drawn = tabulatedMixture(lobe_).sample(wo, u);
     if (stretch == 1 || drawn.pdf == 0) return drawn;

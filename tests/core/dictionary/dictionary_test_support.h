@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <Eigen/QR>
 #include <random>
 #include <string>
 #include <vector>
@@ -13,13 +12,14 @@
 #include "core/dictionary/training_materials.h"
 #include "tests/studies/research/factorization/tensor.h"
 #include "tests/support/function_brdf.h"
+#include "tests/support/linear_oracles.h"
 
 namespace gonio::dictionary::test_support {
 
 inline Eigen::MatrixXd randomOrthonormal(int size, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   const Eigen::MatrixXd m = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return normal(random); });
-  return Eigen::HouseholderQR<Eigen::MatrixXd>(m).householderQ();
+  return test::orthonormalised(m);
 }
 
 inline ModeMatrices<double> randomDictionary(const Sizes& sizes, std::mt19937_64& random) {

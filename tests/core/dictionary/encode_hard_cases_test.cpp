@@ -6,6 +6,7 @@
 #include "core/dictionary/encode.h"
 #include "core/math/parallel.h"
 #include "tests/core/dictionary/code_test_support.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/test_program.h"
 
 namespace encode_hard_cases_test {
@@ -46,7 +47,7 @@ class EncodeHardCasesTest : public QObject {
     for (std::size_t mode = 0; mode < 3; ++mode) {
       Eigen::MatrixXd m = ensemble.dictionaries[0].modes[mode];
       for (Eigen::Index i = 0; i < m.rows(); ++i) m(i, 0) = double(signal[i * strides[mode]]);
-      constant.dictionaries[1].modes[mode] = Eigen::HouseholderQR<Eigen::MatrixXd>(m).householderQ();
+      constant.dictionaries[1].modes[mode] = test::orthonormalised(m);
     }
     const Encoded encoded =
         Encoder(constant).encode(*table, {.coefficients = 1, .transforms = {DataTransform::logPlus}});

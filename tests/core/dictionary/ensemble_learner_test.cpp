@@ -7,6 +7,7 @@
 
 #include "core/math/parallel.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/test_program.h"
 
 namespace ensemble_learner_test {
@@ -77,8 +78,7 @@ class EnsembleLearnerTest : public QObject {
     std::vector<ModeMatrices<double>> near = planted;
     for (auto& dictionary : near)
       for (Eigen::MatrixXd& mode : dictionary)
-        mode = Eigen::HouseholderQR<Eigen::MatrixXd>(mode + 0.08 * Eigen::MatrixXd::Random(mode.rows(), mode.cols()))
-                   .householderQ();
+        mode = test::orthonormalised(mode + 0.08 * Eigen::MatrixXd::Random(mode.rows(), mode.cols()));
     learner.start(near);
     const double first = learner.iterate();
     for (int round = 0; round < 60; ++round) learner.iterate();

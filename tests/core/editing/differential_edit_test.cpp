@@ -109,6 +109,32 @@ class DifferentialEditTest : public QObject {
     QVERIFY(sameBits(*baked, *base));
   }
 
+  /// Tint and saturation need no model: they change every value, before and after a change of the model alike.
+  void coloursOfTheValuesChange() {
+    const auto base = roughTable();
+    const Rgb tint(1, 0.5, 0.25);
+    const auto coloured = [&](double saturation, double strength) {
+      Edit edit = ggxEdit(ggxParameters(0.2, 1, 0.1, 0.05), ggxParameters(0.2, 1, 0.1, 0.05));
+      auto& controls = std::get<DifferentialEdit>(edit.content).controls;
+      controls.values[std::size_t(ArtistControl::tint)] = tint;
+      controls.values[std::size_t(ArtistControl::saturation)] = Rgb(saturation);
+      edit.strength = strength;
+      return bakeEdits(base, std::span(&edit, 1));
+    };
+    const auto tinted = coloured(1, 1), half = coloured(1, 0.5), grey = coloured(0, 1), strong = coloured(10, 1);
+    for (std::size_t i = 0; i < smallGrid.size(); ++i) {
+      if (!base->valid()[i]) continue;
+      const Rgb before(base->values()[i]);
+      const auto agrees = [&](const TabulatedBrdf& table, const Rgb& expected) {
+        return glm::length(Rgb(table.values()[i]) - expected) <= 1e-6 * glm::length(before);
+      };
+      QVERIFY(agrees(*tinted, tint * before));
+      QVERIFY(agrees(*half, 0.5 * (before + tint * before)));
+      QVERIFY(agrees(*grey, Rgb(luminance(tint * before))));
+      for (int c = 0; c < 3; ++c) QVERIFY(strong->values()[i][c] >= 0);
+    }
+  }
+
   /// Of a base that the model explains completely nothing remains but the edited model.
   void explainedBaseBecomesTheEditedModel() {
     const models::Model& ggx = models::findModel("ggx");

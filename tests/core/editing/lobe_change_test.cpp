@@ -64,6 +64,25 @@ class LobeChangeTest : public QObject {
     QVERIFY(withScaledHalfTangent(mirror, 3).wi == mirror.wi);
   }
 
+  /// A body that is made grey is grey, whatever the fit missed in a channel where it was dark.
+  void aNewColourCarriesTheRatioOfLuminance() {
+    const Rgb red(0.4, 0.02, 0.01), ratio(1.1, 3, 0.2);
+    QVERIFY(recolouredRatio(ratio, red, red) == ratio);
+    QVERIFY(glm::length(recolouredRatio(ratio, red, 0.25 * red) - ratio) < 1e-12);
+    const double grey = luminance(red * ratio) / luminance(red);
+    const Rgb found = recolouredRatio(ratio, red, Rgb(luminance(red)));
+    QVERIFY(std::abs(found.x - ratio.x) < 1e-12);
+    QVERIFY(std::abs(found.z - grey) < 0.1 * std::abs(ratio.z - grey));
+    // Between: as far as the channel keeps its chromaticity.
+    const Rgb half = recolouredRatio(Rgb(1, 1, 2), Rgb(0.5), Rgb(0.5, 0.5, 1));
+    const double kept = luminance(Rgb(0.5, 0.5, 1)) / 1.0, mean = luminance(Rgb(1, 1, 2));
+    QVERIFY(std::abs(half.z - (kept * 2 + (1 - kept) * mean)) < 1e-12);
+    for (const Rgb& black : {Rgb(0), Rgb(1e-300)}) {
+      QVERIFY(recolouredRatio(ratio, black, red) == ratio);
+      QVERIFY(recolouredRatio(ratio, red, black) == ratio);
+    }
+  }
+
   /// Where the measurement is the fit the edit is the edited model.
   void ofTheModelItselfItIsTheEditedModel() {
     for (const double factor : {0.25, 0.5, 2.0, 8.0}) {

@@ -2,12 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/math/matching_pursuit.h"
 
-#include <Eigen/Dense>
 #include <QTest>
 #include <limits>
 #include <set>
 
 #include "core/support/error.h"
+#include "tests/support/linear_oracles.h"
 #include "tests/support/random_matrix.h"
 #include "tests/support/test_program.h"
 
@@ -17,7 +17,7 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 using gonio::test::randomMatrix;
 
 /// Orthonormal columns.
-MatrixXd randomBasis(int size, unsigned seed) { return randomMatrix(size, size, seed).householderQr().householderQ(); }
+MatrixXd randomBasis(int size, unsigned seed) { return test::orthonormalised(randomMatrix(size, size, seed)); }
 
 VectorXd synthesised(const MatrixXd& atoms, const PursuitResult& code) {
   VectorXd result = VectorXd::Zero(atoms.rows());
@@ -34,7 +34,7 @@ MatrixXd chosen(const MatrixXd& atoms, const std::vector<int>& support) {
 /// Least squares by a decomposition of its own: what is left of x.
 VectorXd leastSquaresResidual(const MatrixXd& columns, const VectorXd& x) {
   if (columns.cols() == 0) return x;
-  return x - columns * columns.completeOrthogonalDecomposition().solve(x);
+  return x - columns * test::leastSquares(columns, x);
 }
 
 std::set<int> asSet(const std::vector<int>& support) { return {support.begin(), support.end()}; }
@@ -158,7 +158,7 @@ class MatchingPursuitTest : public QObject {
     QCOMPARE(code.atoms.size(), std::size_t(4));  // what the rank allows
     QCOMPARE(asSet(code.atoms).size(), std::size_t(4));
     QCOMPARE(code.end, PursuitEnd::exhausted);
-    const auto singular = chosen(repeated, code.atoms).jacobiSvd().singularValues();
+    const auto singular = test::singularValues(chosen(repeated, code.atoms));
     QVERIFY(singular[3] > 1e-6 * singular[0]);
     QVERIFY(std::abs(code.residualNorm - leastSquaresResidual(atoms, signal).norm()) < 1e-13);
   }

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/math/ridge_regression.h"
 
-#include <Eigen/Dense>
 #include <QTest>
 #include <limits>
 
+#include "tests/support/linear_oracles.h"
 #include "tests/support/random_matrix.h"
 
 #include "tests/support/test_program.h"
@@ -19,7 +19,7 @@ MatrixXd identity(Eigen::Index size) { return MatrixXd::Identity(size, size); }
 
 /// By the textbook, well conditioned where the ridge is not small.
 MatrixXd normalEquations(const MatrixXd& a, const MatrixXd& b, double ridge) {
-  return (a.transpose() * a + ridge * identity(a.cols())).inverse() * a.transpose() * b;
+  return test::inverse(a.transpose() * a + ridge * identity(a.cols())) * a.transpose() * b;
 }
 
 MatrixXd without(const MatrixXd& matrix, Eigen::Index row) {
@@ -49,7 +49,7 @@ class RidgeRegressionTest : public QObject {
     for (const auto& [rows, columns] : shapes) {
       const MatrixXd a = randomMatrix(rows, columns, 3), b = randomMatrix(rows, 3, 4);
       const RidgeRegression regression(a, b);
-      const MatrixXd least = a.completeOrthogonalDecomposition().solve(b);
+      const MatrixXd least = test::leastSquares(a, b);
       QVERIFY(relative(regression.coefficients(0), least) < 1e-11);
       QVERIFY(relative(regression.coefficients(1e-12), least) < 1e-9);
       QVERIFY(regression.coefficients(std::numeric_limits<double>::infinity()).isZero(0));
@@ -64,7 +64,7 @@ class RidgeRegressionTest : public QObject {
     a.row(5).setZero();
     const MatrixXd b = randomMatrix(6, 3, 6);
     const RidgeRegression regression(a, b);
-    const MatrixXd least = a.completeOrthogonalDecomposition().solve(b);
+    const MatrixXd least = test::leastSquares(a, b);
     QVERIFY(relative(regression.coefficients(0), least) < 1e-12);
     QVERIFY(relative(regression.coefficients(1e-30), least) < 1e-12);
     QVERIFY(regression.leaveOneOut(1e-30).allFinite());
@@ -108,7 +108,7 @@ class RidgeRegressionTest : public QObject {
     for (unsigned seed = 16; seed < 26; ++seed)
       QCOMPARE(RidgeRegression(randomMatrix(1, 5, seed), randomMatrix(1, 3, seed)).leaveOneOutRidge(40), 40.0);
     for (unsigned seed = 26; seed < 36; ++seed) {
-      const MatrixXd rotation = randomMatrix(5, 5, seed).householderQr().householderQ(), a = 3.7 * rotation;
+      const MatrixXd rotation = test::orthonormalised(randomMatrix(5, 5, seed)), a = 3.7 * rotation;
       const double ridge = RidgeRegression(a, randomMatrix(5, 3, seed + 10)).leaveOneOutRidge(40);
       QVERIFY2(std::abs(ridge / (1e3 * 3.7 * 3.7) - 1) < 1e-9, qPrintable(QString::number(ridge)));
     }
@@ -120,9 +120,9 @@ class RidgeRegressionTest : public QObject {
         const MatrixXd a = randomMatrix(rows, columns, 12), b = randomMatrix(rows, 3, 13);
         const RidgeRegression regression(a, b);
         const MatrixXd factor = regression.posteriorFactor(ridge);
-        const MatrixXd expected = ridge * (a.transpose() * a + ridge * identity(columns)).inverse();
+        const MatrixXd expected = ridge * test::inverse(a.transpose() * a + ridge * identity(columns));
         QVERIFY(relative(factor * factor.transpose(), expected) < 1e-11);
-        const MatrixXd energy = b.transpose() * (a * a.transpose() + ridge * identity(rows)).inverse() * b;
+        const MatrixXd energy = b.transpose() * test::inverse(a * a.transpose() + ridge * identity(rows)) * b;
         QVERIFY(std::abs(regression.weightedEnergy(ridge) / energy.trace() - 1) < 1e-11);
       }
     const RidgeRegression regression(randomMatrix(3, 5, 14), randomMatrix(3, 1, 15));

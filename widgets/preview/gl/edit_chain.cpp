@@ -36,7 +36,7 @@ vec3 %1(vec3 wi, vec3 wo, out bool valid) {
   vec3 change = vec3(0.0);
   for (int part = 0; part < LOBE_COUNT_%4; ++part) {
     if (scales%5[part] != 0.0) change -= before[part] * ratio;
-    if (scales%5[part] == 1.0) change += after[part] * ratio;
+    if (scales%5[part] == 1.0) change += after[part] * recolouredRatio(ratio, before[part], after[part]);
   }
   for (int turn = 0; turn < warps%5; ++turn) {
     vec3 movedIn = wi, movedOut = wo;
@@ -45,7 +45,7 @@ vec3 %1(vec3 wi, vec3 wo, out bool valid) {
     vec3 there = %2(movedIn, movedOut, measured);
     vec3 carried = measured ? fitRatio(there, evaluate_%3(movedIn, movedOut, fitted%5)) : ratio;
     for (int part = 0; part < LOBE_COUNT_%4; ++part)
-      if (scales%5[part] == warpScales%5[turn]) change += after[part] * carried;
+      if (scales%5[part] == warpScales%5[turn]) change += after[part] * recolouredRatio(carried, before[part], after[part]);
   }
   return withChange(value, strength%5 * change);
 })";
@@ -68,6 +68,13 @@ struct ChainText {
   }
 
   void add(const DifferentialEdit& edit) {
+    if (edit.changesModel()) addModel(edit);
+    if (!edit.changesColours()) return;
+    uniforms += QString(" uniform mat3 colours%1;").arg(edits);
+    steps += QString(" COLOUR_STEP(colours%1, strength%1)").arg(edits);
+  }
+
+  void addModel(const DifferentialEdit& edit) {
     const auto count = edit.model->shaderParameters(edit.fitted).size();
     uniforms += QString(" uniform vec3 edited%1[%2], fitted%1[%2];").arg(edits).arg(count);
     files << modelFile(*edit.model);
@@ -121,6 +128,13 @@ void setScales(QOpenGLShaderProgram& program, const QString& suffix, const Diffe
   program.setUniformValueArray(("warpScales" + suffix).toUtf8().constData(), warps.data(), int(warps.size()), 1);
 }
 
+QMatrix3x3 matrixOf(const glm::dmat3& columns) {
+  QMatrix3x3 matrix;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) matrix(row, column) = float(columns[column][row]);
+  return matrix;
+}
+
 }  // namespace
 
 QString modelFunction(const models::Model& model) { return "evaluate_" + modelId(model).replace('-', '_'); }
@@ -160,6 +174,7 @@ void EditChain::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& progra
     const QString suffix = QString::number(number++);
     program.setUniformValue(("strength" + suffix).toUtf8().constData(), float(edit.strength));
     if (const auto* differential = std::get_if<DifferentialEdit>(&edit.content)) {
+      program.setUniformValue(("colours" + suffix).toUtf8().constData(), matrixOf(differential->colours()));
       setModelParameters(program, "edited" + suffix, *differential->model, differential->target());
       setModelParameters(program, "fitted" + suffix, *differential->model, differential->fitted);
       if (differential->composition == editing::Composition::lobes) setScales(program, suffix, *differential);

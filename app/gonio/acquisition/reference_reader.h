@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+
+#include "app/gonio/acquisition/acquisition_result.h"
+#include "app/gonio/document/background_task.h"
+
+namespace gonio::app {
+
+/// Reads the material that an acquisition measures and is compared with, in the background. A new one replaces the one
+/// that is being read.
+class ReferenceReader : public QObject {
+  Q_OBJECT
+
+ public:
+  using TableMaker = std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)>;
+
+  explicit ReferenceReader(BackgroundTasks& tasks, QObject* parent = nullptr);
+
+  /// Size and samples of the pictures of references that are read from now on.
+  void setPicture(const RenderOptions& picture) { m_picture = picture; }
+  /// @param id of a file or a material of the library
+  void read(const QString& id);
+  /// @param makeTable called in the background
+  void read(const QString& id, const QString& name, TableMaker makeTable);
+  void clear();
+
+  /// Null until it has been read.
+  const AcquisitionReferencePtr& reference() const { return m_reference; }
+  /// Of the reference, also while it is being read; empty where there is none.
+  QString id() const { return m_id; }
+  QString name() const { return m_name; }
+  bool isReading() const;
+
+ Q_SIGNALS:
+  /// Another id, name or reference.
+  void changed();
+  /// The reference was read, or cleared.
+  void finished();
+  void failed(const QString& title, const QString& text);
+
+ private:
+  void start(std::function<AcquisitionReferencePtr(const TaskControl&)> make);
+  void finish(const AcquisitionReferencePtr& reference);
+
+  BackgroundTasks& m_tasks;
+  RenderOptions m_picture = acquisitionPicture();
+  QString m_id, m_name;
+  AcquisitionReferencePtr m_reference;
+};
+
+}  // namespace gonio::app
