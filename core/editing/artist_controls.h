@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <vector>
 
 #include "core/models/model.h"
