@@ -20,7 +20,14 @@ Rgb ratioOf(const Rgb& measured, const Rgb& fitted) {
 
 double scaleOf(const models::ModelLobe& fitted, const models::ModelLobe& edited) {
   if (fitted.parameters == edited.parameters) return 0;
-  return fitted.roughness > 0 && edited.roughness > 0 ? fitted.roughness / edited.roughness : 1;
+  return fitted.roughness > 0 && edited.roughness > 0 ? fitted.roughness / edited.roughness : bodyScale;
+}
+
+/// What the body carries of the ratio.
+Rgb bodyRatio(const Rgb& ratio, const Rgb& body, const Rgb& model) {
+  constexpr double darkest = 1e-30;
+  const Rgb part = body / glm::max(model, Rgb(darkest)), squared = part * part;
+  return 1.0 + squared * squared * (ratio - 1.0);
 }
 
 /// Scales that differ by rounding alone are made equal: lobes that widen alike then share their places.
@@ -28,7 +35,7 @@ void alignScales(std::span<double> scales) {
   constexpr double rounding = 1e-9;
   for (std::size_t k = 0; k < scales.size(); ++k)
     for (std::size_t before = 0; before < k; ++before)
-      if (std::abs(scales[k] - scales[before]) < rounding * scales[k]) scales[k] = scales[before];
+      if (std::abs(scales[k] - scales[before]) < rounding * std::abs(scales[k])) scales[k] = scales[before];
 }
 
 std::vector<double> scalesOf(std::span<const models::ModelLobe> fitted, std::span<const models::ModelLobe> edited) {
@@ -47,7 +54,7 @@ LobeChange::LobeChange(const DifferentialEdit& edit) : fitted_(edit.model->insta
   std::vector<models::ModelLobe> fitted = edit.model->lobes(edit.fitted), edited = edit.model->lobes(edit.target());
   const std::vector<double> scales = scalesOf(fitted, edited);
   for (std::size_t k = 0; k < fitted.size(); ++k)
-    if (scales[k] > 0) lobes_.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf), scales[k]});
+    if (scales[k] != 0) lobes_.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf), scales[k]});
   std::ranges::stable_sort(lobes_, {}, &Lobe::scale);
 }
 
@@ -66,29 +73,34 @@ Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited) {
 void LobeChange::evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
                           std::span<Rgb> changes) const {
   assert(pairs.size() <= maxPairs);
-  std::array<Rgb, maxPairs> scratch;
-  const auto ratios = std::span(scratch).first(pairs.size());
-  fitted_->evaluate(pairs, ratios);
-  for (std::size_t i = 0; i < pairs.size(); ++i) ratios[i] = ratioOf(values[i], ratios[i]);
-  std::array<Rgb, maxPairs> moved;
-  const auto carried = std::span(moved).first(pairs.size());
+  std::array<Rgb, maxPairs> modelScratch, ratioScratch, carriedScratch;
+  const auto model = std::span(modelScratch).first(pairs.size());
+  const auto ratios = std::span(ratioScratch).first(pairs.size());
+  const auto carried = std::span(carriedScratch).first(pairs.size());
+  fitted_->evaluate(pairs, model);
+  for (std::size_t i = 0; i < pairs.size(); ++i) ratios[i] = ratioOf(values[i], model[i]);
   double scale = 1;
   for (const Lobe& lobe : lobes_) {
-    if (lobe.scale != 1 && lobe.scale != scale) {
+    const bool isMoved = lobe.scale != 1 && lobe.scale != bodyScale;
+    if (isMoved && lobe.scale != scale) {
       std::ranges::copy(ratios, carried.begin());
       carryRatios(scale = lobe.scale, base, pairs, carried);
     }
-    add(lobe, pairs, ratios, lobe.scale == 1 ? ratios : carried, changes);
+    add(lobe, pairs, {model, ratios, isMoved ? carried : ratios}, changes);
   }
 }
 
-void LobeChange::add(const Lobe& lobe, std::span<const DirectionPair> pairs, std::span<const Rgb> ratios,
-                     std::span<const Rgb> carried, std::span<Rgb> changes) {
+void LobeChange::add(const Lobe& lobe, std::span<const DirectionPair> pairs, const Ratios& ratios,
+                     std::span<Rgb> changes) {
   std::array<Rgb, maxPairs> fitted, edited;
   lobe.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
   lobe.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    changes[i] += edited[i] * recolouredRatio(carried[i], fitted[i], edited[i]) - fitted[i] * ratios[i];
+  const bool isBody = lobe.scale == bodyScale;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Rgb here = isBody ? bodyRatio(ratios.here[i], fitted[i], ratios.model[i]) : ratios.here[i];
+    const Rgb carried = isBody ? here : ratios.carried[i];
+    changes[i] += edited[i] * recolouredRatio(carried, fitted[i], edited[i]) - fitted[i] * here;
+  }
 }
 
 void LobeChange::carryRatios(double scale, const Brdf& base, std::span<const DirectionPair> pairs,

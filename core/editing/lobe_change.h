@@ -21,7 +21,8 @@ namespace gonio::editing {
 ///
 /// A lobe that gets another colour carries the ratio of each channel as far as it keeps its chromaticity, and the ratio
 /// of luminance for the rest (recolouredRatio()): a red body that is made grey does not keep the errors of a channel in
-/// which it was dark.
+/// which it was dark. The body, and every lobe without a width, carries the ratio only where it is nearly all of the
+/// model, 1 + (M_k / M)^4 (q - 1): what the fit misses in a highlight belongs to the highlight.
 class LobeChange {
  public:
   /// @throws Error where the model is no sum of lobes.
@@ -44,11 +45,13 @@ class LobeChange {
  private:
   struct Lobe {
     std::unique_ptr<const Brdf> fitted, edited;
-    double scale;  ///< alpha / alpha', 1 of the body
+    double scale;  ///< alpha / alpha'; bodyScale of the body
   };
-  /// @param ratios, carried the ratio q at the pairs and where the lobe had them.
-  static void add(const Lobe& lobe, std::span<const DirectionPair> pairs, std::span<const Rgb> ratios,
-                  std::span<const Rgb> carried, std::span<Rgb> changes);
+  /// What is known at the pairs: the model, and the ratio q there and where the lobe had them.
+  struct Ratios {
+    std::span<const Rgb> model, here, carried;
+  };
+  static void add(const Lobe& lobe, std::span<const DirectionPair> pairs, const Ratios& ratios, std::span<Rgb> changes);
   /// The ratios at the places that the lobe had, where they were measured.
   void carryRatios(double scale, const Brdf& base, std::span<const DirectionPair> pairs, std::span<Rgb> carried) const;
 
@@ -61,8 +64,10 @@ class LobeChange {
 /// @param ratio q; fitted, edited M_k and M'_k, 1/sr.
 Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited);
 
-/// alpha / alpha' of each part of the edited model, 1 where it keeps its width; 0 where it does not change at all. What
-/// the shader reads. Only of models with lobes.
+/// Stands for alpha / alpha' of a part that has no width.
+inline constexpr double bodyScale = -1;
+/// alpha / alpha' of each part of the edited model, 1 where it keeps its width, bodyScale where it has none; 0 where it
+/// does not change at all. What the shader reads. Only of models with lobes.
 std::vector<double> lobeScales(const DifferentialEdit& edit);
 
 }  // namespace gonio::editing

@@ -24,6 +24,13 @@ vec3 recolouredRatio(vec3 ratio, vec3 fitted, vec3 edited) {
   return min(before, after) > 1e-30 ? carried : ratio;
 }
 
+// What the body carries of a ratio: twin of LobeChange.
+vec3 bodyRatio(vec3 ratio, vec3 body, vec3 model) {
+  vec3 part = body / max(model, vec3(1e-30));
+  part *= part;
+  return 1.0 + part * part * (ratio - 1.0);
+}
+
 // What a fit does not explain: twin of LobeChange.
 vec3 fitRatio(vec3 measured, vec3 fitted) {
   const float epsilon = 0.01;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// composition_study [GRID [FOLDER]]: edits whose truth is known (composition_truths.h), by each model that edits and
-// each composition. The material is fitted; the controls that the truth names are set to the values that are best for
-// the composition. Prints, for each, the rendered SNR of the edited material against the truth, dB, and the hue error
-// of its highlight, CIELAB units; then medians, of each kind of edit and of all. GRID: MERL grids divided by this (2).
-// FOLDER: pictures of the five worst of each method, the truth above the edited material.
+// composition_study [GRID [FOLDER [KIND ...]]]: edits whose truth is known (composition_truths.h), by each model that
+// edits and each composition. The material is fitted; the controls that the truth names are set to the values that are
+// best for the composition. Prints, for each, the rendered SNR of the edited material against the truth, dB, and the
+// hue error of its highlight, CIELAB units; then medians, of each kind of edit and of all. GRID: MERL grids divided by
+// this (2). FOLDER: pictures of the five worst of each method, the truth above the edited material; "" for none. KIND:
+// of edits
+// ("roughness", "body grey"); all without.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -122,13 +124,15 @@ void writeWorst(const Method& method, std::vector<Outcome> column, const std::ve
   io::writePng(toDisplayBytes(sheet, 0, ToneMap::filmic), sheet.width, sheet.height, folder / (name + ".png"));
 }
 
-void run(int divisor, const std::filesystem::path& folder) {
+void run(int divisor, const std::filesystem::path& folder, const std::vector<std::string>& kinds) {
   std::vector<Method> methods;
   for (const models::Model* model : {&models::ggx(), &models::layered()})
     for (const Composition composition : {Composition::additive, Composition::logPlus, Composition::lobes})
       methods.push_back({model, composition});
-  const std::vector<EditTruth> truths =
+  std::vector<EditTruth> truths =
       editTruths({.thetaHCount = 90 / divisor, .thetaDCount = 90 / divisor, .phiDCount = 180 / divisor});
+  if (!kinds.empty())
+    std::erase_if(truths, [&](const EditTruth& truth) { return std::ranges::find(kinds, truth.kind) == kinds.end(); });
   std::printf("| kind | truth |");
   for (const Method& method : methods) std::printf(" %s |", method.name().c_str());
   std::printf("\n");
@@ -158,7 +162,8 @@ void run(int divisor, const std::filesystem::path& folder) {
 }  // namespace gonio
 
 int main(int argumentCount, char** arguments) try {
-  gonio::run(argumentCount > 1 ? std::max(1, std::atoi(arguments[1])) : 2, argumentCount > 2 ? arguments[2] : "");
+  gonio::run(argumentCount > 1 ? std::max(1, std::atoi(arguments[1])) : 2, argumentCount > 2 ? arguments[2] : "",
+             {arguments + std::min(argumentCount, 3), arguments + argumentCount});
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "composition_study: %s\n", error.what());

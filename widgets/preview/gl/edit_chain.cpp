@@ -35,8 +35,9 @@ vec3 %1(vec3 wi, vec3 wo, out bool valid) {
   vec3 ratio = fitRatio(value, model);
   vec3 change = vec3(0.0);
   for (int part = 0; part < LOBE_COUNT_%4; ++part) {
-    if (scales%5[part] != 0.0) change -= before[part] * ratio;
-    if (scales%5[part] == 1.0) change += after[part] * recolouredRatio(ratio, before[part], after[part]);
+    vec3 own = scales%5[part] < 0.0 ? bodyRatio(ratio, before[part], model) : ratio;
+    if (scales%5[part] != 0.0) change -= before[part] * own;
+    if (abs(scales%5[part]) == 1.0) change += after[part] * recolouredRatio(own, before[part], after[part]);
   }
   for (int turn = 0; turn < warps%5; ++turn) {
     vec3 movedIn = wi, movedOut = wo;
@@ -120,7 +121,7 @@ void setScales(QOpenGLShaderProgram& program, const QString& suffix, const Diffe
   for (const double scale : editing::lobeScales(edit)) {
     scales.push_back(float(scale));
     const bool isKnown = std::ranges::find(warps, scales.back()) != warps.end();
-    if (scale != 0 && scale != 1 && !isKnown) warps.push_back(scales.back());
+    if (scale > 0 && scale != 1 && !isKnown) warps.push_back(scales.back());
   }
   program.setUniformValue(("warps" + suffix).toUtf8().constData(), int(warps.size()));
   warps.resize(scales.size());
