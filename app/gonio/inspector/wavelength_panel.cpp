@@ -29,13 +29,13 @@ const RglSpectra* spectraOf(const LoadedMaterialPtr& material) {
 WavelengthSubjects sampled(const LoadedMaterialPtr& material, IncidentSlot incident, const editing::EditList& edits,
                            double nanometres, const TaskControl& control) {
   const auto file = material->base->asRgl()->withIncident(incident);
-  const auto subject = [&](std::shared_ptr<const Brdf> brdf) {
-    return widgets::measuredSubject(std::move(brdf), material->lobe);
-  };
-  const widgets::PreviewSubject measured = subject(exports::atWavelength(*file, nullptr, nanometres, control));
+  const auto measured =
+      widgets::measuredSubject(exports::atWavelength(*file, nullptr, nanometres, control), material->lobe);
   if (editing::isIdentity(edits)) return {material, nanometres, measured, measured};
   const auto edited = editing::applyEdits(file->withIncident(IncidentSlot::viewer), edits);
-  return {material, nanometres, measured, subject(exports::atWavelength(*file, edited.get(), nanometres, control))};
+  const auto shown = exports::atWavelength(*file, edited.get(), nanometres, control);
+  return {material, nanometres, measured,
+          widgets::measuredSubject(shown, std::make_shared<const TabulatedLobe>(*shown))};
 }
 
 }  // namespace
