@@ -21,6 +21,7 @@
 #include "app/gonio/study/study_panel.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/main_window.h"
+#include "app/gonio/window/opening_times.h"
 #include "app/gonio/window/screenshot.h"
 #include "app/gonio/window/theme.h"
 #include "widgets/curves/curve_editor.h"
@@ -47,6 +48,7 @@ struct Options {
   QString scene;
   int acquired;
   int acquisitionPage;
+  bool openingTimes;
 };
 
 Options readOptions(const QApplication& application) {
@@ -76,15 +78,18 @@ Options readOptions(const QApplication& application) {
   QCommandLineOption factors("factors");  // shows the factor curves
   factors.setFlags(QCommandLineOption::HiddenFromHelp);
   parser.addOption(factors);
-  hidden("study", "LABEL");           // measures representations, and shows the one of this name
-  hidden("widen", "FACTOR");          // stretches F2
-  hidden("take-f1", "FILE");          // takes F1 of another material over
-  hidden("interpolate", "A,B,...");   // shows the Interpolation dock with these materials
-  hidden("encoded", "COUNT");         // shows the code of so many coefficients
-  hidden("thumbnails", "FOLDER");     // renders the pictures of the library, for scripts/thumbnails.sh
-  hidden("acquire", "COUNT");         // acquires the material from so many samples
-  hidden("acquisition-page", "0-2");  // of the Acquisition dock
-  hidden("scene", "NAME");            // shows the Scene dock with this scene
+  hidden("study", "LABEL");                          // measures representations, and shows the one of this name
+  hidden("widen", "FACTOR");                         // stretches F2
+  hidden("take-f1", "FILE");                         // takes F1 of another material over
+  hidden("interpolate", "A,B,...");                  // shows the Interpolation dock with these materials
+  hidden("encoded", "COUNT");                        // shows the code of so many coefficients
+  hidden("thumbnails", "FOLDER");                    // renders the pictures of the library, for scripts/thumbnails.sh
+  hidden("acquire", "COUNT");                        // acquires the material from so many samples
+  hidden("acquisition-page", "0-2");                 // of the Acquisition dock
+  hidden("scene", "NAME");                           // shows the Scene dock with this scene
+  QCommandLineOption openingTimes("opening-times");  // prints how long the files take to open, and exits
+  openingTimes.setFlags(QCommandLineOption::HiddenFromHelp);
+  parser.addOption(openingTimes);
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
   return {parser.positionalArguments(),
@@ -104,7 +109,8 @@ Options readOptions(const QApplication& application) {
           parser.value("thumbnails"),
           parser.value("scene"),
           parser.value("acquire").toInt(),
-          parser.value("acquisition-page").toInt()};
+          parser.value("acquisition-page").toInt(),
+          parser.isSet(openingTimes)};
 }
 
 QString asGiven(const QString& file) {
@@ -241,6 +247,10 @@ int main(int argc, char** argv) {
         *window, [window] { return window->parts().isSettled(); }, options.screenshot, options.waitSeconds);
   else
     window->files().offerRecovery();
+  if (options.openingTimes) {
+    new OpeningTimes(window->parts(), options.files, window);
+    return QApplication::exec();
+  }
   for (qsizetype i = 0; i < options.files.size(); ++i) {
     auto* target = i == 0 ? window : new MainWindow;
     target->show();

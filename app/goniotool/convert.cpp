@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
@@ -16,17 +17,33 @@ struct ConvertArguments {
   bool wholeCircle = false;
 };
 
-int convert(const ConvertArguments& options, const Tool& tool) {
-  const materials::MaterialFormat& format = materials::writableFormat(options.out);
-  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+void writeTable(const ConvertArguments& options, const Tool& tool, const materials::Material& material) {
   const TabulatedBrdf* own = material.brdf->asTable();
   if (options.wholeCircle && !(own && own->grid() == wholeCircle))
     materials::writeMaterial(*bakeTable(*material.brdf, wholeCircle, tool.control("converting")), options.out);
   else
     materials::writeMaterial(material, options.out, tool.control("converting"));
+}
+
+int convert(const ConvertArguments& options, const Tool& tool) {
+  std::string from, format;
+  std::vector<std::string> losses;
+  if (isOwnForm(options.out)) {
+    if (options.wholeCircle) throw UsageError("convert: --whole-circle is for .binary, found " + options.out);
+    const OpenedSource source = openForExport(options.material, tool.control("reading"));
+    losses = writeOwnForm(source.material, source.base, options.out, tool.control("converting"));
+    from = source.base.source.format;
+    format = materials::formatOf(exports::formatOf(exports::formBySuffix(options.out, *source.base.brdf))).name;
+  } else {
+    format = materials::writableFormat(options.out).name;
+    const materials::Material material = openMaterial(options.material, tool.control("reading"));
+    writeTable(options, tool, material);
+    from = material.source.format;
+  }
   const auto bytes = std::filesystem::file_size(options.out);
-  print(tool, {{"from", material.source.format}, {"format", format.name}, {"out", options.out}, {"bytes", bytes}},
-        options.out + ": " + std::string(format.name) + ", " + std::to_string(bytes) + " bytes\n");
+  std::string text = options.out + ": " + format + ", " + std::to_string(bytes) + " bytes\n";
+  for (const std::string& loss : losses) text += "  note: " + loss + "\n";
+  print(tool, {{"from", from}, {"format", format}, {"out", options.out}, {"bytes", bytes}, {"losses", losses}}, text);
   return 0;
 }
 
@@ -36,7 +53,7 @@ void addConvert(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ConvertArguments>();
   CLI::App* command = app.add_subcommand("convert", "Between formats; an unchanged MERL file stays byte-identical");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("OUT", options->out, outputHelp("File to write; its suffix chooses the format"))->required();
+  command->add_option("OUT", options->out, ownFormHelp("File to write; its suffix chooses the format"))->required();
   command->add_flag("--whole-circle", options->wholeCircle,
                     "A table of 90 x 90 x 360 cells, which keeps what is not reciprocal; without it 90 x 90 x 180");
   command->callback([=, &tool] { tool.run = [=, &tool] { return convert(*options, tool); }; });

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
@@ -90,6 +91,14 @@ std::size_t write(const materials::Material& material, const std::shared_ptr<con
     return 0;
   }
   std::size_t capped = 0;
+  if (isOwnForm(options.out)) {
+    const editing::EditList edits{edit};
+    exports::ExportSource source{.name = material.name, .brdf = material.brdf};
+    if (!editing::isIdentity(edits)) source.brdf = editing::applyEdits(material.brdf, edits);
+    describeSource(source, material, editsText(edits));
+    writeOwnForm(source, material, options.out, tool.control("writing"));
+    return capped;
+  }
   const TabulatedBrdf* table = base->asTable();
   const auto baked = table ? editing::bakeEdits(std::shared_ptr<const TabulatedBrdf>(base, table), std::span(&edit, 1),
                                                 tool.control("baking"), &capped)
@@ -111,10 +120,16 @@ int replayDocument(const EditArguments& options, const Tool& tool) {
   if (!options.model.empty() || !options.set.empty() || !options.controls.empty())
     throw UsageError("edit: " + options.material +
                      " is a document: it is replayed, without --model, --set and --control");
-  materials::writeMaterial(openMaterial(options.material, tool.control("replaying")), options.out);
+  if (isOwnForm(options.out)) {
+    const OpenedSource source = openForExport(options.material, tool.control("replaying"));
+    writeOwnForm(source.material, source.base, options.out, tool.control("writing"));
+  } else {
+    materials::writeMaterial(openMaterial(options.material, tool.control("replaying")), options.out);
+  }
   const auto edits = editing::readDocument(options.material).edits;
-  const bool averaged =
-      std::any_of(edits.begin(), edits.end(), [](const auto& edit) { return editing::isAnisotropic(edit); });
+  const bool averaged = !isOwnForm(options.out) && std::any_of(edits.begin(), edits.end(), [](const auto& edit) {
+    return editing::isAnisotropic(edit);
+  });
   print(tool,
         {{"edits", edits.size()}, {"averagedAzimuths", averaged ? editing::bakedAzimuths : 0}, {"out", options.out}},
         options.out + ": " + std::to_string(edits.size()) + " edits\n" + (averaged ? averagedText() : ""));
@@ -131,7 +146,7 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
   for (const models::ClampedParameter& one : clamped)
     text += "  note: " + std::string(one.id) + " " + number(one.given) + " is outside its range, used " +
             number(one.used) + "\n";
-  const bool averaged = !writesDocument(options) && editing::isAnisotropic(edit);
+  const bool averaged = !writesDocument(options) && !isOwnForm(options.out) && editing::isAnisotropic(edit);
   if (averaged) text += averagedText();
   print(tool,
         {{"model", spec.id},
@@ -170,7 +185,7 @@ void probeControl(const std::string& assignment, const models::Model& model) {
 
 int edit(const EditArguments& options, const Tool& tool) {
   const bool fromDocument = isDocument(options.material);
-  if (!writesDocument(options) || fromDocument) materials::writableFormat(options.out);
+  if (!isOwnForm(options.out) && (!writesDocument(options) || fromDocument)) materials::writableFormat(options.out);
   if (fromDocument) return replayDocument(options, tool);
   if (options.model.empty()) throw UsageError("edit: --model tells what is fitted and edited");
   const models::Model& model = models::findModel(options.model);
@@ -215,7 +230,7 @@ void addEdit(CLI::App& app, Tool& tool) {
   command
       ->add_option(
           "--out", options->out,
-          outputHelp("The material") + ", or the edit without the data (" + std::string(editing::documentSuffix) + ")")
+          ownFormHelp("The material") + ", or the edit without the data (" + std::string(editing::documentSuffix) + ")")
       ->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return edit(*options, tool); }; });
 }

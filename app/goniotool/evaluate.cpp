@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "app/goniotool/direction_table.h"
+#include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
@@ -16,14 +17,15 @@ namespace {
 struct EvaluateArguments {
   std::string material, directions, out;
   bool asStored = false;
+  double wavelength = 0;
 };
 
 int evaluate(const EvaluateArguments& options, const Tool& tool) {
-  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const auto material = openAtWavelength(options.material, options.wavelength, tool.control("reading"));
   const DirectionTable directions = readDirections(options.directions);
   const std::vector<DirectionPair> pairs = directions.pairs();
   std::vector<Rgb> values(pairs.size());
-  const auto brdf = options.asStored ? withIncident(material.brdf, IncidentSlot::light) : material.brdf;
+  const auto brdf = options.asStored ? withIncident(material, IncidentSlot::light) : material;
   const auto start = std::chrono::steady_clock::now();
   brdf->evaluate(pairs, values);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -48,6 +50,7 @@ void addEvaluate(CLI::App& app, Tool& tool) {
       "--as-stored", options->asStored,
       "The light takes the place of an RGL or UTIA file's incident direction, as the file names it; without it the "
       "viewer does, as in Mitsuba and pbrt");
+  command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
   command->callback([options, &tool] { tool.run = [options, &tool] { return evaluate(*options, tool); }; });
 }
 

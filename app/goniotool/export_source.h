@@ -5,18 +5,41 @@
 #include <filesystem>
 #include <string>
 
-#include "core/export/export_source.h"
+#include "core/editing/edit.h"
+#include "core/export/material_form.h"
 #include "core/support/task_control.h"
 
 namespace gonio::tool {
 
 struct OpenedSource {
   exports::ExportSource material;
+  materials::Material base;    ///< without edits
+  editing::EditList edits;     ///< of a document
   std::filesystem::path path;  ///< of the file that must not be overwritten; empty for a bundled material
 };
 
 /// A material argument for an export: an edited RGL file with its own bytes, everything with its origin in a sentence.
 /// @throws Error naming the file, as openMaterial().
 OpenedSource openForExport(const std::string& argument, const TaskControl& control = {});
+
+/// Edits for people: "change of ggx (lobes), factors".
+std::string editsText(const editing::EditList& edits);
+/// Gives a source what encodeMaterial() and exportRgl() need of an RGL file, and its origin. @param edits for people
+void describeSource(exports::ExportSource& source, const materials::Material& base, const std::string& edits);
+
+/// Whether a name asks for a form that is no table (`.bsdf`, `.bin`).
+bool isOwnForm(const std::filesystem::path& out);
+/// The help of an option that names a material to write in any form.
+inline std::string ownFormHelp(const std::string& what) { return what + " (.binary, .bsdf; of UTIA files .bin)"; }
+/// Writes it. Returns what it cannot hold. @throws Error naming the file.
+std::vector<std::string> writeOwnForm(const exports::ExportSource& source, const materials::Material& base,
+                                      const std::filesystem::path& out, const TaskControl& control = {});
+
+/// A material argument at one wavelength, nm, in three equal channels; 0: as openMaterial(). @throws Error naming a
+/// file without spectra.
+std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double nanometres,
+                                             const TaskControl& control = {});
+inline constexpr const char* wavelengthHelp =
+    "One wavelength of a spectral RGL file, nm, in three equal channels (without it: all, seen under D65)";
 
 }  // namespace gonio::tool

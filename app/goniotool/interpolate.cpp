@@ -89,6 +89,7 @@ InterpolationEnd openEnd(const std::string& material, const materials::NamedEnse
   if (materials::isPdv(material))
     end.factors = std::make_shared<const factorization::PdvFactors>(materials::readPdv(material));
   if (!other) end.code = opened.code;
+  if (!opened.table) end.base = opened.brdf;
   return end;
 }
 

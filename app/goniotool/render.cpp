@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "app/goniotool/effects_report.h"
+#include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/picture_options.h"
 #include "app/goniotool/tool.h"
@@ -20,7 +21,7 @@ struct RenderArguments {
   std::string scene = "sphere", out;
   std::shared_ptr<PictureOptions> picture = std::make_shared<PictureOptions>();
   bool effects = false, costs = false, strategies = false, everything = false;
-  double remainder = EffectThresholds().remainder;
+  double remainder = EffectThresholds().remainder, wavelength = 0;
 };
 
 EffectOverrides overridesOf(const RenderArguments& options) {
@@ -47,8 +48,8 @@ void requirePlaces(const Scene& scene, std::size_t materials) {
 Materials openMaterials(const RenderArguments& options, const Tool& tool) {
   Materials materials;
   for (const std::string& material : options.materials)
-    materials.push_back(
-        std::make_shared<const RenderMaterial>(openMaterial(material, tool.control("reading " + material)).brdf));
+    materials.push_back(std::make_shared<const RenderMaterial>(
+        openAtWavelength(material, options.wavelength, tool.control("reading " + material))));
   return materials;
 }
 
@@ -163,6 +164,7 @@ void addRender(CLI::App& app, Tool& tool) {
       ->add_option("--remainder", options->remainder,
                    "What reflections that are left out may add, of the brightest (1/512)")
       ->check(CLI::Range(1e-9, 1.0));
+  command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
   command->add_option("--out", options->out, "Picture to write: .exr (linear) or .png");
   command->callback([options, &tool] { tool.run = [options, &tool] { return render(*options, tool); }; });
 }

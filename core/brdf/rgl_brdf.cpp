@@ -85,8 +85,7 @@ LobeMixture<CosineLobe, RglLobe> lobesOf(const Tables& tables) {
 }
 
 /// A file without a luminance of its own, and values that are none, leave the choice to the visible normals.
-SliceStack<float> luminanceOf(RglData& data) {
-  SliceStack<float> luminance = std::move(data.luminance);
+SliceStack<float> sampled(SliceStack<float> luminance) {
   for (float& value : luminance.values)
     if (!(value >= 0) || !std::isfinite(value)) value = 0;
   return luminance;
@@ -115,12 +114,20 @@ SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGr
 
 RglBrdf::RglBrdf(RglData data, IncidentSlot slot) : slot_(slot) {
   MarginalWarp normals(std::move(data.vndf), "vndf");
-  MarginalWarp luminance(luminanceOf(data), "luminance", MarginalWarp::EmptySlice::uniform);
+  MarginalWarp luminance(sampled(std::move(data.luminance)), "luminance", MarginalWarp::EmptySlice::uniform);
   tables_ = std::make_shared<const Tables>(Tables{std::move(data), std::move(normals), std::move(luminance)});
 }
 
 std::shared_ptr<const RglBrdf> RglBrdf::withIncident(IncidentSlot slot) const {
   return std::shared_ptr<const RglBrdf>(new RglBrdf(tables_, slot));
+}
+
+std::shared_ptr<const RglBrdf> RglBrdf::withColours(SliceStack<glm::vec3> rgb, SliceStack<float> luminance) const {
+  Tables tables{tables_->data, tables_->visibleNormals,
+                MarginalWarp(sampled(std::move(luminance)), "luminance", MarginalWarp::EmptySlice::uniform)};
+  tables.data.rgb = std::move(rgb);
+  tables.data.spectra = nullptr;
+  return std::shared_ptr<const RglBrdf>(new RglBrdf(std::make_shared<const Tables>(std::move(tables)), slot_));
 }
 
 void RglBrdf::evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const {

@@ -9,6 +9,12 @@
 
 namespace gonio {
 
+/// The reflectance of a `_spec` file over the same square as RglData::rgb, per wavelength.
+struct RglSpectra {
+  std::vector<float> nanometres;  ///< ascending
+  std::vector<float> values;      ///< [slice][wavelength][row][column]
+};
+
 /// What an RGL file holds, as far as evaluation and sampling need it. The unit square of the microfacet normal has
 /// x = sqrt(theta 2/pi), y = (phi + pi) / 2 pi.
 struct RglData {
@@ -23,6 +29,8 @@ struct RglData {
   /// half a turn, 4 for those with two planes of symmetry. The range starts at -pi.
   int azimuthReduction = 1;
   bool jacobian = true;  ///< rgb is divided by ndf / (4 sigma)
+  /// Of a `_spec` file, else null: `rgb` is what the CIE 1931 observer sees of them under D65.
+  std::shared_ptr<const RglSpectra> spectra;
 };
 
 /// The field `vndf` of a distribution of normals: D(m) max(0, w_i . m) du for each incident direction, of any scale
@@ -41,6 +49,9 @@ class RglBrdf final : public Brdf {
   /// The same file read in another order; shares its data.
   std::shared_ptr<const RglBrdf> withIncident(IncidentSlot slot) const;
   IncidentSlot incidentSlot() const { return slot_; }
+  /// The same parameterisation with other colours, without spectra. @param rgb of the size of the data's `rgb`.
+  /// @param luminance what is sampled, a slice for each incident direction.
+  std::shared_ptr<const RglBrdf> withColours(SliceStack<glm::vec3> rgb, SliceStack<float> luminance) const;
 
   using Brdf::evaluate;
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;

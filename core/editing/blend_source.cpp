@@ -52,7 +52,9 @@ materials::Material readBlend(const BlendSource& blend, const std::filesystem::p
     const materials::Material source = readSource(blend.materials[i], path, part);
     found.materials[i].sourceSha256 = source.source.sha256;
     const auto table = source.tabulated({control.stop, {}});
-    ends.push_back(blendedEnd(source, table, bakeEdits(table, blend.materials[i].edits, {control.stop, {}})));
+    const EditList& edits = blend.materials[i].edits;
+    ends.push_back(blendedEnd(source, source.brdf ? source.brdf : table, table,
+                              bakeEdits(table, edits, {control.stop, {}}), edits));
   }
   const auto interpolation =
       prepareInterpolation(blend.space, ends, blendOptions(blend.model), control.between(readShare, 0.9));
@@ -61,9 +63,15 @@ materials::Material readBlend(const BlendSource& blend, const std::filesystem::p
 
 }  // namespace
 
-InterpolationEnd blendedEnd(const materials::Material& material, const std::shared_ptr<const TabulatedBrdf>& unedited,
-                            const std::shared_ptr<const TabulatedBrdf>& edited) {
-  return {.table = edited, .factors = nullptr, .code = edited == unedited ? material.code : nullptr};
+InterpolationEnd blendedEnd(const materials::Material& material, const std::shared_ptr<const Brdf>& base,
+                            const std::shared_ptr<const TabulatedBrdf>& unedited,
+                            const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits) {
+  InterpolationEnd end{.table = edited, .factors = nullptr, .code = edited == unedited ? material.code : nullptr};
+  if (!base->asTable()) {
+    end.base = base;
+    end.edits = edits;
+  }
+  return end;
 }
 
 InterpolationOptions blendOptions(const models::Model* model) {

@@ -24,9 +24,11 @@ struct BlendSource {
 InterpolationOptions blendOptions(const models::Model* model = nullptr);
 
 /// A material as one that is blended: with its code while no edit has changed it.
-/// @param unedited its table. @param edited the table with its edits, the same object where there are none.
-InterpolationEnd blendedEnd(const materials::Material& material, const std::shared_ptr<const TabulatedBrdf>& unedited,
-                            const std::shared_ptr<const TabulatedBrdf>& edited);
+/// @param base in its own form, in the order of directions that is shown. @param unedited its table. @param edited the
+/// table with `edits`, the same object where there are none.
+InterpolationEnd blendedEnd(const materials::Material& material, const std::shared_ptr<const Brdf>& base,
+                            const std::shared_ptr<const TabulatedBrdf>& unedited,
+                            const std::shared_ptr<const TabulatedBrdf>& edited, const EditList& edits);
 
 /// @throws Error when an edit's values do not fit its model.
 nlohmann::json toJson(const BlendSource& blend);

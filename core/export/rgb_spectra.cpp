@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/export/rgb_spectra.h"
 
+#include <algorithm>
+
 #include "core/fitting/bounded_quadratic.h"
 #include "core/math/spectrum.h"
 
@@ -70,6 +72,16 @@ SpectralBasis computeBasis() {
 const SpectralBasis& spectralBasis() {
   static const SpectralBasis basis = computeBasis();
   return basis;
+}
+
+Rgb spectralBasisAt(double nanometres) {
+  const SpectralBasis& basis = spectralBasis();
+  const auto above = std::ranges::lower_bound(basis.nanometres, float(nanometres));
+  if (above == basis.nanometres.begin()) return basis.values.front();
+  if (above == basis.nanometres.end()) return basis.values.back();
+  const auto high = std::size_t(above - basis.nanometres.begin());
+  const double low = basis.nanometres[high - 1], share = (nanometres - low) / (double(*above) - low);
+  return glm::mix(basis.values[high - 1], basis.values[high], share);
 }
 
 }  // namespace gonio::exports

@@ -21,4 +21,7 @@ struct SpectralBasis {
 /// core/math/spectrum.h see exactly the primaries. Computed once, some ms.
 const SpectralBasis& spectralBasis();
 
+/// The basis at any wavelength, nm: linear between its knots, constant beyond them.
+Rgb spectralBasisAt(double nanometres);
+
 }  // namespace gonio::exports

@@ -19,7 +19,7 @@ struct RglExport {
 /// A material as the two files that Mitsuba and pbrt read. An RGL file keeps every field that its edits do not change,
 /// and without edits (and all fields in place, as those of the database have) all its bytes, in the one of the two
 /// that it is; all else, and every material where a size is asked for, becomes what parameterise() makes of it. Spectra
-/// of a `_spec` source are changed by the spectrum of the difference of the colours.
+/// of a `_spec` source are scaled as the colours change (SpectralEdit).
 /// @throws Error where the source's file is no RGL file; Cancelled.
 RglExport exportRgl(const ExportSource& source, const RglOptions& options = {}, const TaskControl& control = {});
 

@@ -5,25 +5,14 @@
 #include <algorithm>
 #include <array>
 
-#include "core/export/rgb_spectra.h"
 #include "core/export/rgl_luminance.h"
+#include "core/export/spectral_edit.h"
 
 namespace gonio::exports {
 
 namespace {
 
 using io::TensorField;
-
-/// The basis at any wavelength: linear between its knots, constant beyond them.
-Rgb basisAt(double nanometres) {
-  const SpectralBasis& basis = spectralBasis();
-  const auto above = std::ranges::lower_bound(basis.nanometres, float(nanometres));
-  if (above == basis.nanometres.begin()) return basis.values.front();
-  if (above == basis.nanometres.end()) return basis.values.back();
-  const auto high = std::size_t(above - basis.nanometres.begin());
-  const double low = basis.nanometres[high - 1], share = (nanometres - low) / (double(*above) - low);
-  return glm::mix(basis.values[high - 1], basis.values[high], share);
-}
 
 TensorField ownField(const std::string& name, const io::Tensor& tensor) {
   if (tensor.type == io::TensorType::float16) return TensorField::floats(name, tensor.shape, tensor.floats());
@@ -52,21 +41,11 @@ bool RglRewrite::keeps(const std::string& name) const {
 
 std::vector<TensorField> RglRewrite::newColours(RglColours colours) const {
   const ParameterGrid& incident = tables_->data.incident;
-  if (colours == RglColours::rgb || !has(RglColours::spectra)) return colourFields(edited_.rgb, incident, colours);
-  const io::Tensor& own = file_.floatField("spectra", 5);
-  const std::vector<float> nanometres = file_.floats("wavelengths", 1);
-  std::vector<float> values = own.floats();
-  const SliceStack<glm::vec3>& before = tables_->data.rgb;
-  const std::size_t plane = before.width * before.height;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t node = i / (plane * nanometres.size()) * plane + i % plane;
-    const Rgb change = Rgb(edited_.rgb.values[node]) - Rgb(before.values[node]);
-    if (change == Rgb(0)) continue;
-    const Rgb basis = basisAt(nanometres[i / plane % nanometres.size()]);
-    values[i] = float(std::max(0.0, double(values[i]) + glm::dot(basis, change)));
-  }
-  return {TensorField::floats("spectra", own.shape, values),
-          TensorField::floats("wavelengths", {nanometres.size()}, nanometres)};
+  if (colours == RglColours::rgb || !tables_->data.spectra) return colourFields(edited_.rgb, incident, colours);
+  const RglSpectra& own = *tables_->data.spectra;
+  return {TensorField::floats("spectra", file_.floatField("spectra", 5).shape,
+                              SpectralEdit(tables_->data, edited_.rgb).spectra()),
+          TensorField::floats("wavelengths", {own.nanometres.size()}, own.nanometres)};
 }
 
 std::vector<std::byte> RglRewrite::bytes(RglColours colours, const std::string& description) const {

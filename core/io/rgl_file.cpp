@@ -133,6 +133,9 @@ RglFile readRgl(const ByteSource& source) {
   data.sigma = stack(file, "sigma", 2);
   data.vndf = vndf(file, {phiCount, thetaCount}, data);
   data.rgb = colours(file, colourField, weights, result.negativeCount);
+  if (result.isSpectral)
+    data.spectra =
+        std::make_shared<const RglSpectra>(RglSpectra{increasing(file, "wavelengths"), file.floats("spectra", 5)});
   data.luminance = luminance(file, {phiCount, thetaCount}, data.rgb);
   result.description = file.text("description");
   for (const std::uint64_t size : file.floatField(colourField, 5).shape) result.grid.push_back(int(size));

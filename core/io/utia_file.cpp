@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -82,6 +83,14 @@ std::shared_ptr<const UtiaBrdf> readUtia(const ByteSource& source) {
   if (hasExrSignature(source)) return std::make_shared<const UtiaBrdf>(readPicture(source).pixels);
   if (source.size() != binBytes) throw FormatMismatch(std::to_string(source.size()) + " bytes", expectedUtia);
   return std::make_shared<const UtiaBrdf>(readPlanes(source));
+}
+
+std::vector<std::byte> encodeUtia(std::span<const glm::vec3> values) {
+  assert(values.size() == side * side);
+  std::vector<double> planes(3 * values.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) planes[i] = values[i % values.size()][int(i / values.size())];
+  const auto bytes = std::as_bytes(std::span(planes));
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace gonio::io

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "core/brdf/utia_brdf.h"
 #include "core/io/byte_source.h"
@@ -21,5 +23,8 @@ void expectUtia(const ByteSource& source);
 
 /// @throws FormatMismatch; Error naming the first value that is not finite or beyond the range of float.
 std::shared_ptr<const UtiaBrdf> readUtia(const ByteSource& source);
+
+/// The bytes of a `.bin` file. @param values as UtiaBrdf::values().
+std::vector<std::byte> encodeUtia(std::span<const glm::vec3> values);
 
 }  // namespace gonio::io

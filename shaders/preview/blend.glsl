@@ -6,6 +6,7 @@
 //   BLEND_TRANSFORM  the DataTransform of their values; the mean is transformed back
 //   BLEND_MOVES      each is moved by a model first, with EVALUATE_MODEL and MODEL_PARAMETERS: by model(target) -
 //                    model(its own parameters)
+//   BLEND_OWN        one of them has a part of its weight in its own form, as ownForm() evaluates it
 #include "preview/data_transform.glsl"
 #include "preview/table.glsl"
 
@@ -21,6 +22,12 @@ vec3 ownModel(vec3 wi, vec3 wo, int material) {
   for (int i = 0; i < MODEL_PARAMETERS; ++i) parameters[i] = ownParameters[material * MODEL_PARAMETERS + i];
   return EVALUATE_MODEL(wi, wo, parameters);
 }
+#endif
+
+#ifdef BLEND_OWN
+uniform float blendOwnShare;  // of the sum; blendWeights are without it
+uniform int blendOwnIndex;
+vec3 ownForm(vec3 wi, vec3 wo);
 #endif
 
 // Linear RGB in 1/sr; 0 where no material has data.
@@ -41,5 +48,12 @@ vec3 evaluateBlend(vec3 wi, vec3 wo) {
 #endif
     sum += blendWeights[i] * value;
   }
+#ifdef BLEND_OWN
+  vec3 own = ownForm(wi, wo);
+#ifdef BLEND_MOVES
+  own = max(min(own, vec3(0.0)), own + (target - ownModel(wi, wo, blendOwnIndex)));
+#endif
+  sum += blendOwnShare * own;
+#endif
   return inverseTransformed(BLEND_TRANSFORM, max(sum, vec3(0.0)), wi.z * wo.z);
 }

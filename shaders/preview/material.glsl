@@ -7,14 +7,18 @@
 #include "preview/incident_slot.glsl"
 #include "preview/marginal_warp.glsl"
 #include "preview/normal_square.glsl"
+#if defined(RGL_THETAS) || defined(UTIA) || defined(INCIDENCE_TABLE) || defined(MODEL_ALONE) || defined(FACTOR_BASE_TERMS)
+#define OTHER_FORM
+#endif
+#if defined(BLEND_TABLES) || !defined(OTHER_FORM)
+#include "preview/table.glsl"
+#endif
 #ifdef RGL_THETAS
 #include "preview/rgl.glsl"
 #elif defined(UTIA)
 #include "preview/utia.glsl"
 #elif defined(INCIDENCE_TABLE)
 #include "preview/incidence_table.glsl"
-#elif !defined(MODEL_ALONE) && !defined(FACTOR_BASE_TERMS)
-#include "preview/table.glsl"
 #endif
 #include "preview/data_transform.glsl"
 #ifdef BLEND_TABLES
@@ -22,6 +26,16 @@
 #endif
 #ifdef FACTOR_EDITS
 #include "preview/factors.glsl"
+#endif
+#ifdef BLEND_OWN
+vec3 ownForm(vec3 wi, vec3 wo) {
+#ifdef UTIA
+  bool valid;
+  return evaluateUtia(wi, wo, valid);
+#else
+  return storedInOrder(wi, wo);
+#endif
+}
 #endif
 #ifdef MODEL_ALONE
 uniform vec3 modelParameters[MODEL_PARAMETERS];

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// table_form_study: rendered SNR of half-difference tables of the bundled RGL files against the files themselves:
-// folded as in MERL files (90 x 90 x 180) and over the whole circle (90 x 90 x 360), of the values, of the values times
-// both cosines, and over the whole circle of the values times the cosine of the light, as RGL files store them.
+// table_form_study [MATERIAL ...]: rendered SNR of half-difference tables of the bundled RGL files against the files
+// themselves: folded as in MERL files (90 x 90 x 180) and over the whole circle (90 x 90 x 360), of the values, of the
+// values times both cosines, and over the whole circle of the values times the cosine of the light, as RGL files store
+// them. The first column is the mean of both orders of the directions without a table. Without a name all of the files.
 #include <algorithm>
 #include <cstdio>
+#include <string>
 #include <vector>
 
+#include "core/brdf/incident_slot.h"
 #include "core/materials/measured_library.h"
 #include "core/rendering/rendered_comparison.h"
 #include "tests/studies/study_main.h"
@@ -45,7 +48,7 @@ class Scaled final : public Brdf {
   bool divides_;
 };
 
-int run() {
+int run(const std::vector<std::string>& names) {
   const HalfDifferenceGrid folded, whole{.phiDCount = 360, .reciprocal = false};
   const std::pair<HalfDifferenceGrid, Cosine> forms[] = {{folded, Cosine::none},
                                                          {folded, Cosine::both},
@@ -53,12 +56,16 @@ int run() {
                                                          {whole, Cosine::both},
                                                          {whole, Cosine::light}};
   const RenderOptions options{.width = 128, .height = 128, .samples = 64};
-  std::vector<double> columns[std::size(forms)];
-  std::printf("material, folded, folded both cosines, whole, whole both cosines, whole light cosine\n");
+  std::vector<double> means, columns[std::size(forms)];
+  std::printf(
+      "material, mean of both orders, folded, folded both cosines, whole, whole both cosines, whole light cosine\n");
   for (const materials::MeasuredMaterial& one : materials::measuredMaterials()) {
+    if (!names.empty() && std::ranges::find(names, one.name) == names.end()) continue;
     const auto brdf = materials::measuredMaterial(one).brdf;
     const RenderedComparison comparison(*brdf, options);
-    std::printf("%s", one.name.c_str());
+    const auto mean = withIncident(brdf, IncidentSlot::mean);
+    means.push_back(comparison.signalToNoiseRatio(comparison.render(*mean)));
+    std::printf("%s, %.1f", one.name.c_str(), means.back());
     for (std::size_t form = 0; form < std::size(forms); ++form) {
       const auto& [grid, cosine] = forms[form];
       const auto table = bakeTable(Scaled(brdf, cosine, false), grid);
@@ -69,15 +76,18 @@ int run() {
     }
     std::printf("\n");
   }
-  std::printf("median");
-  for (std::vector<double>& column : columns) {
+  const auto median = [](std::vector<double>& column) {
     std::ranges::nth_element(column, column.begin() + std::ptrdiff_t(column.size() / 2));
-    std::printf(", %.1f", column[column.size() / 2]);
-  }
+    return column[column.size() / 2];
+  };
+  std::printf("median, %.1f", median(means));
+  for (std::vector<double>& column : columns) std::printf(", %.1f", median(column));
   std::printf("\n");
   return 0;
 }
 
 }  // namespace
 
-int main() { return gonio::study::studyMain(run); }
+int main(int count, char** values) {
+  return gonio::study::studyMain([&] { return run({values + 1, values + count}); });
+}

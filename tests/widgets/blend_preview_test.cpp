@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "core/materials/material.h"
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_spheres.h"
@@ -128,6 +129,33 @@ class BlendPreviewTest : public QObject {
     const Image expected = drawn(widgets::measuredSubject(full), sphereScene(), 64);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i)
       QVERIFY(glm::length(picture.pixels[i] - 0.5f * expected.pixels[i]) < 1e-6f);
+  }
+
+  /// A measured file beside a table: itself at the end, near the own forms' mixture before it, and no step where
+  /// another material takes the lead.
+  void filesInTheirOwnForm() {
+    std::vector<editing::InterpolationEnd> materials = ends(2);
+    const materials::Material file = materials::readMaterial("library:rgl/satin_purple");
+    materials[0] = {.table = file.tabulated(), .base = file.brdf};
+    const Image alone = drawn(widgets::measuredSubject(file.brdf), sphereScene(), 64);
+    for (const auto space : {InterpolationSpace::linear, InterpolationSpace::differential}) {
+      const auto blend = widgets::prepareBlend(space, materials);
+      auto whole = widgets::blendSubject(*blend, {1, 0});
+      whole.lobe = {};
+      QVERIFY(drawn(whole, sphereScene(), 64).pixels == alone.pixels);
+      const auto snr = [&](const std::vector<double>& weights) {
+        const auto subject = widgets::blendSubject(*blend, weights);
+        return m_spheres->agreement(subject, *blend->interpolation->brdf(weights), sphereScene());
+      };
+      const double near = snr({0.95, 0.05}), middle = snr({0.5, 0.5});
+      qInfo("%s: %.1f dB at 95 %%, %.1f dB at 50 %%", qPrintable(widgets::spaceName(space)), near, middle);
+      QVERIFY2(near > 40, qPrintable(QString::number(near)));
+      QVERIFY(near > middle);
+      const Image before = drawn(widgets::blendSubject(*blend, {0.501, 0.499}), sphereScene(), 64),
+                  behind = drawn(widgets::blendSubject(*blend, {0.499, 0.501}), sphereScene(), 64);
+      for (std::size_t i = 0; i < before.pixels.size(); ++i)
+        QVERIFY(glm::length(before.pixels[i] - behind.pixels[i]) < 0.01f * (1 + glm::length(before.pixels[i])));
+    }
   }
 
   /// Subjects are told apart by what they blend and how much.

@@ -34,11 +34,17 @@ class TransformedMean final : public Brdf {
   std::vector<double> weights_;
 };
 
+inline std::vector<editing::InterpolationEnd> endsOf(const std::vector<editing::Interpolation::Table>& tables) {
+  std::vector<editing::InterpolationEnd> ends;
+  for (const auto& table : tables) ends.push_back({.table = table});
+  return ends;
+}
+
 /// A space whose mixture lies in a transformed domain, as that of sparse codes does.
 class TransformedSpace final : public editing::Interpolation {
  public:
-  TransformedSpace(std::vector<Table> tables, DataTransform transform)
-      : Interpolation(std::move(tables)), transform_(transform) {
+  TransformedSpace(const std::vector<Table>& tables, DataTransform transform)
+      : Interpolation(endsOf(tables)), transform_(transform) {
     mixture_.transform = transform;
     for (const Table& table : this->tables()) {
       std::vector<glm::vec3> values(table->values().begin(), table->values().end());

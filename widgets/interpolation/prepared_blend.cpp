@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/models/registry.h"
+#include "widgets/preview/gl/shader_base.h"
 
 namespace gonio::widgets {
 
@@ -27,7 +28,28 @@ editing::FactorEdit curvesAlone(factorization::PdvFactors factors) {
   return edit;
 }
 
+/// Only where values are mixed, not transformed ones; an edited material is mixed as its table.
+bool mixesItself(const PreparedBlend& blend, const editing::InterpolationEnd& end) {
+  return blend.mixture->transform == DataTransform::none && fitsBesideBlends(*end.base) &&
+         editing::isIdentity(end.edits);
+}
+
+void addOwn(PreviewBlend& shown, const PreparedBlend& blend, std::size_t heaviest) {
+  const editing::InterpolationEnd& end = blend.ends[heaviest];
+  if (!end.base || !mixesItself(blend, end)) return;
+  double second = 0;
+  for (std::size_t i = 0; i < shown.weights.size(); ++i)
+    if (i != heaviest) second = std::max(second, shown.weights[i]);
+  shown.own = end.base;
+  shown.ownIndex = heaviest;
+  shown.ownShare = shown.weights[heaviest] - second;
+}
+
 }  // namespace
+
+bool mixesTables(const PreparedBlend& blend) {
+  return std::ranges::any_of(blend.ends, [](const auto& end) { return end.base != nullptr; });
+}
 
 PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editing::InterpolationEnd>& ends,
                               const editing::InterpolationOptions& options, const TaskControl& control) {
@@ -36,7 +58,7 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
   blend->ends = ends;
   blend->model = options.model ? options.model : &models::ggx();
   for (const editing::InterpolationEnd& end : ends)
-    blend->lobes.push_back(std::make_shared<const TabulatedLobe>(*end.table));
+    blend->lobes.push_back(std::make_shared<const TabulatedLobe>(*end.material()));
   blend->interpolation = editing::prepareInterpolation(space, ends, options, control.between(0, preparedShare));
   control.throwIfStopped();
   if (auto mixture = blend->interpolation->mixture())
@@ -47,11 +69,15 @@ PreparedBlendPtr prepareBlend(InterpolationSpace space, const std::vector<editin
 
 PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights) {
   const auto heaviest = std::size_t(std::max_element(weights.begin(), weights.end()) - weights.begin());
-  EditedMaterial material{blend.ends[heaviest].table};
+  const editing::InterpolationEnd& end = blend.ends[heaviest];
+  EditedMaterial material{end.table};
   const auto& lobe = blend.lobes[heaviest];
-  if (weights[heaviest] == 1) return {material, lobe};
-  if (blend.mixture)
-    return {PreviewBlend{blend.interpolation, blend.mixture, weights, blend.interpolation->moves(weights)}, lobe};
+  if (weights[heaviest] == 1) return {end.base ? EditedMaterial{end.base, end.edits} : material, lobe};
+  if (blend.mixture) {
+    PreviewBlend shown{blend.interpolation, blend.mixture, weights, blend.interpolation->moves(weights)};
+    addOwn(shown, blend, heaviest);
+    return {std::move(shown), lobe};
+  }
   if (const auto parameters = blend.interpolation->parameters(weights))
     return {ModelAlone{blend.model, *parameters, blend.ends[heaviest].table->grid()}, lobe};
   if (auto factors = blend.interpolation->factors(weights)) material.edits = {{curvesAlone(std::move(*factors))}};

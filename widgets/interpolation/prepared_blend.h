@@ -26,8 +26,12 @@ PreparedBlendPtr prepareBlend(editing::InterpolationSpace space, const std::vect
                               const editing::InterpolationOptions& options = editing::blendOptions(),
                               const TaskControl& control = {});
 
+/// Whether materials are mixed of which the shader mixes tables (at least in part), while files and rendered pictures
+/// mix them in their own form.
+bool mixesTables(const PreparedBlend& blend);
+
 /// What the preview shows at the weights, by what costs least in a frame: `linear`, `dictionary` and `differential` are
-/// mixed in the shader, `parameters` are those of a model, `factors` are curves, and a material alone is its own table.
+/// mixed in the shader, `parameters` are those of a model, `factors` are curves, and a material alone is itself.
 PreviewSubject blendSubject(const PreparedBlend& blend, const std::vector<double>& weights);
 
 /// "Linear"; and what it means, for tool tips.

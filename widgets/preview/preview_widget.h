@@ -73,6 +73,8 @@ class PreviewWidget : public QOpenGLWidget {
   double differenceRange() const { return m_state.range; }
   /// Whether the picture has all the samples that it will get.
   bool converged() const;
+  /// Whether the picture is of what is to be shown now, converged or not.
+  bool isCurrent() const { return hasMaterial() && m_state.number >= m_fresh; }
 
  Q_SIGNALS:
   void sceneChanged(const gonio::Scene& scene);

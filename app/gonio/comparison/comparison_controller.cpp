@@ -118,11 +118,22 @@ const MaterialCode* ComparisonController::code() const {
   return m_code && m_code->material == m_document.material() ? m_code.get() : nullptr;
 }
 
+void ComparisonController::setWavelength(std::optional<WavelengthSubjects> subjects) {
+  m_wavelength = std::move(subjects);
+  refresh();
+}
+
+const WavelengthSubjects* ComparisonController::wavelength() const {
+  return m_wavelength && m_wavelength->material == m_document.material() ? &*m_wavelength : nullptr;
+}
+
 widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) const {
   if (const auto kind = standIn(); side == ComparedSubject::edited && kind)
     return *m_standIns[std::size_t(*kind)].subject;
   const LoadedMaterialPtr& material = side == ComparedSubject::reference ? m_reference : m_document.material();
   if (!material) return {};
+  if (const WavelengthSubjects* one = wavelength(); one && side == ComparedSubject::edited) return one->edited;
+  if (const WavelengthSubjects* one = wavelength(); one && side == ComparedSubject::measured) return one->measured;
   if (side == ComparedSubject::edited && code())
     return {widgets::EditedMaterial{code()->table, m_document.edits(), code()->stored}, code()->lobe};
   if (side == ComparedSubject::edited)
@@ -141,6 +152,11 @@ QString ComparisonController::name(ComparedSubject side) const {
   if (side == ComparedSubject::reference)
     return m_reference ? QString::fromStdString(m_reference->material.name) : QString();
   if (!material) return {};
+  if (const WavelengthSubjects* one = wavelength();
+      one && (side == ComparedSubject::measured || side == ComparedSubject::edited))
+    return tr("%1, %2 nm")
+        .arg(side == ComparedSubject::edited && isEdited() ? tr("Edited") : sourceKind(*material))
+        .arg(one->nanometres, 0, 'f', 0);
   if (side == ComparedSubject::measured) return sourceKind(*material);
   if (side == ComparedSubject::edited && code()) return isEdited() ? tr("Encoded, edited") : tr("Encoded");
   if (side == ComparedSubject::edited) return tr("Edited");
@@ -151,7 +167,7 @@ QString ComparisonController::name(ComparedSubject side) const {
 void ComparisonController::refresh() {
   const bool comparing = m_comparison.mode != CompareMode::off;
   const ComparedSubject first = comparing ? m_sides[0] : ComparedSubject::edited;
-  const bool asMeasured = !comparing && m_document.material() && !isEdited() && !standIn() && !code();
+  const bool asMeasured = !comparing && !wavelength() && m_document.material() && !isEdited() && !standIn() && !code();
   m_preview.setSubject(subject(first), asMeasured ? sourceKind(*m_document.material()) : name(first));
   m_preview.setOther(subject(m_sides[1]), name(m_sides[1]));
   std::array<QString, 4> names;

@@ -25,6 +25,13 @@ enum class StandIn {
   blend            ///< under the hand
 };
 
+/// A spectral material at one wavelength.
+struct WavelengthSubjects {
+  LoadedMaterialPtr material;
+  double nanometres;
+  widgets::PreviewSubject measured, edited;
+};
+
 /// Decides what the preview shows: the edited material, or two of the document's sides and another material against
 /// each other. It keeps the preview, the bar and the document together. What is compared is no part of the document.
 class ComparisonController : public QObject {
@@ -50,6 +57,9 @@ class ComparisonController : public QObject {
   /// Null when it is of another material.
   const MaterialCode* code() const;
 
+  /// The measured and the edited material are shown at a wavelength from now on; nothing: at all of them.
+  void setWavelength(std::optional<WavelengthSubjects> subjects);
+
   widgets::PreviewSubject subject(widgets::ComparedSubject side) const;
   /// Shows something else in the place of the edited material, until it is taken back.
   void setStandIn(StandIn kind, std::optional<widgets::PreviewSubject> subject, const QString& name);
@@ -70,6 +80,8 @@ class ComparisonController : public QObject {
 
  private:
   void refresh();
+  /// Null for other materials than the document's.
+  const WavelengthSubjects* wavelength() const;
   bool isEdited() const;
   void chooseUsualSides();
 
@@ -88,6 +100,7 @@ class ComparisonController : public QObject {
   };
   std::array<Replacement, 2> m_standIns;  ///< by StandIn
   std::shared_ptr<const MaterialCode> m_code;
+  std::optional<WavelengthSubjects> m_wavelength;
 };
 
 }  // namespace gonio::app

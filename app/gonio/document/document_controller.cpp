@@ -189,25 +189,17 @@ bool DocumentController::save(const QString& path, const nlohmann::json& view) {
   return true;
 }
 
-void DocumentController::exportMerl(const QString& path) {
+void DocumentController::exportMaterial(const QString& path, exports::MaterialForm form) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
-  const editing::EditList edits = m_document.edits();
-  m_tasks.run<bool>(
+  m_tasks.run<ExportLosses>(
       {tr("Exporting %1").arg(shortName(path)), exportKey},
-      [material, base = m_document.base(), edits, path](const TaskControl& control) {
-        const std::filesystem::path target = path.toStdString();
-        if (isIdentity(edits))
-          materials::writeMaterial(material->material, target, control);
-        else
-          materials::writeMaterial(*editing::bakeEdits(base, edits, control), target);
-        return true;
+      [material, base = m_document.base(), edits = m_document.edits(), form, path](const TaskControl& control) {
+        return writeMaterial(*material, base, edits, form, path.toStdString(), control);
       },
-      [this, path, edits](bool) {
+      [this, path](const ExportLosses& losses) {
         Q_EMIT exported(path);
-        if (std::any_of(edits.begin(), edits.end(), [](const auto& edit) { return isAnisotropic(edit); }))
-          Q_EMIT warned(tr("%1 holds the mean over all azimuths: the edit is anisotropic, MERL files are not.")
-                            .arg(shortName(path)));
+        if (!losses.sentences.isEmpty()) Q_EMIT warned(QStringLiteral("%1: %2").arg(shortName(path), losses.text()));
       },
       [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(shortName(path)), error); });
 }

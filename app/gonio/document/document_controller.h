@@ -6,6 +6,7 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
+#include "app/gonio/document/material_export.h"
 #include "core/rendering/effect_plan.h"
 
 namespace gonio::app {
@@ -37,7 +38,8 @@ class DocumentController : public QObject {
 
   /// Writes the .gonio file. Returns false after failed().
   bool save(const QString& path, const nlohmann::json& view);
-  void exportMerl(const QString& path);
+  /// The edited material in a form; warns of what that cannot hold, with the measured error.
+  void exportMaterial(const QString& path, exports::MaterialForm form);
   /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see materialsInSlots().
   void exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
                  const RenderMaterials& others = {});

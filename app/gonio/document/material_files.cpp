@@ -53,8 +53,8 @@ QString openFilter() {
   return all.join(";;");
 }
 
-QString exportFilter() { return filters(materials::isWritable).join(";;"); }
-QString tableSuffix() { return toQt(materials::formatOf(materials::FormatId::merl).suffix()); }
+QString formatSuffix(materials::FormatId format) { return toQt(materials::formatOf(format).suffix()); }
+QString tableSuffix() { return formatSuffix(materials::FormatId::merl); }
 
 bool isDocument(const QString& path) { return editing::isDocumentName(path.toStdString()); }
 QString documentSuffix() { return toQt(editing::documentSuffix); }

@@ -4,6 +4,8 @@
 
 #include <QStringList>
 
+#include "core/materials/material_formats.h"
+
 /// The table of the formats of materials (core/materials/material_formats.h) in the words of Qt's dialogs and folders.
 /// Files are opened by their content, whatever they are called.
 namespace gonio::app {
@@ -17,8 +19,8 @@ QStringList measurementFilePatterns();
 QString materialFilter();
 /// The same with a filter for each format between.
 QString openFilter();
-/// "MERL table (*.binary)": every format that materials are written in.
-QString exportFilter();
+/// ".binary": with which a format is written.
+QString formatSuffix(materials::FormatId format);
 /// ".binary": of what the editor writes where nobody chooses a format.
 QString tableSuffix();
 

@@ -16,6 +16,7 @@
 #include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/inspector/source_facts.h"
 #include "app/gonio/inspector/table_error_monitor.h"
+#include "app/gonio/inspector/wavelength_panel.h"
 #include "widgets/inputs/collapsible_section.h"
 #include "widgets/panels/edit_stack.h"
 #include "widgets/panels/fact_list.h"
@@ -44,6 +45,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
       m_tasks(tasks),
       m_source(new widgets::FactList),
       m_tableError(new TableErrorMonitor(document, tasks, this)),
+      m_wavelength(new WavelengthPanel(document, tasks)),
       m_representation(new RepresentationPanel(document, tasks)),
       m_model(new widgets::ModelPanel),
       m_plausibility(new widgets::PlausibilityBadges),
@@ -69,6 +71,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
   sourceRows->setContentsMargins(0, 0, 0, 0);
   sourceRows->addWidget(m_source);
   sourceRows->addWidget(new DirectionOrder(document));
+  sourceRows->addWidget(m_wavelength);
   addSection(QStringLiteral("inspector/source"), tr("Source"), source);
   auto* model = new QWidget;
   auto* modelRows = new QVBoxLayout(model);
@@ -99,7 +102,8 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
 QSize Inspector::sizeHint() const { return {fontMetrics().height() * preferredEms, fontMetrics().height() * 40}; }
 
 bool Inspector::isSettled() const {
-  return m_monitor->isCurrent() && m_tableError->isSettled() && m_representation->isSettled();
+  return m_monitor->isCurrent() && m_tableError->isSettled() && m_wavelength->isSettled() &&
+         m_representation->isSettled();
 }
 
 void Inspector::connectDocument() {

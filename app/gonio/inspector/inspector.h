@@ -23,6 +23,7 @@ namespace gonio::app {
 class PlausibilityMonitor;
 class RepresentationPanel;
 class TableErrorMonitor;
+class WavelengthPanel;
 
 /// The right side of the window: Source, Model, Edits, Controls, Parameters, Plausibility and Representation of a
 /// document, in sections that fold.
@@ -37,6 +38,7 @@ class Inspector : public QScrollArea {
   widgets::PlausibilityBadges* plausibility() const { return m_plausibility; }
   widgets::EditStack* edits() const { return m_edits; }
   RepresentationPanel* representation() const { return m_representation; }
+  WavelengthPanel* wavelength() const { return m_wavelength; }
   /// Unfolds its section.
   void unfoldRepresentation();
   /// Whether what is measured in the background tells of the present state.
@@ -69,6 +71,7 @@ class Inspector : public QScrollArea {
   BackgroundTasks& m_tasks;
   widgets::FactList* m_source;
   TableErrorMonitor* m_tableError;
+  WavelengthPanel* m_wavelength;
   RepresentationPanel* m_representation;
   widgets::ModelPanel* m_model;
   widgets::PlausibilityBadges* m_plausibility;

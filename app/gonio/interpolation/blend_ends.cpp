@@ -26,9 +26,10 @@ BlendEnd takeBlendEnd(const LoadedMaterial& material, const QString& name, editi
   const std::string& description = material.material.source.description;
   end.description = QString::fromStdString(description.empty() ? material.material.name : description);
   const auto table = material.table(control);
-  end.material = editing::blendedEnd(material.material, table,
-                                     editing::bakeEdits(table, source.edits, control.between(0, editShare)));
-  end.picture = spherePicture(*end.material.table, endSide, endSamples, control.between(editShare, 1));
+  end.material =
+      editing::blendedEnd(material.material, withIncident(material.base, source.incident), table,
+                          editing::bakeEdits(table, source.edits, control.between(0, editShare)), source.edits);
+  end.picture = spherePicture(*end.material.material(), endSide, endSamples, control.between(editShare, 1));
   source.view = {};
   end.source = std::move(source);
   return end;

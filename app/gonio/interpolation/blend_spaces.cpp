@@ -15,7 +15,7 @@ namespace {
 const QString blendKey = QStringLiteral("blend-spaces");
 
 bool sameEnd(const editing::InterpolationEnd& a, const editing::InterpolationEnd& b) {
-  return a.table == b.table && a.factors == b.factors && a.code == b.code;
+  return a.table == b.table && a.factors == b.factors && a.code == b.code && a.base == b.base;
 }
 
 /// Where each of `ends` stands in `known`; empty where these are other ones.

@@ -59,7 +59,7 @@ QWidget* InterpolationPanel::buildChoice() {
   m_show->setToolTip(tr("The preview shows the blend and follows the hand; off: the open material"));
   m_show->setChecked(true);
   m_keep->setToolTip(
-      tr("The blend becomes the open material, to be edited further, saved and exported.\n"
+      tr("The blend becomes the open material, a table, to be edited further, saved and exported.\n"
          "Undo brings back what was open."));
   auto* label = new QLabel(tr("Spa&ce"));
   label->setBuddy(m_spaceBox);
@@ -83,7 +83,9 @@ void InterpolationPanel::connectParts() {
   connect(&m_ends, &BlendEnds::failed, this, &InterpolationPanel::failed);
   connect(&m_spaces, &BlendSpaces::changed, this, [this](Space space) {
     showKeepable();
-    if (space == m_space) Q_EMIT subjectChanged();
+    if (space != m_space) return;
+    showExplanation();
+    Q_EMIT subjectChanged();
   });
   connect(m_wells, &BlendWells::touched, this, &InterpolationPanel::touched);
   connect(m_placeEditor, &BlendPlaceEditor::placeEdited, this, &InterpolationPanel::moveTo);
@@ -130,11 +132,18 @@ void InterpolationPanel::setSpace(Space space) {
   const int index = m_spaceBox->findData(int(space));
   m_spaceBox->setCurrentIndex(index);
   m_spaceBox->setToolTip(widgets::spaceExplanation(space));
-  m_placeEditor->setExplanation(widgets::spaceExplanation(space));
+  showExplanation();
   m_overview->strip().setCurrentRow(index);
   if (isVisible()) m_spaces.want(space);
   showPlace();
   Q_EMIT subjectChanged();
+}
+
+void InterpolationPanel::showExplanation() {
+  QString text = widgets::spaceExplanation(m_space);
+  if (const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space); blend && widgets::mixesTables(*blend))
+    text += '\n' + tr("In between, the preview mixes tables of materials that have another form.");
+  m_placeEditor->setExplanation(text);
 }
 
 void InterpolationPanel::moveTo(const QPointF& place) {

@@ -80,6 +80,7 @@ class InterpolationPanel : public QWidget {
   void touched() { setShownInPreview(true); }
   void showEnds();
   void showPlace();
+  void showExplanation();
   void showKeepable();
 
   Document& m_document;

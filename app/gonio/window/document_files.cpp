@@ -101,10 +101,23 @@ bool DocumentFiles::saveAs() {
 }
 
 void DocumentFiles::exportBrdf() {
-  const QString path = withSuffix(
-      QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), m_document.name() + tableSuffix(), exportFilter()),
-      tableSuffix());
-  if (!path.isEmpty()) m_controller.exportMerl(path);
+  if (!m_document.material()) return;
+  const std::vector<exports::MaterialForm> forms = exports::formsOf(*m_document.base());
+  QStringList filters;
+  for (const exports::MaterialForm form : forms) filters << formFilter(form);
+  const auto suffixOf = [&](exports::MaterialForm form) { return formatSuffix(exports::formatOf(form)); };
+  QString chosen = filters.front();
+  QString path = QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), m_document.name() + suffixOf(forms.front()),
+                                              filters.join(QStringLiteral(";;")), &chosen);
+  if (path.isEmpty()) return;
+  exports::MaterialForm form = forms[std::size_t(std::max(qsizetype(0), filters.indexOf(chosen)))];
+  // A typed suffix counts more than the list.
+  for (const exports::MaterialForm other : forms)
+    if (path.endsWith(suffixOf(other), Qt::CaseInsensitive) && suffixOf(other) != suffixOf(form)) {
+      form = other;
+      break;
+    }
+  m_controller.exportMaterial(withSuffix(path, suffixOf(form)), form);
 }
 
 void DocumentFiles::exportImage() {

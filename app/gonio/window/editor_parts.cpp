@@ -11,6 +11,7 @@
 #include "app/gonio/factors/factor_curves_panel.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/inspector/representation_panel.h"
+#include "app/gonio/inspector/wavelength_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/library/thumbnail.h"
 #include "app/gonio/plots/plots_panel.h"
@@ -78,6 +79,9 @@ void EditorParts::connectStandIns() {
   const RepresentationPanel* representation = inspector.representation();
   QObject::connect(representation, &RepresentationPanel::shownChanged, &comparison,
                    [this, representation] { comparison.setCode(representation->shown()); });
+  const WavelengthPanel* wavelength = inspector.wavelength();
+  QObject::connect(wavelength, &WavelengthPanel::subjectsChanged, &comparison,
+                   [this, wavelength] { comparison.setWavelength(wavelength->subjects()); });
 }
 
 void EditorParts::use(const gonio::study::Representation& representation) {

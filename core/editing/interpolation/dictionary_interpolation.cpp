@@ -27,12 +27,9 @@ TransformedTable decodedSignals(const Ensemble& ensemble, const SparseCode& code
 
 class DictionaryInterpolation final : public Interpolation {
  public:
-  DictionaryInterpolation(std::vector<Table> tables, std::shared_ptr<const Ensemble> ensemble,
+  DictionaryInterpolation(std::span<const InterpolationEnd> ends, std::shared_ptr<const Ensemble> ensemble,
                           std::vector<SparseCode> codes, std::size_t coefficients)
-      : Interpolation(std::move(tables)),
-        ensemble_(std::move(ensemble)),
-        codes_(std::move(codes)),
-        coefficients_(coefficients) {}
+      : Interpolation(ends), ensemble_(std::move(ensemble)), codes_(std::move(codes)), coefficients_(coefficients) {}
 
  private:
   SparseCode between(std::span<const double> weights) const {
@@ -106,7 +103,7 @@ std::shared_ptr<const Interpolation> prepareDictionary(std::span<const Interpola
   if (!options.ensemble || options.ensemble->dictionaries.empty())
     throw Error("interpolation in the space of dictionaries: there is no dictionary");
   return std::make_shared<const DictionaryInterpolation>(
-      tablesOf(ends), options.ensemble, codesOfOneTransform(ends, options, control), options.codeCoefficients);
+      ends, options.ensemble, codesOfOneTransform(ends, options, control), options.codeCoefficients);
 }
 
 }  // namespace gonio::editing

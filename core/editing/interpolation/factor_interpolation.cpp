@@ -14,9 +14,9 @@ using Factors = std::shared_ptr<const PdvFactors>;
 class FactorInterpolation final : public Interpolation {
  public:
   /// @throws Error when the factors cannot be blended.
-  FactorInterpolation(std::vector<Table> tables, std::vector<Factors> factors)
-      : Interpolation(std::move(tables)), factors_(std::move(factors)) {
-    factorization::checkBlendable(ends());
+  FactorInterpolation(std::span<const InterpolationEnd> materials, std::vector<Factors> factors)
+      : Interpolation(materials), factors_(std::move(factors)) {
+    factorization::checkBlendable(curves());
   }
 
  private:
@@ -24,11 +24,11 @@ class FactorInterpolation final : public Interpolation {
     return factorization::makePdvBrdf(blended(weights));
   }
   std::optional<PdvFactors> blendedFactors(std::span<const double> weights) const override { return blended(weights); }
-  PdvFactors blended(std::span<const double> weights) const { return factorization::blended(ends(), weights); }
-  std::vector<const PdvFactors*> ends() const {
-    std::vector<const PdvFactors*> ends;
-    for (const Factors& factors : factors_) ends.push_back(factors.get());
-    return ends;
+  PdvFactors blended(std::span<const double> weights) const { return factorization::blended(curves(), weights); }
+  std::vector<const PdvFactors*> curves() const {
+    std::vector<const PdvFactors*> curves;
+    for (const Factors& factors : factors_) curves.push_back(factors.get());
+    return curves;
   }
 
   std::vector<Factors> factors_;
@@ -63,7 +63,7 @@ std::shared_ptr<const Interpolation> prepareFactors(std::span<const Interpolatio
                           : std::make_shared<const PdvFactors>(
                                 factorizePdv(*ends[i].table, shared, control.between(begin, begin + each)).factors));
   }
-  return std::make_shared<const FactorInterpolation>(tablesOf(ends), std::move(factors));
+  return std::make_shared<const FactorInterpolation>(ends, std::move(factors));
 }
 
 }  // namespace gonio::editing

@@ -8,13 +8,14 @@
 
 namespace gonio::editing {
 
-Interpolation::Interpolation(std::vector<Table> tables) : tables_(std::move(tables)) {
+Interpolation::Interpolation(std::span<const InterpolationEnd> ends)
+    : ends_(ends.begin(), ends.end()), tables_(tablesOf(ends)) {
   if (tables_.empty()) throw Error("there is no material to interpolate between");
 }
 
 std::shared_ptr<const Brdf> Interpolation::brdf(std::span<const double> weights) const {
   checkWeights(weights, materials());
-  if (const auto end = wholeWeight(weights)) return tables_[*end];
+  if (const auto end = wholeWeight(weights)) return ends_[*end].material();
   return blendedBrdf(weights);
 }
 

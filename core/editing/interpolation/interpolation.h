@@ -12,7 +12,7 @@
 #include "core/brdf/data_transform.h"
 #include "core/brdf/tabulated_brdf.h"
 #include "core/dictionary/encode.h"
-#include "core/editing/differential_edit.h"
+#include "core/editing/edit.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit.h"
 #include "core/models/model.h"
@@ -42,6 +42,13 @@ struct InterpolationEnd {
   /// Of a material that is a code over the ensemble. Else, and where it has another transform than the first code, the
   /// table is encoded.
   std::shared_ptr<const dictionary::SparseCode> code = nullptr;
+  /// The material in its own form where `table` was sampled from it (RGL and UTIA files ..), without and with `edits`.
+  /// Null: the table is the material.
+  std::shared_ptr<const Brdf> base = nullptr;
+  EditList edits = {};
+
+  /// What a weight of 1 gives.
+  std::shared_ptr<const Brdf> material() const { return base ? applyEdits(base, edits) : table; }
 };
 
 struct InterpolationOptions {
@@ -72,18 +79,20 @@ struct TransformedMixture {
 /// Materials prepared for blending: fits and factorisations are done, so that a point that is dragged between them
 /// costs what the blend costs. Immutable.
 ///
-/// Weights are one a material, each in [0, 1], with the sum 1. A weight of 1 gives that material itself, bit for bit:
-/// in spaces that lose detail in between there is a step beside the ends.
+/// Weights are one a material, each in [0, 1], with the sum 1. A weight of 1 gives that material itself, bit for bit,
+/// in its own form: in spaces that lose detail in between there is a step beside the ends. `linear` and `differential`
+/// mix the materials in their own form, all others what is made of their tables.
 class Interpolation {
  public:
   using Table = std::shared_ptr<const TabulatedBrdf>;
   virtual ~Interpolation() = default;
 
-  std::size_t materials() const { return tables_.size(); }
+  std::size_t materials() const { return ends_.size(); }
+  const std::vector<InterpolationEnd>& ends() const { return ends_; }
 
   /// Evaluated directly, nothing is tabulated. @throws Error for weights that are none.
   std::shared_ptr<const Brdf> brdf(std::span<const double> weights) const;
-  /// The same as a table on the grid of the first material. @throws Error as brdf(); Cancelled.
+  /// The same of the materials' tables, on the grid of the first. @throws Error as brdf(); Cancelled.
   Table table(std::span<const double> weights, const TaskControl& control = {}) const;
 
   // What the blend is made of; nothing in spaces that have no such thing. Also where a weight is 1 these are the fitted
@@ -105,7 +114,7 @@ class Interpolation {
 
  protected:
   /// @throws Error when there are none.
-  explicit Interpolation(std::vector<Table> tables);
+  explicit Interpolation(std::span<const InterpolationEnd> ends);
   const std::vector<Table>& tables() const { return tables_; }
 
   // No weight is 1.
@@ -120,6 +129,7 @@ class Interpolation {
   virtual std::optional<dictionary::SparseCode> blendedCode(std::span<const double>) const { return {}; }
 
  private:
+  std::vector<InterpolationEnd> ends_;
   std::vector<Table> tables_;
 };
 

@@ -9,13 +9,14 @@ namespace {
 
 class LinearInterpolation final : public Interpolation {
  public:
-  LinearInterpolation(std::vector<Table> tables, const TaskControl& control)
-      : Interpolation(std::move(tables)), sameGrid_(onOneGrid(this->tables(), control)) {}
+  LinearInterpolation(std::span<const InterpolationEnd> ends, const TaskControl& control)
+      : Interpolation(ends), sameGrid_(onOneGrid(this->tables(), control)) {}
 
  private:
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
-    return weightedSum(std::vector<std::shared_ptr<const Brdf>>(tables().begin(), tables().end()),
-                       std::vector<double>(weights.begin(), weights.end()));
+    std::vector<std::shared_ptr<const Brdf>> materials;
+    for (const InterpolationEnd& end : ends()) materials.push_back(end.material());
+    return weightedSum(std::move(materials), {weights.begin(), weights.end()});
   }
   Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
     return weightedSum(sameGrid_, weights, control);
@@ -53,7 +54,7 @@ std::vector<Interpolation::Table> onOneGrid(const std::vector<Interpolation::Tab
 }
 
 std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationEnd> ends, const TaskControl& control) {
-  return std::make_shared<const LinearInterpolation>(tablesOf(ends), control);
+  return std::make_shared<const LinearInterpolation>(ends, control);
 }
 
 }  // namespace gonio::editing

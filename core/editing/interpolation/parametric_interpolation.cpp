@@ -15,8 +15,9 @@ using models::ParameterValues;
 /// The model alone at the blended parameters.
 class ParameterInterpolation : public Interpolation {
  public:
-  ParameterInterpolation(std::vector<Table> tables, const models::Model& model, std::vector<ParameterValues> fitted)
-      : Interpolation(std::move(tables)), model_(model), fitted_(std::move(fitted)) {}
+  ParameterInterpolation(std::span<const InterpolationEnd> ends, const models::Model& model,
+                         std::vector<ParameterValues> fitted)
+      : Interpolation(ends), model_(model), fitted_(std::move(fitted)) {}
 
  protected:
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
@@ -33,10 +34,9 @@ class ParameterInterpolation : public Interpolation {
 /// The materials moved to the blended parameters, blended.
 class DifferentialInterpolation final : public ParameterInterpolation {
  public:
-  DifferentialInterpolation(std::vector<Table> tables, const models::Model& model, std::vector<ParameterValues> fitted,
-                            const TaskControl& control)
-      : ParameterInterpolation(std::move(tables), model, std::move(fitted)),
-        sameGrid_(onOneGrid(this->tables(), control)) {}
+  DifferentialInterpolation(std::span<const InterpolationEnd> ends, const models::Model& model,
+                            std::vector<ParameterValues> fitted, const TaskControl& control)
+      : ParameterInterpolation(ends, model, std::move(fitted)), sameGrid_(onOneGrid(this->tables(), control)) {}
 
  private:
   std::vector<DifferentialEdit> movesTo(std::span<const double> weights) const override {
@@ -48,7 +48,7 @@ class DifferentialInterpolation final : public ParameterInterpolation {
   std::shared_ptr<const Brdf> blendedBrdf(std::span<const double> weights) const override {
     std::vector<std::shared_ptr<const Brdf>> moved;
     for (DifferentialEdit& move : movesTo(weights))
-      moved.push_back(applyEdits(tables()[moved.size()], EditList{{std::move(move)}}));
+      moved.push_back(applyEdits(ends()[moved.size()].material(), EditList{{std::move(move)}}));
     return weightedSum(std::move(moved), {weights.begin(), weights.end()});
   }
   Table blendedTable(std::span<const double> weights, const TaskControl& control) const override {
@@ -80,9 +80,9 @@ std::shared_ptr<const Interpolation> prepareParametric(std::span<const Interpola
     control.throwIfStopped();
   }
   if (keepDetail)
-    return std::make_shared<const DifferentialInterpolation>(tablesOf(ends), model, std::move(fitted),
+    return std::make_shared<const DifferentialInterpolation>(ends, model, std::move(fitted),
                                                              TaskControl{control.stop, {}});
-  return std::make_shared<const ParameterInterpolation>(tablesOf(ends), model, std::move(fitted));
+  return std::make_shared<const ParameterInterpolation>(ends, model, std::move(fitted));
 }
 
 }  // namespace gonio::editing

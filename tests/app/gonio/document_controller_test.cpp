@@ -42,7 +42,7 @@ class DocumentControllerTest : public QObject {
     QSignalSpy done(&editor.controller, &DocumentController::exported);
     setParameter(editor.document, int(*ward.spec().find("roughness-x")), Rgb(0.03));
     setParameter(editor.document, int(*ward.spec().find("roughness-y")), Rgb(0.4));
-    editor.controller.exportMerl(folder.filePath("brushed.binary"));
+    editor.controller.exportMaterial(folder.filePath("brushed.binary"), exports::MaterialForm::foldedTable);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
     QCOMPARE(warned.count(), 1);
     QVERIFY(warned.at(0).at(0).toString().contains("anisotropic"));
@@ -78,7 +78,7 @@ class DocumentControllerTest : public QObject {
     QCOMPARE(again.document.name(), QStringLiteral("mine"));
 
     QSignalSpy done(&again.controller, &DocumentController::exported);
-    again.controller.exportMerl(exported);
+    again.controller.exportMaterial(exported, exports::MaterialForm::foldedTable);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
     const LoadedMaterialPtr reopened = loadMaterial(exported.toStdString());
     const auto baked = editing::bakeEdits(editor.document.material()->table(), editor.document.edits());
@@ -119,7 +119,7 @@ class DocumentControllerTest : public QObject {
     QCOMPARE(again.document.edits()[0].strength, 0.75);
 
     QSignalSpy done(&again.controller, &DocumentController::exported);
-    again.controller.exportMerl(exported);
+    again.controller.exportMaterial(exported, exports::MaterialForm::foldedTable);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
     const auto reopened = loadMaterial(exported.toStdString())->table();
     const TabulatedBrdf& measured = *editor.document.material()->table();

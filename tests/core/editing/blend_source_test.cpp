@@ -168,8 +168,8 @@ class BlendSourceTest : public QObject {
     for (const char* name : {"vch_golden_yellow", "chm_light_blue"}) {
       const materials::Material material = materials::readMaterial(test::codeFile(name));
       const auto table = material.tabulated();
-      QCOMPARE(blendedEnd(material, table, lambert(0.5)).code, nullptr);
-      ends.push_back(blendedEnd(material, table, table));
+      QCOMPARE(blendedEnd(material, table, table, lambert(0.5), {}).code, nullptr);
+      ends.push_back(blendedEnd(material, table, table, table, {}));
       QVERIFY(ends.back().code);
       codes.push_back(*ends.back().code);
     }

@@ -43,6 +43,35 @@ class InterpolationTest : public QObject, private ThreeMaterials {
     }
   }
 
+  /// Where a table was sampled from another form, that form is what is mixed where detail stays, and in all spaces what
+  /// a whole weight gives.
+  void materialsKeepTheirOwnForm() {
+    std::vector<InterpolationEnd> ends{ends_[0], ends_[1]};
+    const std::shared_ptr<const Brdf> form = test::ggx(Rgb(0.7, 0.2, 0.4), Rgb(0.5), 0.3, 0.4);
+    ends[0].base = form;
+    const DirectionPair pair{fromSpherical(0.4, 0.1), fromSpherical(0.7, 2)};
+    for (const InterpolationSpace space : allSpaces) {
+      const auto between = prepareInterpolation(space, ends, options());
+      QVERIFY(between->brdf(std::vector{1.0, 0.0}) == form);
+      QVERIFY(between->brdf(std::vector{0.0, 1.0}) == tables_[1]);
+      QVERIFY(between->table(std::vector{1.0, 0.0}) == tables_[0]);
+    }
+    const std::vector<double> weights{0.3, 0.7};
+    const auto linear = prepareInterpolation(InterpolationSpace::linear, ends, options());
+    const Rgb mixed = linear->brdf(weights)->evaluate(pair.wi, pair.wo),
+              expected = 0.3 * form->evaluate(pair.wi, pair.wo) + 0.7 * tables_[1]->evaluate(pair.wi, pair.wo);
+    QVERIFY(glm::length(mixed - expected) < 1e-12);
+    // A form that is the table gives what the table gives.
+    const auto differential = [&](std::shared_ptr<const Brdf> base) {
+      ends[0].base = std::move(base);
+      return prepareInterpolation(InterpolationSpace::differential, ends, options())
+          ->brdf(weights)
+          ->evaluate(pair.wi, pair.wo);
+    };
+    QCOMPARE(differential(tables_[0]), differential(nullptr));
+    QVERIFY(differential(form) != differential(nullptr));
+  }
+
   void hardCase30WeightsThatAreNone() {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const InterpolationSpace space : allSpaces) {

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "widgets/preview/gl/edit_chain.h"
+#include "widgets/preview/gl/shader_base.h"
 
 namespace gonio::widgets {
 
@@ -41,6 +42,10 @@ void addModel(const models::Model& model, const models::ParameterValues& values,
 void BlendTextures::addVariant(const PreviewBlend& blend, QStringList& definitions, QStringList& preamble) {
   definitions << QString("BLEND_TABLES %1").arg(blend.mixture->tables.size())
               << QString("BLEND_TRANSFORM %1").arg(int(blend.mixture->transform));
+  if (blend.own) {
+    definitions << "BLEND_OWN";
+    addShaderBase(*blend.own, definitions, preamble);
+  }
   if (blend.moves.empty()) return;
   definitions << "BLEND_MOVES";
   addModel(*blend.moves[0].model, blend.moves[0].fitted, definitions, preamble);
@@ -65,6 +70,14 @@ void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& pr
     gl.glActiveTexture(GL_TEXTURE0 + GLenum(units.back()));
     gl.glBindTexture(GL_TEXTURE_3D, table.name);
   }
+  if (blend.own) {
+    if (blend.own != uploadedOwn_ || !own_) own_ = resources.base(blend.own);
+    uploadedOwn_ = blend.own;
+    own_->bind(gl, program);
+    weights[blend.ownIndex] -= float(blend.ownShare);
+    program.setUniformValue("blendOwnShare", float(blend.ownShare));
+    program.setUniformValue("blendOwnIndex", int(blend.ownIndex));
+  }
   program.setUniformValueArray("blendTables", units.data(), count);
   program.setUniformValueArray("blendPhiPeriods", periods.data(), count, 1);
   program.setUniformValueArray("blendWeights", weights.data(), count, 1);
@@ -73,6 +86,8 @@ void BlendTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& pr
 
 void BlendTextures::release() {
   textures_.reset();
+  own_.reset();
+  uploadedOwn_.reset();
   uploaded_.reset();
 }
 

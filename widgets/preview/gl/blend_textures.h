@@ -21,6 +21,8 @@ class BlendTextures {
 
  private:
   std::shared_ptr<const MixtureTextures> textures_;
+  std::shared_ptr<ShaderBase> own_;
+  std::shared_ptr<const Brdf> uploadedOwn_;
   std::shared_ptr<const editing::TransformedMixture> uploaded_;
 };
 

@@ -28,11 +28,12 @@ enum TextureUnit {
   firstBlendUnit,  ///< and those after it, one a material
   endOfBlendUnits = firstBlendUnit + 4,
   firstDecoderUnit = endOfBlendUnits,  ///< and three after it: the last of the 16 that every card has
-  // An RGL file is shown without a mixture of tables; its visible normals are in the place of the table.
-  rglRowUnit = firstBlendUnit,
-  rglColourUnit,
-  rglDistributionUnit,
-  rglAreaUnit,
+  // Units of the pass that displays pictures and of the decoder are free while a picture is drawn. An RGL file may
+  // stand beside the tables of a blend; its visible normals are in the place of the table.
+  rglRowUnit = accumulationUnit,
+  rglColourUnit = otherAccumulationUnit,
+  rglDistributionUnit = firstDecoderUnit + 2,
+  rglAreaUnit = firstDecoderUnit + 3,
   baseNodeUnit = firstBlendUnit,  ///< nodes of a table of angles of incidence, which is shown alone too
   // While a picture is drawn nothing is decoded.
   lobeCellUnit = firstDecoderUnit,

@@ -26,13 +26,18 @@ struct ModelAlone {
   HalfDifferenceGrid grid = {};  ///< of the table that stands for it where one is needed
 };
 
-/// Materials that the shader mixes: what `interpolation` gives at the weights.
+/// Materials that the shader mixes: what `interpolation` gives at the weights, of all but `own` by tables.
 struct PreviewBlend {
   std::shared_ptr<const editing::Interpolation> interpolation;
   /// Of it, kept while the weights change: uploaded once. Four materials at most.
   std::shared_ptr<const editing::TransformedMixture> mixture;
   std::vector<double> weights;
   std::vector<editing::DifferentialEdit> moves = {};  ///< of each material before it is mixed, to one target; or none
+  /// The material of the largest weight in its own form (an RGL or UTIA file without edits), which takes `ownShare` of
+  /// its weight: what it is ahead of the second, so that a change of place is no step, and all of it at weight 1.
+  std::shared_ptr<const Brdf> own = {};
+  std::size_t ownIndex = 0;
+  double ownShare = 0;
 };
 
 /// What a picture shows; nothing at first.

@@ -49,6 +49,8 @@ bool isShownNatively(const Brdf& base) {
          factorization::pdvFactorsOf(base);
 }
 
+bool fitsBesideBlends(const Brdf& base) { return base.asRgl() || asUtia(base); }
+
 void addShaderBase(const Brdf& base, QStringList& definitions, QStringList& preamble) {
   if (const RglBrdf* rgl = base.asRgl())
     definitions << RglTextures::definitions(*rgl);

@@ -26,6 +26,9 @@ bool isShownNatively(const Brdf& base);
 /// What the shader is compiled for; nothing for a table, and for factors, which EditChain adds beside those of edits.
 void addShaderBase(const Brdf& base, QStringList& definitions, QStringList& preamble);
 
+/// Whether a measurement can be shown beside the tables of a blend: its textures and theirs are at most 16.
+bool fitsBesideBlends(const Brdf& base);
+
 /// Some ms. Null for a table and for what the shader does not know.
 std::shared_ptr<ShaderBase> uploadShaderBase(QOpenGLFunctions_4_1_Core& gl, const Brdf& base);
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/document/material_export.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "core/io/atomic_file.h"
+#include "core/materials/material_file.h"
+#include "core/support/naming_file.h"
+
+namespace gonio::app {
+
+using exports::MaterialForm;
+
+namespace {
+
+struct MaterialExportText {
+  Q_DECLARE_TR_FUNCTIONS(MaterialExport)
+};
+
+bool isAnisotropic(const editing::EditList& edits) {
+  return std::ranges::any_of(edits, [](const auto& edit) { return editing::isAnisotropic(edit); });
+}
+
+bool isTable(MaterialForm form) { return exports::formatOf(form) == materials::FormatId::merl; }
+
+}  // namespace
+
+QString formFilter(MaterialForm form) {
+  switch (form) {
+    case MaterialForm::rgl:
+      return MaterialExportText::tr("RGL material (*.bsdf)");
+    case MaterialForm::utia:
+      return MaterialExportText::tr("UTIA material (*.bin)");
+    case MaterialForm::foldedTable:
+      return MaterialExportText::tr("MERL table, 90 × 90 × 180 (*.binary)");
+    default:
+      return MaterialExportText::tr("MERL table, whole circle, 90 × 90 × 360 (*.binary)");
+  }
+}
+
+QString ExportLosses::text() const {
+  const QString all = sentences.join(QStringLiteral("; "));
+  return std::isfinite(snr)
+             ? MaterialExportText::tr("%1. Rendered SNR of the file: %2 dB.").arg(all).arg(snr, 0, 'f', 1)
+             : MaterialExportText::tr("%1. Pictures of the file show no difference.").arg(all);
+}
+
+ExportLosses writeMaterial(const LoadedMaterial& material, const std::shared_ptr<const Brdf>& base,
+                           const editing::EditList& edits, MaterialForm form, const std::filesystem::path& path,
+                           const TaskControl& control) {
+  materials::Material own = material.material;
+  if (!own.brdf) own.brdf = material.base;
+  const std::shared_ptr<const Brdf> shown = editing::isIdentity(edits) ? base : editing::applyEdits(base, edits);
+  exports::ExportSource source{.name = own.name, .brdf = shown};
+  // Cell by cell: cells without data keep none.
+  const bool baked = base->asTable() && shown != base && isTable(form);
+  if (baked) source.brdf = editing::bakeEdits(base, edits, control.between(0, 0.2));
+  source.origin = own.name + ", exported by Gonio. Source: " + own.source.format + ", SHA-256 " + own.source.sha256;
+  if (const RglBrdf* file = own.brdf->asRgl(); file && form == MaterialForm::rgl) {
+    source.rgl = std::shared_ptr<const RglBrdf>(own.brdf, file);
+    source.rglFile = materials::materialFile(own.source);
+  }
+  ExportLosses losses;
+  exports::FormFile file = exports::encodeMaterial(source, own, form, control.between(0.2, 0.6));
+  if (baked && isAnisotropic(edits)) file.losses.push_back(exports::azimuthLoss());
+  for (const std::string& loss : file.losses) losses.sentences << QString::fromStdString(loss);
+  if (!file.losses.empty()) losses.snr = exports::formError(file, *shown, control.between(0.6, 1));
+  control.throwIfStopped();
+  namingFile(path, [&] { io::writeFileAtomically(path, file.bytes); });
+  return losses;
+}
+
+}  // namespace gonio::app
