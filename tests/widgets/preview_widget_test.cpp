@@ -87,10 +87,11 @@ class PreviewWidgetTest : public QObject {
 
   /// What the user forces off is gone from the picture and the plan; resetting brings it back.
   void aForcedEffectChangesThePicture() {
+    widget_->resize(110, 110);
     widget_->showScene(openScene("sphere-point-light"));
     widget_->setSubject(widgets::measuredSubject(table_));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
-    const auto shadowed = [&] { return luminance(Rgb(widget_->linearPicture().at(180, 170))); };
+    const auto shadowed = [&] { return luminance(Rgb(widget_->linearPicture().at(90, 85))); };
     const double inShadow = shadowed();
     EffectOverrides overrides;
     overrides[std::size_t(Effect::castShadows)] = false;
@@ -157,6 +158,7 @@ class PreviewWidgetTest : public QObject {
 
   /// Samples follow the edit: a rough material edited into a mirror is a clean mirror, not a dark one with sparkles.
   void sharpenedHighlightIsSampledWhereItIs() {
+    widget_->resize(110, 110);
     const models::Model& model = models::findModel("ggx");
     editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
     edit.edited = edit.fitted;
