@@ -40,7 +40,7 @@ class LobeChange {
   bool isReciprocal() const { return fitted_->isReciprocal(); }
 
   /// eps, 1/sr: keeps the ratio near 1 where measurement and fit are both dark.
-  static constexpr double epsilon = 0.01;
+  static constexpr double epsilon = 0.001;
 
  private:
   struct Lobe {

@@ -33,6 +33,6 @@ vec3 bodyRatio(vec3 ratio, vec3 body, vec3 model) {
 
 // What a fit does not explain: twin of LobeChange.
 vec3 fitRatio(vec3 measured, vec3 fitted) {
-  const float epsilon = 0.01;
+  const float epsilon = 0.001;
   return (max(measured, vec3(0.0)) + epsilon) / (fitted + epsilon);
 }
