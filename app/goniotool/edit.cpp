@@ -9,6 +9,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/editing/edit_document.h"
+#include "core/export/export_origin.h"
 
 namespace gonio::tool {
 
@@ -93,10 +94,8 @@ std::size_t write(const materials::Material& material, const std::shared_ptr<con
   std::size_t capped = 0;
   if (isOwnForm(options.out)) {
     const editing::EditList edits{edit};
-    exports::ExportSource source{.name = material.name, .brdf = material.brdf};
-    if (!editing::isIdentity(edits)) source.brdf = editing::applyEdits(material.brdf, edits);
-    describeSource(source, material, editsText(edits));
-    writeOwnForm(source, material, options.out, tool.control("writing"));
+    const auto shown = editing::isIdentity(edits) ? material.brdf : editing::applyEdits(material.brdf, edits);
+    writeOwnForm(exports::exportSource(material.name, material, shown, edits), material, options.out, tool.control("writing"));
     return capped;
   }
   const TabulatedBrdf* table = base->asTable();

@@ -7,8 +7,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/export/export_files.h"
-#include "core/export/rgl_export.h"
+#include "core/export/export_target.h"
 
 namespace gonio::tool {
 
@@ -21,81 +20,66 @@ struct ExportArguments {
   bool force = false;
 };
 
-/// What an export of any target reports.
-struct ExportReport {
-  std::vector<exports::ExportFile> files;
-  Json json = Json::object();  ///< what the target alone reports
-  double snr = 0;
-  std::vector<std::string> warnings;
-};
-
-/// OUT without the suffixes of the files that are made of it.
-std::filesystem::path stemOf(const std::string& out) {
-  std::string stem = out;
-  for (const std::string suffix : {".bsdf", "_rgb", "_spec"})
-    if (stem.ends_with(suffix)) stem.resize(stem.size() - suffix.size());
-  return stem;
-}
-
-std::vector<std::filesystem::path> targetPaths(const ExportArguments& options) {
-  const std::string stem = stemOf(options.out).string();
-  return {stem + "_rgb.bsdf", stem + "_spec.bsdf"};
-}
-
-ExportReport exportBsdf(const exports::ExportSource& source, const ExportArguments& options,
-                        std::span<const std::filesystem::path> paths, const Tool& tool) {
-  exports::RglOptions rgl;
-  rgl.snr = options.snr;
-  if (options.size > 0) rgl.fixed = {options.thetaCount, options.size};
-  exports::RglExport made = exports::exportRgl(source, rgl, tool.control("exporting"));
-  ExportReport report;
-  report.snr = made.snr;
-  report.json = {{"thetaCount", made.size.thetaCount},
-                 {"size", made.size.size},
-                 {"unchanged", made.unchanged},
-                 {"negativeValues", made.negativeValues},
-                 {"clippedValues", made.clippedValues}};
-  report.files = {{paths[0], std::move(made.rgb)}, {paths[1], std::move(made.spectral)}};
-  if (made.negativeValues > 0)
-    report.warnings.push_back(std::to_string(made.negativeValues) +
-                              " negative values (colours outside sRGB): renderers clip them differently");
-  return report;
-}
-
-std::string textOf(const ExportReport& report) {
+std::string textOf(const exports::MadeExport& made, std::span<const exports::ExportFile> files) {
   std::string text;
-  for (const exports::ExportFile& file : report.files)
+  for (const exports::ExportFile& file : files)
     text += file.path.string() + ": " + std::to_string(file.bytes.size()) + " bytes\n";
-  text += std::isfinite(report.snr) ? "  rendered SNR " + number(report.snr) + " dB\n" : "  equal pictures\n";
-  for (const std::string& warning : report.warnings) text += "  warning: " + warning + "\n";
+  text += std::isfinite(made.snr) ? "  rendered SNR " + number(made.snr) + " dB\n" : "  equal pictures\n";
+  for (const std::string& warning : made.warnings) text += "  warning: " + warning + "\n";
   return text;
 }
 
-Json filesJson(const std::vector<exports::ExportFile>& files) {
+Json filesJson(std::span<const exports::ExportFile> files) {
   Json json = Json::array();
   for (const exports::ExportFile& file : files)
     json.push_back({{"path", file.path.string()}, {"bytes", file.bytes.size()}});
   return json;
 }
 
-int exportMaterial(const ExportArguments& options, const Tool& tool) {
-  if ((options.thetaCount > 0) != (options.size > 0))
+exports::ExportOptions exportOptions(const ExportArguments& arguments, const exports::ExportTarget& target) {
+  if ((arguments.thetaCount > 0) != (arguments.size > 0))
     throw UsageError("export: --theta-count and --size belong together");
+  exports::ExportOptions options;
+  options.snr = arguments.snr;
+  if (arguments.size == 0) return options;
+  if (!target.choosesSize)
+    throw UsageError("export: --theta-count and --size are for .bsdf files, expected --for mitsuba or pbrt");
+  options.size = {arguments.thetaCount, arguments.size};
+  return options;
+}
+
+int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
+  const exports::ExportTarget& target = *exports::findExportTarget(arguments.target);
+  const exports::ExportOptions options = exportOptions(arguments, target);
   const auto start = std::chrono::steady_clock::now();
-  const OpenedSource source = openForExport(options.material, tool.control("reading"));
-  const auto paths = targetPaths(options);
-  exports::checkTargets(paths, source.path, options.force);
-  ExportReport report = exportBsdf(source.material, options, paths, tool);
-  for (std::string& warning : exports::exportWarnings(*source.material.brdf))
-    report.warnings.push_back(std::move(warning));
-  exports::writeExport(report.files);
+  const OpenedSource source = openForExport(arguments.material, tool.control("reading"));
+  const std::filesystem::path name = target.nameOf(arguments.out);
+  exports::checkTargets(target.paths(name), source.path, arguments.force);
+  const exports::MadeExport made = exports::makeExport(target, source.material, options, tool.control("exporting"));
+  const std::vector<exports::ExportFile> files = exports::filesOf(made, name);
+  exports::writeExport(files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  Json json{{"target", options.target}, {"files", filesJson(report.files)}, {"snr", decibelsJson(report.snr)}};
-  json.update(report.json);
-  json["warnings"] = report.warnings;
+  Json json{{"target", arguments.target}, {"files", filesJson(files)}, {"snr", decibelsJson(made.snr)}};
+  for (const exports::ExportFact& fact : made.facts)
+    std::visit([&](const auto& value) { json[std::string(fact.key)] = value; }, fact.value);
+  json["warnings"] = made.warnings;
   json["seconds"] = seconds.count();
-  print(tool, json, textOf(report));
+  print(tool, json, textOf(made, files));
   return 0;
+}
+
+/// "mitsuba (Mitsuba 3), pbrt (pbrt-v4)"
+std::string targetList() {
+  std::string text;
+  for (const exports::ExportTarget& target : exports::exportTargets())
+    text += (text.empty() ? "" : ", ") + std::string(target.id) + " (" + std::string(target.label) + ")";
+  return text;
+}
+
+std::vector<std::string> targetIds() {
+  std::vector<std::string> ids;
+  for (const exports::ExportTarget& target : exports::exportTargets()) ids.emplace_back(target.id);
+  return ids;
 }
 
 }  // namespace
@@ -105,9 +89,9 @@ void addExport(CLI::App& app, Tool& tool) {
   CLI::App* command = app.add_subcommand("export", "Writes a material, with its edits, as the files of a renderer");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("OUT", options->out, "Name of the files, without their suffix")->required();
-  command->add_option("--for", options->target, "The renderer: mitsuba or pbrt (NAME_rgb.bsdf and NAME_spec.bsdf)")
+  command->add_option("--for", options->target, "What reads the files: " + targetList())
       ->required()
-      ->check(CLI::IsMember({"mitsuba", "pbrt"}));
+      ->check(CLI::IsMember(targetIds()));
   command->add_option("--snr", options->snr, "Rendered SNR that a file must reach, dB (40)")->check(CLI::Range(0, 100));
   command->add_option("--theta-count", options->thetaCount, "Number of incident polar angles, with --size")
       ->check(CLI::Range(4, 1024));

@@ -4,49 +4,26 @@
 
 #include "app/goniotool/materials.h"
 #include "core/editing/blend_source.h"
+#include "core/export/export_origin.h"
 #include "core/export/spectral_edit.h"
 #include "core/io/atomic_file.h"
-#include "core/materials/bundled_library.h"
-#include "core/materials/material_file.h"
+#include "core/materials/material_formats.h"
 
 namespace gonio::tool {
 
-std::string editsText(const editing::EditList& edits) {
-  std::string text;
-  for (const editing::Edit& edit : edits) {
-    if (!edit.enabled) continue;
-    text += text.empty() ? "" : ", ";
-    if (!edit.name.empty()) text += "\"" + edit.name + "\" ";
-    if (const auto* change = std::get_if<editing::DifferentialEdit>(&edit.content))
-      text += "change of " + std::string(change->model->spec().id) + " (" +
-              std::string(editing::compositionIds[std::size_t(change->composition)]) + ")";
-    else
-      text += "factors";
-  }
-  return text.empty() ? "none" : text;
-}
-
 OpenedSource openForExport(const std::string& argument, const TaskControl& control) {
   const materials::Material material = openMaterial(argument, control);
-  OpenedSource opened{{.name = material.name, .brdf = material.brdf}, material, {}, {}};
+  OpenedSource opened{.base = material};
+  std::shared_ptr<const Brdf> shown = material.brdf;
   if (isDocument(argument)) {
     const editing::EditDocument document = editing::readDocument(argument);
     opened.edits = document.edits;
     opened.base = editing::readSource(document, argument, control);
-    if (editing::isIdentity(opened.edits)) opened.material.brdf = opened.base.brdf;
+    if (editing::isIdentity(opened.edits)) shown = opened.base.brdf;
   }
-  describeSource(opened.material, opened.base, editsText(opened.edits));
-  if (!opened.base.source.path.native().starts_with(materials::libraryScheme)) opened.path = opened.base.source.path;
+  opened.material = exports::exportSource(material.name, opened.base, std::move(shown), opened.edits);
+  opened.path = exports::sourceFile(opened.base);
   return opened;
-}
-
-void describeSource(exports::ExportSource& source, const materials::Material& base, const std::string& edits) {
-  source.origin = source.name + ", exported by Gonio " GONIO_VERSION ". Source: " + base.name + " (" +
-                  base.source.format + "), SHA-256 " + base.source.sha256 + ". Edits: " + edits;
-  if (const RglBrdf* rgl = base.brdf->asRgl()) {
-    source.rgl = std::shared_ptr<const RglBrdf>(base.brdf, rgl);
-    source.rglFile = materials::materialFile(base.source);
-  }
 }
 
 bool isOwnForm(const std::filesystem::path& out) {

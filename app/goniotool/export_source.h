@@ -22,11 +22,6 @@ struct OpenedSource {
 /// @throws Error naming the file, as openMaterial().
 OpenedSource openForExport(const std::string& argument, const TaskControl& control = {});
 
-/// Edits for people: "change of ggx (lobes), factors".
-std::string editsText(const editing::EditList& edits);
-/// Gives a source what encodeMaterial() and exportRgl() need of an RGL file, and its origin. @param edits for people
-void describeSource(exports::ExportSource& source, const materials::Material& base, const std::string& edits);
-
 /// Whether a name asks for a form that is no table (`.bsdf`, `.bin`).
 bool isOwnForm(const std::filesystem::path& out);
 /// The help of an option that names a material to write in any form.

@@ -21,16 +21,16 @@ std::size_t negativeCount(const SliceStack<glm::vec3>& rgb) {
   return count;
 }
 
-double snrOf(const RglData& data, const Brdf& material, const RglOptions& options, const TaskControl& control) {
+double snrOf(const Brdf& file, const Brdf& material, const RglOptions& options, const TaskControl& control) {
   RenderOptions pictures;
   pictures.width = pictures.height = options.pictureSize;
   pictures.samples = options.samples;
   const RenderedComparison comparison(material, pictures, control.between(0, 0.5));
-  return comparison.signalToNoiseRatio(comparison.render(RglBrdf(data), control.between(0.5, 1)));
+  return comparison.signalToNoiseRatio(comparison.render(file, control.between(0.5, 1)));
 }
 
 RglExport exportParameterised(const ExportSource& source, const RglOptions& options, const TaskControl& control) {
-  const RglParameterisation made = parameterise(*source.brdf, options, control);
+  RglParameterisation made = parameterise(*source.brdf, options, control);
   const std::string description = describe(source.origin, made.snr, made.clipped);
   RglExport result;
   result.rgb = io::encodeTensorFile(rglFields(made.data, description, RglColours::rgb));
@@ -38,6 +38,7 @@ RglExport exportParameterised(const ExportSource& source, const RglOptions& opti
   result.size = made.size;
   result.snr = made.snr;
   result.clippedValues = made.clipped;
+  result.brdf = std::make_shared<const RglBrdf>(std::move(made.data));
   return result;
 }
 
@@ -50,7 +51,8 @@ RglExport exportEdited(const ExportSource& source, const RglOptions& options, co
   result.negativeValues = negativeCount(edited.rgb);
   result.size = {file->tables()->data.incident.thetas().size(), edited.rgb.width};
   const RglRewrite rewrite(source.rglFile, file->tables(), edited);
-  result.snr = edited.changed ? snrOf(rewrite.data(), *source.brdf, options, control.between(0.2, 1))
+  result.brdf = edited.changed ? std::make_shared<const RglBrdf>(rewrite.data()) : file;
+  result.snr = edited.changed ? snrOf(*result.brdf, *source.brdf, options, control.between(0.2, 1))
                               : std::numeric_limits<double>::infinity();
   const std::string description = describe(source.origin, result.snr, edited.clipped);
   result.rgb = rewrite.bytes(RglColours::rgb, description);

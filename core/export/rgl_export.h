@@ -9,6 +9,7 @@ namespace gonio::exports {
 
 struct RglExport {
   std::vector<std::byte> rgb, spectral;  ///< of the files `_rgb.bsdf` and `_spec.bsdf`
+  std::shared_ptr<const Brdf> brdf;      ///< of the RGB file, read again
   RglSize size;
   double snr = 0;                  ///< dB in comparisonScene() of the RGB file, read again, against the material
   std::size_t clippedValues = 0;   ///< negative channels that were set to 0

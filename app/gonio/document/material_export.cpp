@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/export/export_origin.h"
 #include "core/io/atomic_file.h"
-#include "core/materials/material_file.h"
 #include "core/support/naming_file.h"
 
 namespace gonio::app {
@@ -54,15 +54,10 @@ ExportLosses writeMaterial(const LoadedMaterial& material, const std::shared_ptr
   materials::Material own = material.material;
   if (!own.brdf) own.brdf = material.base;
   const std::shared_ptr<const Brdf> shown = editing::isIdentity(edits) ? base : editing::applyEdits(base, edits);
-  exports::ExportSource source{.name = own.name, .brdf = shown};
+  exports::ExportSource source = exports::exportSource(own.name, own, shown, edits);
   // Cell by cell: cells without data keep none.
   const bool baked = base->asTable() && shown != base && isTable(form);
   if (baked) source.brdf = editing::bakeEdits(base, edits, control.between(0, 0.2));
-  source.origin = own.name + ", exported by Gonio. Source: " + own.source.format + ", SHA-256 " + own.source.sha256;
-  if (const RglBrdf* file = own.brdf->asRgl(); file && form == MaterialForm::rgl) {
-    source.rgl = std::shared_ptr<const RglBrdf>(own.brdf, file);
-    source.rglFile = materials::materialFile(own.source);
-  }
   ExportLosses losses;
   exports::FormFile file = exports::encodeMaterial(source, own, form, control.between(0.2, 0.6));
   if (baked && isAnisotropic(edits)) file.losses.push_back(exports::azimuthLoss());

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/blender_target.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "core/rendering/rendered_comparison.h"
+
+namespace gonio::exports {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// From few nodes to many: the first that reaches the SNR is taken. A colour ramp has 32 stops at most.
+constexpr ViewLobesSize sizes[] = {{1, 8}, {2, 12}, {4, 16}, {6, 24}, {9, 32}};
+
+/// The part of the script that is the same for all materials; `GONIO` is the dictionary above it.
+constexpr const char* program = R"(
+
+def node(tree, kinds, x, y):
+    """A new node of the first kind that this version of Blender knows."""
+    for kind in kinds:
+        if hasattr(bpy.types, kind):
+            made = tree.nodes.new(kind)
+            made.location = (x, y)
+            return made
+    raise RuntimeError("Blender %s has none of the nodes %s" % (bpy.app.version_string, ", ".join(kinds)))
+
+
+def viewer_angle(tree):
+    """The socket of the viewer's polar angle, 0 at the normal and 1 at the horizon."""
+    geometry = node(tree, ["ShaderNodeNewGeometry"], -1100, 0)
+    dot = node(tree, ["ShaderNodeVectorMath"], -920, 0)
+    dot.operation = 'DOT_PRODUCT'
+    tree.links.new(geometry.outputs["Normal"], dot.inputs[0])
+    tree.links.new(geometry.outputs["Incoming"], dot.inputs[1])
+    angle = node(tree, ["ShaderNodeMath"], -740, 0)
+    angle.operation = 'ARCCOSINE'
+    angle.use_clamp = False
+    tree.links.new(dot.outputs["Value"], angle.inputs[0])
+    scaled = node(tree, ["ShaderNodeMath"], -560, 0)
+    scaled.operation = 'MULTIPLY'
+    scaled.inputs[1].default_value = 2 / math.pi
+    tree.links.new(angle.outputs[0], scaled.inputs[0])
+    return scaled.outputs[0]
+
+
+def colour(tree, angle, weights, y):
+    """The socket of the weights, [r, g, b] at GONIO["positions"]: a ramp of at most 1 times the largest weight."""
+    peak = max(max(weight) for weight in weights)
+    ramp = node(tree, ["ShaderNodeValToRGB"], -360, y)
+    ramp.color_ramp.interpolation = 'LINEAR'
+    stops = ramp.color_ramp.elements
+    while len(stops) > 1:
+        stops.remove(stops[-1])
+    for index, (position, weight) in enumerate(zip(GONIO["positions"], weights)):
+        stop = stops[0] if index == 0 else stops.new(position)
+        stop.position = position
+        stop.color = [channel / peak for channel in weight] + [1]
+    tree.links.new(angle, ramp.inputs["Fac"])
+    times = node(tree, ["ShaderNodeVectorMath"], -60, y)
+    times.operation = 'MULTIPLY'
+    times.inputs[1].default_value = (peak, peak, peak)
+    tree.links.new(ramp.outputs["Color"], times.inputs[0])
+    return times.outputs["Vector"]
+
+
+def make_material():
+    material = bpy.data.materials.new(GONIO["name"])
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    angle = viewer_angle(tree)
+    total = None
+    for index, lobe in enumerate(GONIO["lobes"]):
+        y = -280 * index
+        if lobe["alpha"] is None:
+            closure = node(tree, ["ShaderNodeBsdfDiffuse"], 140, y)
+        else:
+            closure = node(tree, ["ShaderNodeBsdfGlossy", "ShaderNodeBsdfAnisotropic"], 140, y)
+            closure.distribution = 'GGX'
+            closure.inputs["Roughness"].default_value = math.sqrt(lobe["alpha"])
+        tree.links.new(colour(tree, angle, lobe["weights"], y), closure.inputs["Color"])
+        if total is None:
+            total = closure.outputs["BSDF"]
+            continue
+        sum_ = node(tree, ["ShaderNodeAddShader"], 360 + 160 * index, y)
+        tree.links.new(total, sum_.inputs[0])
+        tree.links.new(closure.outputs["BSDF"], sum_.inputs[1])
+        total = sum_.outputs["Shader"]
+    output = node(tree, ["ShaderNodeOutputMaterial"], 560 + 160 * len(GONIO["lobes"]), 0)
+    if total is not None:
+        tree.links.new(total, output.inputs["Surface"])
+    return material
+
+
+def main():
+    material = make_material()
+    active = bpy.context.view_layer.objects.active if not bpy.app.background else None
+    if active is not None and active.type == 'MESH':
+        active.data.materials.clear()
+        active.data.materials.append(material)
+    material.use_fake_user = True
+    arguments = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
+    if arguments:
+        bpy.ops.wm.save_as_mainfile(filepath=arguments[0])
+
+
+main()
+)";
+
+Json lobeJson(const Json& alpha, const std::vector<Rgb>& weights) {
+  Json rows = Json::array();
+  for (const Rgb& weight : weights) rows.push_back({float(weight.x), float(weight.y), float(weight.z)});
+  return {{"alpha", alpha}, {"weights", rows}};
+}
+
+bool isBlack(const std::vector<Rgb>& weights) {
+  return std::ranges::all_of(weights, [](const Rgb& weight) { return !(maxChannel(weight) > 0); });
+}
+
+/// JSON as Python reads it.
+std::string pythonText(const Json& json) {
+  std::string text = json.dump();
+  for (std::size_t at = 0; (at = text.find("\"alpha\":null", at)) != std::string::npos;)
+    text.replace(at, std::strlen("\"alpha\":null"), "\"alpha\":None");
+  for (std::size_t at = 0; (at = text.find("{\"alpha\"", at)) != std::string::npos; at += 10) text.insert(at, "\n    ");
+  return text;
+}
+
+MadeExport makeScript(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+  RenderOptions pictures;
+  pictures.width = pictures.height = options.pictureSize;
+  pictures.samples = options.samples;
+  const RenderedComparison comparison(*source.brdf, pictures, control.between(0, 0.2));
+  MadeExport made;
+  ViewLobes best;
+  double done = 0.2;
+  for (const ViewLobesSize& size : sizes) {
+    const TaskControl part = control.between(done, done + 0.16);
+    ViewLobes lobes = fitViewLobes(*source.brdf, size, part.between(0, 0.5));
+    auto brdf = viewLobesBrdf(lobes);
+    const double snr = comparison.signalToNoiseRatio(comparison.render(*brdf, part.between(0.5, 1)));
+    done += 0.16;
+    if (made.brdf && !(snr > made.snr)) continue;
+    made.brdf = std::move(brdf);
+    made.snr = snr;
+    best = std::move(lobes);
+    if (snr >= options.snr) break;
+  }
+  made.facts = {{"lobes", "GGX lobes", best.alphas.size()}, {"knots", "Angles of the viewer", best.thetas.size()}};
+  if (!source.brdf->isIsotropic())
+    made.warnings.push_back("the material is anisotropic: the script has the mean over all azimuths");
+  char accuracy[80];
+  std::snprintf(accuracy, sizeof accuracy, ". Rendered SNR %.1f dB (sphere-studio).", made.snr);
+  const std::string text = blenderScript(best, source.name, source.origin + accuracy);
+  const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
+  made.parts.push_back({"_blender.py", {bytes, bytes + text.size()}});
+  return made;
+}
+
+}  // namespace
+
+std::string blenderScript(const ViewLobes& lobes, const std::string& name, const std::string& origin) {
+  Json json{{"name", name}, {"positions", Json::array()}, {"lobes", Json::array()}};
+  for (const double theta : lobes.thetas) json["positions"].push_back(float(theta / halfPi));
+  if (!isBlack(lobes.weights[0])) json["lobes"].push_back(lobeJson(nullptr, lobes.weights[0]));
+  for (std::size_t j = 0; j < lobes.alphas.size(); ++j)
+    if (!isBlack(lobes.weights[j + 1])) json["lobes"].push_back(lobeJson(lobes.alphas[j], lobes.weights[j + 1]));
+  std::string comment = "# " + origin;
+  std::erase(comment, '\r');
+  for (std::size_t at = 0; (at = comment.find('\n', at)) != std::string::npos; at += 3) comment.replace(at, 1, "\n# ");
+  return comment +
+         "\n#\n"
+         "# Makes the material in Blender: Scripting > Open > Run Script, with the object selected, or\n"
+         "#   blender --background --python THIS_FILE -- material.blend\n"
+         "# A Diffuse and Glossy nodes, each weighted by the angle of the viewer to the normal.\n"
+         "import math\nimport sys\n\nimport bpy\n\nGONIO = " +
+         pythonText(json) + "\n" + program;
+}
+
+ExportTarget blenderTarget() {
+  return {.id = "blender",
+          .label = "Blender (Cycles)",
+          .description =
+              "A Python script that makes a material of a Diffuse and several Glossy nodes, each weighted by "
+              "the angle of the viewer: run it in Blender, or with blender --background --python.",
+          .holds =
+              "An approximation by GGX lobes whose colours depend on the viewer alone; isotropic. Blender 3.4 shows "
+              "the stated accuracy; later versions have another masking term, which differs near the horizon.",
+          .suffixes = {"_blender.py"},
+          .make = makeScript};
+}
+
+}  // namespace gonio::exports

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/export_origin.h"
+
+#include <algorithm>
+
+#include "core/materials/bundled_library.h"
+#include "core/materials/material_file.h"
+
+namespace gonio::exports {
+
+namespace {
+
+/// "change of ggx (lobes), factors"
+std::string editsText(const editing::EditList& edits) {
+  std::string text;
+  for (const editing::Edit& edit : edits) {
+    if (!edit.enabled) continue;
+    text += text.empty() ? "" : ", ";
+    if (!edit.name.empty()) text += "\"" + edit.name + "\" ";
+    if (const auto* change = std::get_if<editing::DifferentialEdit>(&edit.content))
+      text += "change of " + std::string(change->model->spec().id) + " (" +
+              std::string(editing::compositionIds[std::size_t(change->composition)]) + ")";
+    else
+      text += "factors";
+  }
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+ExportSource exportSource(std::string name, const materials::Material& base, std::shared_ptr<const Brdf> shown,
+                          const editing::EditList& edits) {
+  ExportSource source{.name = std::move(name), .brdf = std::move(shown)};
+  source.origin = source.name + ", exported by Gonio " GONIO_VERSION ". Source: " + base.name + " (" +
+                  base.source.format + "), SHA-256 " + base.source.sha256 + ". Edits: " + editsText(edits);
+  if (const RglBrdf* rgl = base.brdf ? base.brdf->asRgl() : nullptr) {
+    source.rgl = std::shared_ptr<const RglBrdf>(base.brdf, rgl);
+    source.rglFile = materials::materialFile(base.source);
+  }
+  return source;
+}
+
+std::filesystem::path sourceFile(const materials::Material& base) {
+  return base.source.path.native().starts_with(materials::libraryScheme) ? std::filesystem::path() : base.source.path;
+}
+
+std::string proposedName(const std::string& material, const editing::EditList& edits) {
+  std::string name = material;
+  std::ranges::replace_if(
+      name, [](char c) { return c == '/' || c == '\\' || c == ' ' || c == ':'; }, '_');
+  return editing::isIdentity(edits) ? name : name + "_edited";
+}
+
+}  // namespace gonio::exports

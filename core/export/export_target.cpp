@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/export_target.h"
+
+#include <algorithm>
+
+#include "core/export/blender_target.h"
+#include "core/export/rgl_target.h"
+
+namespace gonio::exports {
+
+namespace fs = std::filesystem;
+
+std::uint64_t MadeExport::bytes() const {
+  std::uint64_t sum = 0;
+  for (const Part& part : parts) sum += part.bytes.size();
+  return sum;
+}
+
+std::vector<fs::path> ExportTarget::paths(const fs::path& name) const {
+  std::vector<fs::path> result;
+  for (const std::string_view suffix : suffixes) result.push_back(fs::path(name) += suffix);
+  return result;
+}
+
+fs::path ExportTarget::nameOf(const fs::path& file) const {
+  const std::string text = file.string();
+  const auto without = [&](std::string_view ending) { return text.substr(0, text.size() - ending.size()); };
+  for (const std::string_view suffix : suffixes)
+    if (text.size() > suffix.size() && text.ends_with(suffix)) return without(suffix);
+  for (const std::string_view suffix : suffixes) {
+    const std::string_view last = suffix.substr(suffix.rfind('.'));
+    if (text.size() > last.size() && text.ends_with(last)) return without(last);
+  }
+  return file;
+}
+
+std::span<const ExportTarget> exportTargets() {
+  static const std::vector<ExportTarget> targets{mitsubaTarget(), pbrtTarget(), blenderTarget()};
+  return targets;
+}
+
+const ExportTarget* findExportTarget(std::string_view id) {
+  const auto targets = exportTargets();
+  const auto found = std::ranges::find(targets, id, &ExportTarget::id);
+  return found == targets.end() ? nullptr : &*found;
+}
+
+MadeExport makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options,
+                      const TaskControl& control) {
+  constexpr double warned = 0.02;
+  std::vector<std::string> warnings = exportWarnings(*source.brdf);
+  MadeExport made = target.make(source, options, control.between(warned, 1));
+  made.warnings.insert(made.warnings.end(), std::make_move_iterator(warnings.begin()),
+                       std::make_move_iterator(warnings.end()));
+  return made;
+}
+
+std::vector<ExportFile> filesOf(const MadeExport& made, const fs::path& name) {
+  std::vector<ExportFile> files;
+  for (const MadeExport::Part& part : made.parts) files.push_back({fs::path(name) += part.suffix, part.bytes});
+  return files;
+}
+
+}  // namespace gonio::exports

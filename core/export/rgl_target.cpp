@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/rgl_target.h"
+
+#include "core/export/rgl_export.h"
+
+namespace gonio::exports {
+
+namespace {
+
+constexpr std::string_view rgbSuffix = "_rgb.bsdf", spectralSuffix = "_spec.bsdf";
+
+MadeExport makeBsdf(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+  RglOptions rgl;
+  rgl.snr = options.snr;
+  rgl.fixed = options.size;
+  rgl.pictureSize = options.pictureSize;
+  rgl.samples = options.samples;
+  RglExport files = exportRgl(source, rgl, control);
+  MadeExport made;
+  made.snr = files.snr;
+  made.brdf = std::move(files.brdf);
+  made.facts = {{"thetaCount", "Incident polar angles", files.size.thetaCount},
+                {"size", "Nodes along each side of a slice", files.size.size},
+                {"unchanged", "Colours of the source", files.unchanged},
+                {"negativeValues", "Negative values", files.negativeValues},
+                {"clippedValues", "Negative values set to 0", files.clippedValues}};
+  if (files.negativeValues > 0)
+    made.warnings.push_back(std::to_string(files.negativeValues) +
+                            " negative values (colours outside sRGB): renderers clip them differently");
+  made.parts.push_back({std::string(rgbSuffix), std::move(files.rgb)});
+  made.parts.push_back({std::string(spectralSuffix), std::move(files.spectral)});
+  return made;
+}
+
+ExportTarget target(std::string_view id, std::string_view label, std::string_view description) {
+  return {.id = id,
+          .label = label,
+          .description = description,
+          .holds =
+              "Any BRDF, isotropic or anisotropic, as values in the parameterisation of the RGL database; an RGL "
+              "file keeps its own. No transmission.",
+          .suffixes = {rgbSuffix, spectralSuffix},
+          .choosesSize = true,
+          .make = makeBsdf};
+}
+
+}  // namespace
+
+ExportTarget mitsubaTarget() {
+  return target("mitsuba", "Mitsuba 3",
+                "Two files for the BSDF plugin \"measured\": NAME_rgb.bsdf for the RGB variants, NAME_spec.bsdf for "
+                "the spectral ones.");
+}
+
+ExportTarget pbrtTarget() {
+  return target("pbrt", "pbrt-v4",
+                "Two files: NAME_spec.bsdf for the material \"measured\", and NAME_rgb.bsdf, which Mitsuba's RGB "
+                "variants read.");
+}
+
+}  // namespace gonio::exports

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/export/export_target.h"
+
+namespace gonio::exports {
+
+/// NAME_rgb.bsdf and NAME_spec.bsdf by exportRgl(): the same files for both renderers.
+ExportTarget mitsubaTarget();
+ExportTarget pbrtTarget();
+
+}  // namespace gonio::exports

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "core/export/blender_target.h"
+#include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
+
+namespace blender_test {
+using namespace gonio;
+
+constexpr int side = 128, samples = 64;
+constexpr double theta = 0.7;  // rad, of the sun to the view
+
+/// What Cycles shows of a material (render_in_blender.py), the bottom row first.
+QVector<float> rendered(const QString& folder, const std::string& script) {
+  QFile file(folder + "/material.py");
+  if (!file.open(QIODevice::WriteOnly)) return {};
+  file.write(script.data(), qint64(script.size()));
+  file.close();
+  QProcess blender;
+  blender.start("blender",
+                {"--background", "--python-exit-code", "1", "--python", BLENDER_TEST_SCRIPT, "--", file.fileName(),
+                 folder + "/out.raw", QString::number(side), QString::number(samples), QString::number(theta)});
+  if (!blender.waitForFinished(240000) || blender.exitCode() != 0) {
+    qWarning() << blender.readAll() << blender.readAllStandardError();
+    return {};
+  }
+  QFile raw(folder + "/out.raw");
+  if (!raw.open(QIODevice::ReadOnly)) return {};
+  const QByteArray bytes = raw.readAll();
+  QVector<float> values(bytes.size() / qsizetype(sizeof(float)));
+  std::memcpy(values.data(), bytes.data(), std::size_t(bytes.size()));
+  return values;
+}
+
+/// The mean of f cos theta_i pi over a pixel of the sphere; nothing where the pixel is not all of directions that are
+/// at least 20 degrees above the horizon, of the viewer and of the light.
+std::optional<Rgb> predicted(const Brdf& brdf, int column, int row) {
+  constexpr int cells = 6;
+  const Direction sun(std::sin(theta), 0, std::cos(theta));
+  Rgb sum(0);
+  for (int i = 0; i < cells * cells; ++i) {
+    const double x = 2 * (column + (i % cells + 0.5) / cells) / side - 1;
+    const double y = 2 * (row + (i / cells + 0.5) / cells) / side - 1;
+    const double z2 = 1 - x * x - y * y;
+    if (z2 < 0.1) return std::nullopt;
+    const Direction normal(x, y, std::sqrt(z2));
+    if (glm::dot(normal, sun) < 0.34) return std::nullopt;
+    const Direction across = glm::normalize(glm::cross(Direction(0.1, 1, 0.2), normal)),
+                    along = glm::cross(normal, across);
+    const auto local = [&](const Direction& w) {
+      return Direction(glm::dot(w, across), glm::dot(w, along), glm::dot(w, normal));
+    };
+    sum += brdf.evaluate(local(sun), local(Direction(0, 0, 1))) * glm::dot(normal, sun) * pi;
+  }
+  return sum / double(cells * cells);
+}
+
+class BlenderTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// Cycles shows the node graph as Gonio predicts it.
+  void cyclesShowsThePrediction() {
+    if (QStandardPaths::findExecutable("blender").isEmpty())
+      QSKIP("blender is not installed (scripts/install_export_clients.sh)");
+    const auto material = test::ggx(Rgb(0.3, 0.12, 0.05), Rgb(0.9), 0.25, 0.06);
+    const exports::ViewLobes lobes = exports::fitViewLobes(*material, {.lobes = 3, .knots = 16});
+    const auto brdf = exports::viewLobesBrdf(lobes);
+    const QVector<float> pixels = rendered(m_folder.path(), exports::blenderScript(lobes, "test", "A test."));
+    QCOMPARE(pixels.size(), 3 * side * side);
+    double energy = 0, error = 0;
+    for (int row = 0; row < side; ++row)
+      for (int column = 0; column < side; ++column)
+        if (const auto expected = predicted(*brdf, column, row))
+          for (int c = 0; c < 3; ++c) {
+            const double found = pixels[3 * (row * side + column) + c], wanted = (*expected)[c];
+            energy += wanted * wanted;
+            error += (found - wanted) * (found - wanted);
+          }
+    const double snr = 10 * std::log10(energy / error);
+    qInfo() << "Cycles against the prediction:" << snr << "dB";
+    QVERIFY(snr > 40);
+  }
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+GONIO_TEST(BlenderTest)
+}  // namespace blender_test
+
+#include "blender_test.moc"

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+# blender --background --python render_in_blender.py -- MATERIAL_blender.py OUT.raw SIDE SAMPLES THETA
+# Renders the unit sphere with the material in the light of a sun of irradiance pi, from the angle THETA (rad) to the view,
+# to the right. OUT.raw: SIDE^2 pixels of three floats, the bottom row first. The camera is orthographic.
+import array
+import math
+import os
+import sys
+
+import bpy
+
+script, out, side, samples, theta = sys.argv[sys.argv.index("--") + 1:]
+side, samples, theta = int(side), int(samples), float(theta)
+
+sys.argv = ["blender"]  # the script of the material has arguments of its own
+bpy.ops.wm.read_factory_settings(use_empty=True)
+before = set(bpy.data.materials)
+exec(compile(open(script).read(), script, "exec"), {"__name__": "material"})
+material = (set(bpy.data.materials) - before).pop()
+
+scene = bpy.context.scene
+bpy.ops.mesh.primitive_uv_sphere_add(segments=512, ring_count=256, radius=1)
+sphere = bpy.context.active_object
+sphere.data.materials.clear()
+sphere.data.materials.append(material)
+for polygon in sphere.data.polygons:
+    polygon.use_smooth = True
+
+bpy.ops.object.camera_add(location=(0, 0, 5))
+camera = bpy.context.active_object
+camera.data.type = 'ORTHO'
+camera.data.ortho_scale = 2
+scene.camera = camera
+bpy.ops.object.light_add(type='SUN', rotation=(0, theta, 0))
+sun = bpy.context.active_object.data
+sun.energy = math.pi
+sun.angle = 0
+
+scene.world = None
+scene.render.engine = 'CYCLES'
+scene.cycles.device = 'CPU'
+scene.cycles.samples = samples
+scene.cycles.use_adaptive_sampling = False
+scene.cycles.use_denoising = False
+scene.cycles.pixel_filter_type = 'BOX'
+scene.cycles.max_bounces = 0
+scene.render.resolution_x = scene.render.resolution_y = side
+scene.render.resolution_percentage = 100
+scene.view_settings.view_transform = 'Raw'
+scene.render.image_settings.file_format = 'OPEN_EXR'
+scene.render.image_settings.color_depth = '32'
+scene.render.filepath = out + ".exr"
+bpy.ops.render.render(write_still=True)
+image = bpy.data.images.load(out + ".exr")
+pixels = image.pixels[:]
+with open(out, "wb") as file:
+    array.array("f", [value for index, value in enumerate(pixels) if index % 4 < 3]).tofile(file)
+os.remove(out + ".exr")
