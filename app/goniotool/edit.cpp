@@ -95,7 +95,8 @@ std::size_t write(const materials::Material& material, const std::shared_ptr<con
   if (isOwnForm(options.out)) {
     const editing::EditList edits{edit};
     const auto shown = editing::isIdentity(edits) ? material.brdf : editing::applyEdits(material.brdf, edits);
-    writeOwnForm(exports::exportSource(material.name, material, shown, edits), material, options.out, tool.control("writing"));
+    writeOwnForm(exports::exportSource(material.name, material, shown, edits), material, options.out,
+                 tool.control("writing"));
     return capped;
   }
   const TabulatedBrdf* table = base->asTable();

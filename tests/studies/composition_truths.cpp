@@ -68,16 +68,23 @@ const Change changes[] = {
 
 using models::ParameterRole;
 
+bool isBody(ParameterRole role) { return role == ParameterRole::body; }
+bool isSpecular(ParameterRole role) {
+  return role == ParameterRole::highlight || role == ParameterRole::peak || role == ParameterRole::edge ||
+         role == ParameterRole::coat || role == ParameterRole::coatEdge;
+}
+
 struct Recolouring {
   const char* kind;
-  ParameterRole role;
+  bool (*acts)(ParameterRole role);
   Rgb (*change)(const Rgb& colour);
+  bool ofSgd;  ///< a grey k_s leaves the widths and the Fresnel term of each channel of an SGD fit: that is not grey
 };
 const Recolouring recolourings[] = {
-    {"body tint", ParameterRole::body, [](const Rgb& c) { return c * Rgb(0.4, 0.7, 1); }},
-    {"body grey", ParameterRole::body, [](const Rgb& c) { return Rgb(luminance(c)); }},
-    {"highlight tint", ParameterRole::highlight, [](const Rgb& c) { return c * Rgb(0.4, 0.7, 1); }},
-    {"highlight grey", ParameterRole::highlight, [](const Rgb& c) { return Rgb(luminance(c)); }},
+    {"body tint", isBody, [](const Rgb& c) { return c * Rgb(0.4, 0.7, 1); }, true},
+    {"body grey", isBody, [](const Rgb& c) { return Rgb(luminance(c)); }, true},
+    {"highlight tint", isSpecular, [](const Rgb& c) { return c * Rgb(0.4, 0.7, 1); }, true},
+    {"highlight grey", isSpecular, [](const Rgb& c) { return Rgb(luminance(c)); }, false},
 };
 
 std::string numbered(const std::string& name, const Rgb& value) {
@@ -89,9 +96,10 @@ std::string numbered(const std::string& name, const Rgb& value) {
 void addRecolourings(const KnownMaterial& known, const std::shared_ptr<const TabulatedBrdf>& before,
                      std::vector<EditTruth>& truths) {
   for (const Recolouring& one : recolourings) {
+    if (!one.ofSgd && known.model == &models::findModel("sgd")) continue;
     const auto recolour = [&one](const models::ModelSpec& spec, ParameterValues& p) {
       for (std::size_t i = 0; i < p.values.size(); ++i)
-        if (spec.parameters[i].role == one.role) p.values[i] = one.change(p.values[i]);
+        if (one.acts(spec.parameters[i].role)) p.values[i] = one.change(p.values[i]);
     };
     ParameterValues after = known.parameters;
     recolour(known.model->spec(), after);

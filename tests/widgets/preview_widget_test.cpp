@@ -87,11 +87,10 @@ class PreviewWidgetTest : public QObject {
 
   /// What the user forces off is gone from the picture and the plan; resetting brings it back.
   void aForcedEffectChangesThePicture() {
-    widget_->resize(110, 110);
     widget_->showScene(openScene("sphere-point-light"));
     widget_->setSubject(widgets::measuredSubject(table_));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
-    const auto shadowed = [&] { return luminance(Rgb(widget_->linearPicture().at(90, 85))); };
+    const auto shadowed = [&] { return luminance(Rgb(widget_->linearPicture().at(180, 170))); };
     const double inShadow = shadowed();
     EffectOverrides overrides;
     overrides[std::size_t(Effect::castShadows)] = false;
