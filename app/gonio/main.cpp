@@ -242,15 +242,15 @@ int main(int argc, char** argv) {
   if (options.size.isValid()) window->resize(options.size);
   window->show();
   prepare(window->parts(), window->docks(), options);
+  if (options.openingTimes) {
+    new OpeningTimes(window->parts(), options.files, window);
+    return QApplication::exec();
+  }
   if (!options.screenshot.isEmpty())
     new Screenshot(
         *window, [window] { return window->parts().isSettled(); }, options.screenshot, options.waitSeconds);
   else
     window->files().offerRecovery();
-  if (options.openingTimes) {
-    new OpeningTimes(window->parts(), options.files, window);
-    return QApplication::exec();
-  }
   for (qsizetype i = 0; i < options.files.size(); ++i) {
     auto* target = i == 0 ? window : new MainWindow;
     target->show();

@@ -73,8 +73,9 @@ class PreviewWidget : public QOpenGLWidget {
   double differenceRange() const { return m_state.range; }
   /// Whether the picture has all the samples that it will get.
   bool converged() const;
-  /// Whether the picture is of what is to be shown now, converged or not.
-  bool isCurrent() const { return hasMaterial() && m_state.number >= m_fresh; }
+  /// Pictures are requested with rising numbers: that of the last request, and of the picture that is shown.
+  int lastRequest() const { return m_number; }
+  int shownRequest() const { return m_state.number; }
 
  Q_SIGNALS:
   void sceneChanged(const gonio::Scene& scene);

@@ -29,6 +29,7 @@ OpeningTimes::OpeningTimes(EditorParts& parts, const QStringList& paths, QObject
 void OpeningTimes::openNext() {
   if (m_paths.isEmpty()) return QCoreApplication::exit(0);
   m_read = -1;
+  m_before = m_parts.preview.lastRequest();
   m_elapsed.start();
   m_parts.controller.open(m_paths.front());
 }
@@ -38,7 +39,7 @@ void OpeningTimes::adoptMaterial() {
 }
 
 void OpeningTimes::adoptPicture() {
-  if (m_read < 0 || !m_parts.preview.isCurrent()) return;
+  if (m_read < 0 || m_parts.preview.shownRequest() <= m_before) return;
   std::printf("%s: read after %lld ms, first picture after %lld ms\n", qPrintable(m_paths.takeFirst()),
               static_cast<long long>(m_read), static_cast<long long>(m_elapsed.elapsed()));
   std::fflush(stdout);

@@ -28,6 +28,7 @@ class OpeningTimes : public QObject {
   QStringList m_paths;
   QElapsedTimer m_elapsed;
   qint64 m_read = -1;  ///< ms; -1: not read yet
+  int m_before = 0;    ///< the preview's last request of what was open before
 };
 
 }  // namespace gonio::app
