@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/brdf/brdf.h"

@@ -108,6 +108,12 @@ bool BackgroundTasks::isRunning(const QString& key) const {
   return std::any_of(m_tasks.begin(), m_tasks.end(), [&](const auto& t) { return t->request.key == key; });
 }
 
+std::optional<double> BackgroundTasks::progress(const QString& key) const {
+  const auto found = std::find_if(m_tasks.begin(), m_tasks.end(), [&](const auto& t) { return t->request.key == key; });
+  if (found == m_tasks.end()) return std::nullopt;
+  return (*found)->share;
+}
+
 void BackgroundTasks::cancel(const QString& key) {
   for (const auto& task : m_tasks)
     if (task->request.key == key) task->stop.request_stop();

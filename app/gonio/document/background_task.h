@@ -9,6 +9,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/support/task_control.h"
@@ -55,6 +56,8 @@ class BackgroundTasks : public QObject {
   /// What the status bar shows: the newest task that is neither quiet nor live, else a quiet one.
   std::optional<Info> topmost() const;
   bool isRunning(const QString& key) const;
+  /// Its share, [0, 1]; nothing where it does not run.
+  std::optional<double> progress(const QString& key) const;
   bool isIdle() const { return m_tasks.empty(); }
 
   /// Asks a task to stop; its `cancelled` or `done` still comes.

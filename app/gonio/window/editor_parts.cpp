@@ -43,6 +43,7 @@ LibraryController::LookMaker lookMaker() {
 EditorParts::EditorParts()
     : recentFiles(settings),
       controller(document, tasks),
+      exporter(document, tasks),
       library(tasks, lookMaker()),
       preview(*new widgets::PreviewWidget),
       environment(tasks, preview),

@@ -7,6 +7,7 @@
 #include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/recent_files.h"
+#include "app/gonio/export/export_controller.h"
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/window/environment_controller.h"
 #include "core/study/representation.h"
@@ -45,6 +46,7 @@ struct EditorParts {
   BackgroundTasks tasks;
   Document document;
   DocumentController controller;
+  ExportController exporter;
   LibraryController library;
   widgets::PreviewWidget& preview;
   EnvironmentController environment;

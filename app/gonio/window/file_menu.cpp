@@ -7,15 +7,21 @@
 
 #include "app/gonio/document/document.h"
 #include "app/gonio/document/recent_files.h"
+#include "app/gonio/export/export_dialog.h"
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/document_files.h"
 
 namespace gonio::app {
 
-FileMenu::FileMenu(DocumentFiles& files, LibraryController& library, DockLayout& docks,
-                   const std::function<void()>& newWindow, QWidget* window)
-    : QMenu(tr("&File"), window), m_files(files), m_library(library), m_docks(docks) {
+FileMenu::FileMenu(DocumentFiles& files, ExportController& exporter, LibraryController& library, DockLayout& docks,
+                   QSettings& settings, const std::function<void()>& newWindow, QWidget* window)
+    : QMenu(tr("&File"), window),
+      m_files(files),
+      m_exporter(exporter),
+      m_library(library),
+      m_docks(docks),
+      m_settings(settings) {
   addOpening(newWindow);
   addSeparator();
   addSaving();
@@ -45,6 +51,13 @@ void FileMenu::addSaving() {
   addSeparator();
   needMaterial << addAction(tr("&Export BRDF..."), QKeySequence(Qt::CTRL | Qt::Key_E), &m_files,
                             &DocumentFiles::exportBrdf);
+  needMaterial << addAction(tr("Export for &Renderer..."), QKeySequence(Qt::CTRL | Qt::Key_R), this,
+                            &FileMenu::exportForRenderer);
+  QAction* again = addAction(tr("Export A&gain"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R), &m_exporter,
+                             &ExportController::repeat);
+  const auto showAgain = [this, again] { again->setEnabled(m_exporter.canRepeat()); };
+  connect(&m_exporter, &ExportController::lastChanged, again, showAgain);
+  showAgain();
   needMaterial << addAction(tr("Export &Image..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), &m_files,
                             &DocumentFiles::exportImage);
   const auto update = [this, needMaterial] {
@@ -68,6 +81,12 @@ void FileMenu::fillRecent(QMenu* menu) {
   menu->setToolTipsVisible(true);
   menu->addSeparator();
   menu->addAction(tr("&Clear"), this, [this] { m_files.recent().clear(); });
+}
+
+void FileMenu::exportForRenderer() {
+  auto* dialog = new ExportDialog(m_exporter, m_settings, parentWidget());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
 }
 
 void FileMenu::openFolder() {

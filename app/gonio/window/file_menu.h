@@ -5,10 +5,13 @@
 #include <QMenu>
 #include <functional>
 
+class QSettings;
+
 namespace gonio::app {
 
 class DockLayout;
 class DocumentFiles;
+class ExportController;
 class LibraryController;
 
 /// The File menu.
@@ -16,18 +19,21 @@ class FileMenu : public QMenu {
   Q_OBJECT
 
  public:
-  FileMenu(DocumentFiles& files, LibraryController& library, DockLayout& docks, const std::function<void()>& newWindow,
-           QWidget* window);
+  FileMenu(DocumentFiles& files, ExportController& exporter, LibraryController& library, DockLayout& docks,
+           QSettings& settings, const std::function<void()>& newWindow, QWidget* window);
 
  private:
   void addOpening(const std::function<void()>& newWindow);
   void addSaving();
   void fillRecent(QMenu* menu);
   void openFolder();
+  void exportForRenderer();
 
   DocumentFiles& m_files;
+  ExportController& m_exporter;
   LibraryController& m_library;
   DockLayout& m_docks;
+  QSettings& m_settings;
 };
 
 }  // namespace gonio::app

@@ -109,7 +109,7 @@ void MainWindow::addDocks() {
 void MainWindow::addMenus() {
   EditorParts& p = m_parts;
   menuBar()->addMenu(new FileMenu(
-      m_files, p.library, *m_docks, [] { (new MainWindow)->show(); }, this));
+      m_files, p.exporter, p.library, *m_docks, p.settings, [] { (new MainWindow)->show(); }, this));
   menuBar()->addMenu(new EditMenu(p.document, p.controller, p.inspector, p.settings,
                                   m_docks->dock("history")->toggleViewAction(), this));
   auto* light = new LightMenu(p.environment, p.preview, this);
@@ -127,6 +127,7 @@ void MainWindow::connectDocument() {
           [this](const QString& path) { statusBar()->showMessage(tr("Saved %1").arg(path), 4000); });
   connect(&m_parts.controller, &DocumentController::exported, this,
           [this](const QString& path) { statusBar()->showMessage(tr("Wrote %1").arg(path), 6000); });
+  connect(&m_parts.exporter, &ExportController::exported, &m_parts.controller, &DocumentController::exported);
   connect(&m_parts.plots, &PlotsPanel::exported, &m_parts.controller, &DocumentController::exported);
   connect(&m_parts.study, &StudyPanel::exported, &m_parts.controller, &DocumentController::exported);
   connect(&m_parts.acquisition, &AcquisitionPanel::exported, &m_parts.controller, &DocumentController::exported);
@@ -135,6 +136,8 @@ void MainWindow::connectDocument() {
 void MainWindow::connectMessages() {
   connect(&m_parts.tasks, &BackgroundTasks::failed, this, &MainWindow::showFailure);
   connect(&m_parts.controller, &DocumentController::failed, this, &MainWindow::showFailure);
+  connect(&m_parts.exporter, &ExportController::failed, this, &MainWindow::showFailure);
+  connect(&m_parts.exporter, &ExportController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.environment, &EnvironmentController::failed, this, &MainWindow::showFailure);
   connect(&m_parts.comparison, &ComparisonController::failed, this, &MainWindow::showFailure);
   connect(&m_parts.plots, &PlotsPanel::failed, this, &MainWindow::showFailure);

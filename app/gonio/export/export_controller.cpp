@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/export/export_controller.h"
+
+#include <QFileInfo>
+
+#include "app/gonio/library/sphere_picture.h"
+#include "core/export/export_origin.h"
+#include "widgets/inputs/number_field.h"
+#include "widgets/parameters/parameter_text.h"
+
+namespace gonio::app {
+
+namespace {
+
+const QString trialKey = QStringLiteral("export-trial");
+constexpr int trialPixels = 288, trialSamples = 32;
+
+QString labelOf(const exports::ExportTarget& target) { return widgets::fromView(target.label); }
+
+}  // namespace
+
+ExportSubject::ExportSubject(const Document& document)
+    : material(document.material()), base(document.base()), edits(document.edits()), name(document.name()) {}
+
+std::shared_ptr<const Brdf> ExportSubject::edited() const {
+  return editing::isIdentity(edits) ? base : editing::applyEdits(base, edits);
+}
+
+exports::ExportSource ExportSubject::source() const {
+  return exports::exportSource(material->material.name, material->material, edited(), edits);
+}
+
+QString ExportSubject::proposedName() const {
+  return QString::fromStdString(exports::proposedName(material->material.name, edits));
+}
+
+QString fileNames(const exports::ExportTarget& target, const QString& name) {
+  QStringList names;
+  for (const std::string_view suffix : target.suffixes) names << QFileInfo(name).fileName() + widgets::fromView(suffix);
+  if (names.size() == 1) return names.front();
+  const QString last = names.takeLast();
+  return ExportController::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
+}
+
+ExportController::ExportController(Document& document, BackgroundTasks& tasks, QObject* parent)
+    : QObject(parent), m_document(document), m_tasks(tasks) {
+  connect(&document, &Document::materialChanged, this, [this] {
+    m_last.reset();
+    Q_EMIT lastChanged();
+  });
+}
+
+void ExportController::tryOut(const ExportSubject& subject, const exports::ExportTarget& target,
+                              const exports::ExportOptions& options, std::function<void(ExportTrialPtr)> done,
+                              std::function<void(const QString&)> failed) {
+  m_tasks.run<ExportTrialPtr>(
+      {tr("Preparing the export for %1").arg(labelOf(target)), trialKey},
+      [subject, &target, options](const TaskControl& control) {
+        constexpr double madeShare = 0.8;
+        auto trial = std::make_shared<ExportTrial>();
+        const exports::ExportSource source = subject.source();
+        trial->made = exports::makeExport(target, source, options, control.between(0, madeShare));
+        trial->original = spherePicture(*source.brdf, trialPixels, trialSamples, control.between(madeShare, 0.9));
+        trial->exported = spherePicture(*trial->made.brdf, trialPixels, trialSamples, control.between(0.9, 1));
+        return trial;
+      },
+      std::move(done), failed, [failed] { failed(tr("The export was cancelled.")); });
+}
+
+void ExportController::dropTrial() { m_tasks.drop(trialKey); }
+
+std::optional<double> ExportController::trialProgress() const { return m_tasks.progress(trialKey); }
+
+void ExportController::write(const ExportSubject& subject, const ExportRequest& request, ExportTrialPtr trial) {
+  m_last = request;
+  Q_EMIT lastChanged();
+  const QString files = fileNames(*request.target, request.name);
+  m_tasks.run<std::vector<std::string>>(
+      {tr("Exporting %1").arg(files), QStringLiteral("export-files:") + request.name},
+      [subject, request, trial](const TaskControl& control) {
+        const std::filesystem::path name = request.name.toStdString();
+        exports::checkTargets(request.target->paths(name), exports::sourceFile(subject.material->material), true);
+        if (trial) {
+          exports::writeExport(exports::filesOf(trial->made, name));
+          return trial->made.warnings;
+        }
+        const auto made = exports::makeExport(*request.target, subject.source(), request.options, control);
+        exports::writeExport(exports::filesOf(made, name));
+        return made.warnings;
+      },
+      [this, files](const std::vector<std::string>& warnings) {
+        Q_EMIT exported(files);
+        for (const std::string& warning : warnings) Q_EMIT warned(QString::fromStdString(warning));
+      },
+      [this, files](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(files), error); });
+}
+
+void ExportController::repeat() {
+  assert(m_last);
+  write(ExportSubject(m_document), *m_last, nullptr);
+}
+
+}  // namespace gonio::app
+
+#include "moc_export_controller.cpp"

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/export/export_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "app/gonio/export/export_pictures.h"
+#include "widgets/parameters/parameter_text.h"
+
+namespace gonio::app {
+
+namespace {
+
+const QString targetKey = QStringLiteral("export/target"), snrKey = QStringLiteral("export/snr"),
+              folderKey = QStringLiteral("export/folder");
+constexpr int trialDelayMilliseconds = 300;
+constexpr double smallestSnr = 10, largestSnr = 80;
+enum Column { labelColumn, snrColumn, bytesColumn };
+
+QString exportSnrText(double snr) {
+  return std::isfinite(snr) ? ExportDialog::tr("%1 dB").arg(snr, 0, 'f', 1) : ExportDialog::tr("exact");
+}
+
+QString exportBytesText(std::uint64_t bytes) {
+  return QLocale().formattedDataSize(qint64(bytes), 1, QLocale::DataSizeSIFormat);
+}
+
+QLabel* exportText() {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(ExportController& controller, QSettings& settings, QWidget* parent)
+    : QDialog(parent), m_controller(controller), m_settings(settings), m_subject(controller.document()) {
+  setWindowTitle(tr("Export for Renderer"));
+  const int em = fontMetrics().height();
+  resize(em * 56, em * 36);
+  auto* columns = new QHBoxLayout;
+  columns->addWidget(targetList(), 2);
+  columns->addWidget(details(), 3);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  m_export = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
+  m_export->setDefault(true);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(columns, 1);
+  layout->addWidget(nameRow());
+  layout->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  m_delay.setSingleShot(true);
+  m_delay.setInterval(trialDelayMilliseconds);
+  connect(&m_delay, &QTimer::timeout, this, &ExportDialog::startTrial);
+  connect(&m_controller.tasks(), &BackgroundTasks::changed, this, &ExportDialog::showProgress);
+  restore();
+  connect(m_targets, &QTreeWidget::currentItemChanged, this, &ExportDialog::showTarget);
+  connect(m_snr, &QDoubleSpinBox::valueChanged, this, &ExportDialog::showTarget);
+  connect(m_name, &QLineEdit::textChanged, this, &ExportDialog::showFiles);
+  showTarget();
+}
+
+ExportDialog::~ExportDialog() { m_controller.dropTrial(); }
+
+QWidget* ExportDialog::targetList() {
+  m_targets = new QTreeWidget;
+  m_targets->setHeaderLabels({tr("Target"), tr("Rendered SNR"), tr("Size")});
+  m_targets->setRootIsDecorated(false);
+  m_targets->setUniformRowHeights(true);
+  m_targets->setAccessibleName(tr("Target"));
+  for (const exports::ExportTarget& target : exports::exportTargets()) {
+    auto* item = new QTreeWidgetItem({widgets::fromView(target.label)});
+    item->setToolTip(labelColumn, widgets::fromView(target.description));
+    for (const Column column : {snrColumn, bytesColumn}) item->setTextAlignment(column, Qt::AlignRight);
+    m_targets->addTopLevelItem(item);
+  }
+  m_targets->header()->setStretchLastSection(false);
+  m_targets->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_targets->header()->setSectionResizeMode(labelColumn, QHeaderView::Stretch);
+  return m_targets;
+}
+
+QWidget* ExportDialog::details() {
+  auto* panel = new QWidget;
+  auto* layout = new QVBoxLayout(panel);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_description = exportText();
+  m_pictures = new ExportPictures;
+  m_cost = exportText();
+  m_warnings = exportText();
+  m_progress = new QProgressBar;
+  m_progress->setAccessibleName(tr("Progress of the preparation"));
+  QSizePolicy kept = m_progress->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  m_progress->setSizePolicy(kept);
+  m_snr = new QDoubleSpinBox;
+  m_snr->setRange(smallestSnr, largestSnr);
+  m_snr->setDecimals(0);
+  m_snr->setSuffix(tr(" dB"));
+  m_snr->setKeyboardTracking(false);
+  m_snr->setToolTip(
+      tr("The rendered SNR that the files should reach: a higher one takes larger files. Some targets "
+         "cannot reach it."));
+  auto* form = new QFormLayout;
+  form->addRow(tr("&Rendered SNR >="), m_snr);
+  layout->addWidget(m_description);
+  layout->addLayout(form);
+  layout->addWidget(m_pictures, 1);
+  layout->addWidget(m_cost);
+  layout->addWidget(m_progress);
+  layout->addWidget(m_warnings);
+  return panel;
+}
+
+QWidget* ExportDialog::nameRow() {
+  auto* panel = new QWidget;
+  auto* layout = new QFormLayout(panel);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
+  m_name = new QLineEdit;
+  auto* browse = new QPushButton(tr("&Browse..."));
+  browse->setAutoDefault(false);
+  row->addWidget(m_name, 1);
+  row->addWidget(browse);
+  m_files = exportText();
+  auto* label = new QLabel(tr("&Name:"));
+  label->setBuddy(m_name);
+  layout->addRow(label, row);
+  layout->addRow(tr("Files:"), m_files);
+  connect(browse, &QPushButton::clicked, this, &ExportDialog::browse);
+  return panel;
+}
+
+void ExportDialog::restore() {
+  m_snr->setValue(m_settings.value(snrKey, exports::ExportOptions().snr).toDouble());
+  const auto& last = m_controller.last();
+  chooseTarget(last ? last->target->id : m_settings.value(targetKey).toString().toStdString());
+  const QString folder = m_settings.value(folderKey).toString();
+  const QString documentFolder = QFileInfo(m_controller.document().path()).absolutePath();
+  const QString home = m_controller.document().path().isEmpty() ? QDir::homePath() : documentFolder;
+  setName(last ? last->name
+               : QDir(QDir(folder).exists() && !folder.isEmpty() ? folder : home).filePath(m_subject.proposedName()));
+}
+
+void ExportDialog::remember() {
+  m_settings.setValue(targetKey, widgets::fromView(target().id));
+  m_settings.setValue(snrKey, m_snr->value());
+  m_settings.setValue(folderKey, QFileInfo(name()).absolutePath());
+}
+
+const exports::ExportTarget& ExportDialog::target() const {
+  return exports::exportTargets()[std::size_t(m_targets->indexOfTopLevelItem(m_targets->currentItem()))];
+}
+
+void ExportDialog::chooseTarget(std::string_view id) {
+  const exports::ExportTarget* found = exports::findExportTarget(id);
+  const auto index = found ? found - exports::exportTargets().data() : 0;
+  m_targets->setCurrentItem(m_targets->topLevelItem(int(index)));
+}
+
+QString ExportDialog::name() const {
+  const QString text = QDir::fromNativeSeparators(m_name->text().trimmed());
+  if (text.isEmpty()) return {};
+  const QString folder = m_settings.value(folderKey, QDir::homePath()).toString();
+  const auto path = target().nameOf(QFileInfo(QDir(folder), text).absoluteFilePath().toStdString());
+  return QString::fromStdString(path.string());
+}
+
+void ExportDialog::setName(const QString& name) { m_name->setText(QDir::toNativeSeparators(name)); }
+
+ExportDialog::Key ExportDialog::key() const { return Key::of(target(), m_snr->value()); }
+
+exports::ExportOptions ExportDialog::options() const {
+  exports::ExportOptions options;
+  options.snr = m_snr->value();
+  return options;
+}
+
+ExportTrialPtr ExportDialog::trial() const {
+  const auto found = m_trials.find(key());
+  return found == m_trials.end() ? nullptr : found->second;
+}
+
+void ExportDialog::showTarget() {
+  m_description->setText(widgets::fromView(target().description) + '\n' + widgets::fromView(target().holds));
+  m_pictures->setExportedName(tr("Export for %1").arg(widgets::fromView(target().label)));
+  m_error.clear();
+  m_controller.dropTrial();
+  if (!trial()) m_delay.start();
+  showTrial();
+  showFiles();
+}
+
+void ExportDialog::startTrial() {
+  if (trial()) return;
+  const Key wanted = key();
+  m_controller.tryOut(
+      m_subject, target(), options(),
+      [this, wanted, self = QPointer(this)](const ExportTrialPtr& made) {
+        if (!self) return;
+        m_trials[wanted] = made;
+        showTrial();
+      },
+      [this, self = QPointer(this)](const QString& error) {
+        if (!self) return;
+        m_error = error;
+        showTrial();
+      });
+}
+
+void ExportDialog::showTrial() {
+  for (int i = 0; i < m_targets->topLevelItemCount(); ++i) {
+    const auto found = m_trials.find(Key::of(exports::exportTargets()[std::size_t(i)], m_snr->value()));
+    const ExportTrial* of = found == m_trials.end() ? nullptr : found->second.get();
+    m_targets->topLevelItem(i)->setText(snrColumn, of ? exportSnrText(of->made.snr) : QString());
+    m_targets->topLevelItem(i)->setText(bytesColumn, of ? exportBytesText(of->made.bytes()) : QString());
+  }
+  const ExportTrialPtr shown = trial();
+  m_pictures->setPictures(shown ? shown->original : QImage(), shown ? shown->exported : QImage());
+  QStringList warnings;
+  if (shown) {
+    m_cost->setText(
+        std::isfinite(shown->made.snr)
+            ? tr("Rendered SNR of the export against the material: %1; %2.")
+                  .arg(exportSnrText(shown->made.snr), exportBytesText(shown->made.bytes()))
+            : tr("The export gives the same picture as the material; %1.").arg(exportBytesText(shown->made.bytes())));
+    for (const std::string& warning : shown->made.warnings)
+      warnings << tr("Warning: %1.").arg(QString::fromStdString(warning));
+  } else {
+    m_cost->setText(m_error.isEmpty() ? tr("Preparing the export...") : m_error);
+  }
+  m_warnings->setText(warnings.join('\n'));
+  m_warnings->setVisible(!warnings.isEmpty());
+  showProgress();
+}
+
+void ExportDialog::showProgress() {
+  const auto share = m_controller.trialProgress();
+  m_progress->setVisible(share.has_value());
+  if (share) m_progress->setValue(int(100 * *share));
+}
+
+void ExportDialog::showFiles() {
+  const QString path = name();
+  m_export->setEnabled(!path.isEmpty());
+  if (path.isEmpty()) return m_files->setText(tr("Enter a name."));
+  bool exists = false;
+  for (const auto& file : target().paths(path.toStdString()))
+    exists |= QFileInfo::exists(QString::fromStdString(file.string()));
+  const QString files = fileNames(target(), path);
+  m_files->setText(exists ? tr("%1 (replaces existing files)").arg(files) : files);
+}
+
+void ExportDialog::browse() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Export for Renderer"), name(), {}, nullptr,
+                                                    QFileDialog::DontConfirmOverwrite);
+  if (!file.isEmpty()) setName(QString::fromStdString(target().nameOf(file.toStdString()).string()));
+}
+
+bool ExportDialog::mayReplace() {
+  QStringList existing;
+  for (const auto& file : target().paths(name().toStdString()))
+    if (const QFileInfo info(QString::fromStdString(file.string())); info.exists()) existing << info.fileName();
+  return existing.isEmpty() ||
+         QMessageBox::question(this, tr("Replace files"), tr("Replace %1?").arg(existing.join(QStringLiteral(", "))),
+                               QMessageBox::Yes | QMessageBox::No) == QMessageBox::Yes;
+}
+
+void ExportDialog::accept() {
+  if (!mayReplace()) return;
+  const ExportTrialPtr made = trial();
+  m_controller.dropTrial();
+  m_controller.write(m_subject, {&target(), options(), name()}, made);
+  remember();
+  QDialog::accept();
+}
+
+}  // namespace gonio::app
+
+#include "moc_export_dialog.cpp"

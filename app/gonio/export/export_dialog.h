@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QDialog>
+#include <QPointer>
+#include <QTimer>
+#include <map>
+
+#include "app/gonio/export/export_controller.h"
+
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QSettings;
+class QTreeWidget;
+
+namespace gonio::app {
+
+class ExportPictures;
+
+/// File > Export for Renderer: a choice of target; of each what it can hold and what an export to it costs, found by
+/// making the export in the background: rendered SNR, bytes, pictures. It remembers target, SNR and folder.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// Contract: the document has a material.
+  ExportDialog(ExportController& controller, QSettings& settings, QWidget* parent);
+  ~ExportDialog() override;
+
+  const exports::ExportTarget& target() const;
+  void chooseTarget(std::string_view id);
+  /// A path without the target's suffixes; relative ones are of the folder of the last export.
+  QString name() const;
+  void setName(const QString& name);
+  /// Of the chosen target with the options of now; null while it is being made or where that failed.
+  ExportTrialPtr trial() const;
+
+  void accept() override;
+
+ private:
+  /// Targets of the same suffixes have the same files, which are made once.
+  struct Key {
+    std::string_view suffix;
+    double snr;
+    static Key of(const exports::ExportTarget& target, double snr) { return {target.suffixes.front(), snr}; }
+    auto operator<=>(const Key&) const = default;
+  };
+
+  QWidget* targetList();
+  QWidget* details();
+  QWidget* nameRow();
+  void restore();
+  void remember();
+  Key key() const;
+  exports::ExportOptions options() const;
+  void showTarget();
+  void startTrial();
+  void showTrial();
+  void showFiles();
+  void showProgress();
+  void browse();
+  bool mayReplace();
+
+  ExportController& m_controller;
+  QSettings& m_settings;
+  const ExportSubject m_subject;
+  std::map<Key, ExportTrialPtr> m_trials;
+  QString m_error;  ///< of the last trial
+  QTimer m_delay;
+  QTreeWidget* m_targets;
+  QLabel* m_description;
+  ExportPictures* m_pictures;
+  QLabel *m_cost, *m_warnings, *m_files;
+  QProgressBar* m_progress;
+  QDoubleSpinBox* m_snr;
+  QLineEdit* m_name;
+  QPushButton* m_export;
+};
+
+}  // namespace gonio::app

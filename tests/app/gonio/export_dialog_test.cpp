@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/export/export_dialog.h"
+
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+
+#include "tests/app/gonio/glossy_material.h"
+#include "tests/support/test_program.h"
+
+namespace export_dialog_test {
+using namespace gonio;
+using namespace gonio::app;
+using namespace gonio::app::test_support;
+
+struct Editor {
+  QTemporaryDir folder;
+  QSettings settings{folder.filePath("settings.ini"), QSettings::IniFormat};
+  Document document;
+  BackgroundTasks tasks;
+  ExportController controller{document, tasks};
+
+  Editor() {
+    settings.setValue("export/folder", folder.path());
+    settings.setValue("export/target", "blender");
+    settings.setValue("export/snr", 15);
+    document.setMaterial(glossyMaterial(0.4, HalfDifferenceGrid{20, 20, 20}));
+  }
+  QString path(const QString& name) const { return folder.filePath(name); }
+};
+
+bool wait(const std::function<bool()>& done) { return QTest::qWaitFor(done, patienceMilliseconds); }
+
+class ExportDialogTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// All targets are listed, and the remembered one is chosen.
+  void listsTheTargets() {
+    Editor editor;
+    ExportDialog dialog(editor.controller, editor.settings, nullptr);
+    QCOMPARE(dialog.findChild<QTreeWidget*>()->topLevelItemCount(), int(exports::exportTargets().size()));
+    QCOMPARE(dialog.target().id, std::string_view("blender"));
+    QCOMPARE(dialog.name(), editor.path("glossy"));
+    dialog.chooseTarget("pbrt");
+    QCOMPARE(dialog.target().id, std::string_view("pbrt"));
+  }
+
+  /// What an export costs is there before it is written; the files are those of the trial.
+  void showsTheCostAndWrites() {
+    Editor editor;
+    QSignalSpy exported(&editor.controller, &ExportController::exported);
+    ExportDialog dialog(editor.controller, editor.settings, nullptr);
+    QVERIFY(wait([&] { return dialog.trial() != nullptr; }));
+    const QTreeWidgetItem& row = *dialog.findChild<QTreeWidget*>()->currentItem();
+    QVERIFY(row.text(1).endsWith(" dB") && !row.text(2).isEmpty());
+    QVERIFY(!dialog.trial()->original.isNull() && !dialog.trial()->exported.isNull());
+    QVERIFY(QDir(editor.folder.path()).entryList({"*.py"}).isEmpty());
+    const auto bytes = dialog.trial()->made.parts.front().bytes;
+    dialog.accept();
+    QVERIFY(wait([&] { return exported.count() == 1; }));
+    QFile file(editor.path("glossy_blender.py"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())));
+    QCOMPARE(exported.front().front().toString(), QStringLiteral("glossy_blender.py"));
+  }
+
+  /// The same files once more, of the document as it is; not of another material.
+  void exportsAgain() {
+    Editor editor;
+    QVERIFY(!editor.controller.canRepeat());
+    QSignalSpy exported(&editor.controller, &ExportController::exported);
+    const exports::ExportTarget* target = exports::findExportTarget("blender");
+    editor.controller.write(ExportSubject(editor.document), {target, {.snr = 10}, editor.path("again")}, nullptr);
+    QVERIFY(wait([&] { return exported.count() == 1; }));
+    QVERIFY(QFile::remove(editor.path("again_blender.py")));
+    QVERIFY(editor.controller.canRepeat());
+    editor.controller.repeat();
+    QVERIFY(wait([&] { return exported.count() == 2; }));
+    QVERIFY(QFile::exists(editor.path("again_blender.py")));
+    editor.document.setMaterial(glossyMaterial(0.5, HalfDifferenceGrid{20, 20, 20}));
+    QVERIFY(!editor.controller.canRepeat());
+  }
+
+  /// One sentence, and nothing is written.
+  void failuresNameTheFile() {
+    Editor editor;
+    QSignalSpy failed(&editor.controller, &ExportController::failed);
+    const exports::ExportTarget* target = exports::findExportTarget("blender");
+    editor.controller.write(ExportSubject(editor.document), {target, {.snr = 10}, editor.path("none/x")}, nullptr);
+    QVERIFY(wait([&] { return failed.count() == 1; }));
+    QVERIFY(failed.front().back().toString().contains("x_blender.py"));
+  }
+
+  /// A dialog that is closed while it works leaves no work behind.
+  void closingEndsTheTrial() {
+    Editor editor;
+    {
+      ExportDialog dialog(editor.controller, editor.settings, nullptr);
+      QVERIFY(wait([&] { return editor.controller.trialProgress().has_value(); }));
+    }
+    QVERIFY(editor.tasks.isIdle());
+  }
+};
+
+GONIO_TEST(ExportDialogTest)
+}  // namespace export_dialog_test
+
+#include "export_dialog_test.moc"
