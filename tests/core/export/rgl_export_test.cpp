@@ -93,8 +93,9 @@ class RglExportTest : public QObject {
     QCOMPARE(test::brokenRule(made.rgb, false), QString());
     QCOMPARE(test::brokenRule(made.spectral, true), QString());
     QCOMPARE(made.clippedValues > 0, kind == 3);
+    const auto file = read(made.rgb);
     if (kind == 3)
-      for (const glm::vec3& value : read(made.rgb)->tables()->data.rgb.values) QVERIFY(value.x >= 0);
+      for (const glm::vec3& value : file->tables()->data.rgb.values) QVERIFY(value.x >= 0);
   }
 
   /// Mitsuba leaves how it folds the azimuth of an isotropic file to chance.
