@@ -5,6 +5,9 @@
 #include <algorithm>
 
 #include "core/export/blender_target.h"
+#include "core/export/gltf_target.h"
+#include "core/export/materialx_targets.h"
+#include "core/export/principled_target.h"
 #include "core/export/rgl_target.h"
 
 namespace gonio::exports {
@@ -36,7 +39,9 @@ fs::path ExportTarget::nameOf(const fs::path& file) const {
 }
 
 std::span<const ExportTarget> exportTargets() {
-  static const std::vector<ExportTarget> targets{mitsubaTarget(), pbrtTarget(), blenderTarget()};
+  static const std::vector<ExportTarget> targets{mitsubaTarget(),    pbrtTarget(),           blenderTarget(),
+                                                 principledTarget(), gltfTarget(),           materialXTarget(),
+                                                 openPbrTarget(),    standardSurfaceTarget()};
   return targets;
 }
 
