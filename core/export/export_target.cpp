@@ -5,10 +5,13 @@
 #include <algorithm>
 
 #include "core/export/blender_target.h"
+#include "core/export/glsl_target.h"
 #include "core/export/gltf_target.h"
 #include "core/export/materialx_targets.h"
 #include "core/export/principled_target.h"
 #include "core/export/rgl_target.h"
+#include "core/export/table_targets.h"
+#include "core/export/values_target.h"
 
 namespace gonio::exports {
 
@@ -39,9 +42,11 @@ fs::path ExportTarget::nameOf(const fs::path& file) const {
 }
 
 std::span<const ExportTarget> exportTargets() {
-  static const std::vector<ExportTarget> targets{mitsubaTarget(),    pbrtTarget(),           blenderTarget(),
-                                                 principledTarget(), gltfTarget(),           materialXTarget(),
-                                                 openPbrTarget(),    standardSurfaceTarget()};
+  static const std::vector<ExportTarget> targets{
+      mitsubaTarget(), pbrtTarget(),      blenderTarget(), principledTarget(),
+      gltfTarget(),    materialXTarget(), openPbrTarget(), standardSurfaceTarget(),
+      valuesTarget(),  glslTarget(),      merlTarget(),    merlCircleTarget(),
+      utiaTarget(),    csvTarget()};
   return targets;
 }
 

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "core/export/export_report.h"
+#include "core/export/lobes_export.h"
 #include "core/export/materialx_models.h"
 #include "core/export/surface_target.h"
 
@@ -82,27 +83,10 @@ std::string grainNodes(double rotation) {
              .text();
 }
 
-MadeExport makeLobes(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
-  const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.1));
-  const PictureCells cells(source.brdf->isIsotropic());
-  MadeExport best;
-  ReciprocalLobes chosen;
-  double done = 0.1;
-  for (const std::size_t count : mtlxLobeCounts) {
-    const TaskControl part = control.between(done, done + 0.3);
-    const ReciprocalLobes start = fitReciprocalLobes(*source.brdf, cells, count, part.between(0, 0.3));
-    ReciprocalLobes lobes = refineLobes(*source.brdf, cells, start, schlickLobesBrdf, part.between(0.3, 0.8));
-    MadeExport made;
-    measureExport(made, schlickLobesBrdf(lobes), comparison, part.between(0.8, 1));
-    done += 0.3;
-    if (best.brdf && !(made.snr > best.snr)) continue;
-    best = std::move(made);
-    chosen = std::move(lobes);
-    if (best.snr >= options.snr) break;
-  }
-  best.facts = {{"lobes", "GGX lobes", chosen.lobes.size()}};
-  best.parts.push_back(textPart(lobesSuffix, schlickLobesDocument(chosen, source.name, originText(source, best.snr))));
-  return best;
+MadeExport makeSchlickLobes(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+  auto [made, lobes] = makeLobesExport(mtlxLobeCounts, schlickLobesBrdf, source, options, control);
+  made.parts.push_back(textPart(lobesSuffix, schlickLobesDocument(lobes, source.name, originText(source, made.snr))));
+  return std::move(made);
 }
 
 }  // namespace
@@ -159,7 +143,7 @@ ExportTarget materialXTarget() {
               "An approximation by GGX lobes with a colour at 0, 82 and 90 degrees each; isotropic or with one "
               "direction of the grain. Multiple scattering is made up for as in MaterialX.",
           .suffixes = {lobesSuffix},
-          .make = makeLobes};
+          .make = makeSchlickLobes};
 }
 
 ExportTarget openPbrTarget() {
