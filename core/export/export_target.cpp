@@ -58,9 +58,10 @@ const ExportTarget* findExportTarget(std::string_view id) {
 
 MadeExport makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options,
                       const TaskControl& control) {
-  constexpr double warned = 0.02;
+  constexpr double warned = 0.02, poorSnr = 10;
   std::vector<std::string> warnings = exportWarnings(*source.brdf);
   MadeExport made = target.make(source, options, control.between(warned, 1));
+  if (made.snr < poorSnr) made.warnings.push_back("the target cannot show this material: the picture has another look");
   made.warnings.insert(made.warnings.end(), std::make_move_iterator(warnings.begin()),
                        std::make_move_iterator(warnings.end()));
   return made;

@@ -7,12 +7,18 @@
 
 #include "core/coordinates/azimuth_rotation.h"
 #include "core/math/parallel.h"
+#include "core/math/quadrature.h"
 
 namespace gonio::exports {
 
 namespace {
 
-constexpr std::size_t viewerPolarCount = 10, grainPolarCount = 6, grainAzimuthCount = 8;
+constexpr int viewerPolarCount = 10, grainPolarCount = 5;
+/// Odd: of a grain, which looks the same from both sides, these are as many directions.
+constexpr std::size_t grainAzimuthCount = 5;
+/// Of the viewer: to 77 degrees. Beyond, shaders rise to a mirror, measurements are uncertain and the picture is
+/// narrow.
+constexpr double largestSquaredSine = 0.95;
 constexpr double lampSolidAngle = 0.5;  // sr: a disk of 23 degrees about its centre
 constexpr int meanAzimuths = 16;
 
@@ -22,16 +28,17 @@ using PairFunction = std::function<void(std::span<const DirectionPair>, std::spa
 
 PictureCells::PictureCells(bool isotropic)
     : isotropic_(isotropic), nodes_{32, isotropic ? std::size_t(8) : std::size_t(16)} {
-  const std::size_t polar = isotropic ? viewerPolarCount : grainPolarCount;
-  for (std::size_t k = 0; k < polar; ++k) {
-    const double theta = std::asin(std::sqrt((double(k) + 0.5) / double(polar)));
-    for (std::size_t j = 0; j < (isotropic ? 1 : grainAzimuthCount); ++j)
-      addViewer(fromSpherical(theta, 2 * pi * double(j) / double(grainAzimuthCount)));
-  }
+  // Over the squared sine, in which the picture of a sphere is even.
+  const QuadratureRule areas = gaussLegendre(isotropic ? viewerPolarCount : grainPolarCount, 0, largestSquaredSine);
+  const std::size_t turns = isotropic ? 1 : grainAzimuthCount;
+  for (std::size_t k = 0; k < areas.nodes.size(); ++k)
+    for (std::size_t j = 0; j < turns; ++j)
+      addViewer(fromSpherical(std::asin(std::sqrt(areas.nodes[k])), 2 * pi * double(j) / double(turns)),
+                areas.weights[k] / double(turns));
   patches_ = scales_.size() / viewers_;
 }
 
-void PictureCells::addViewer(const Direction& wo) {
+void PictureCells::addViewer(const Direction& wo, double share) {
   const double circle = isotropic_ ? pi : 2 * pi, turn = azimuth(wo);
   std::vector<double> areas;
   for (std::size_t i = 0; i < nodes_.polar; ++i) {
@@ -51,7 +58,7 @@ void PictureCells::addViewer(const Direction& wo) {
     }
   }
   for (Grid grid = nodes_;; grid = grid.halved()) {
-    for (std::size_t i = 0; i < grid.size(); ++i) scales_.push_back(1 / std::sqrt(areas[i] + lampSolidAngle));
+    for (std::size_t i = 0; i < grid.size(); ++i) scales_.push_back(std::sqrt(share / (areas[i] + lampSolidAngle)));
     if (grid.size() == 1) break;
     pool(areas, grid);
   }

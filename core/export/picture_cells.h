@@ -9,15 +9,15 @@
 
 namespace gonio::exports {
 
-/// Pairs of directions, and what a picture of a sphere shows of a BRDF at them. The viewers are of equal areas of the
-/// picture; the directions of the light are dense where the half vector is near the normal. A residual is the light
+/// Pairs of directions, and what a picture of a sphere shows of a BRDF at them. The viewers stand for areas of the
+/// picture, to 77 degrees; the directions of the light are dense where the half vector is near the normal. A residual is the light
 /// that reaches the viewer from a patch of directions: each node alone, patches of 2 x 2 nodes, of 4 x 4 and so on to
 /// the hemisphere, so that the squares' sum is about the error of the picture under lights of all sizes. Patches
 /// smaller than a lamp count by their light, larger ones by its mean square. Linear in the BRDF.
 class PictureCells {
  public:
   /// @param isotropic one azimuth of the viewer and, by the mirror symmetry, half of the light's circle, about 2,600
-  /// pairs; else eight azimuths, about 25,000.
+  /// pairs; else five azimuths, about 13,000.
   explicit PictureCells(bool isotropic);
 
   bool isIsotropic() const { return isotropic_; }
@@ -39,7 +39,8 @@ class PictureCells {
     Grid halved() const { return {polar > 1 ? polar / 2 : 1, azimuth > 1 ? azimuth / 2 : 1}; }
   };
 
-  void addViewer(const Direction& wo);
+  /// @param share of the picture's area.
+  void addViewer(const Direction& wo, double share);
   void weighViewer(std::size_t viewer, std::span<const double> values, std::span<double> residuals) const;
   static void pool(std::vector<double>& sums, const Grid& fine);
   std::vector<double> residualsOf(const std::function<void(std::span<const DirectionPair>, std::span<Rgb>)>&) const;
