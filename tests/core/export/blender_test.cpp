@@ -111,7 +111,7 @@ class BlenderTest : public QObject {
     const double snr = snrInBlender(m_folder.path(), exports::principledScript(values, "test", "A test."),
                                     *exports::principledShader().brdf(values));
     qInfo() << "Cycles against the prediction:" << snr << "dB";
-    QVERIFY(snr > 40);
+    QVERIFY(snr > 60);
   }
 
  private:
