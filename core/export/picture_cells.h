@@ -10,10 +10,10 @@
 namespace gonio::exports {
 
 /// Pairs of directions, and what a picture of a sphere shows of a BRDF at them. The viewers stand for areas of the
-/// picture, to 77 degrees; the directions of the light are dense where the half vector is near the normal. A residual is the light
-/// that reaches the viewer from a patch of directions: each node alone, patches of 2 x 2 nodes, of 4 x 4 and so on to
-/// the hemisphere, so that the squares' sum is about the error of the picture under lights of all sizes. Patches
-/// smaller than a lamp count by their light, larger ones by its mean square. Linear in the BRDF.
+/// picture, to 77 degrees; the directions of the light are dense where the half vector is near the normal. A residual
+/// is the light that reaches the viewer from a patch of directions: each node alone, patches of 2 x 2 nodes, of 4 x 4
+/// and so on to the hemisphere, so that the squares' sum is about the error of the picture under lights of all sizes.
+/// Patches smaller than a lamp count by their light, larger ones by its mean square. Linear in the BRDF.
 class PictureCells {
  public:
   /// @param isotropic one azimuth of the viewer and, by the mirror symmetry, half of the light's circle, about 2,600
