@@ -155,14 +155,15 @@ LinearMatrix strengthsOf(const LobeProblem& problem, const LinearMatrix& columns
 }
 
 std::vector<double> refinedWidths(const LobeProblem& problem, const WidthCoding& coding,
-                                  fitting::BoundedVariables variables, int iterations, const TaskControl& control) {
+                                  const fitting::BoundedVariables& variables, int iterations,
+                                  const TaskControl& control) {
   const auto function = [&](std::span<const double> x, std::span<double> residuals) {
     const LinearMatrix columns = columnsAt(problem, coding, x);
     Eigen::Map<LinearMatrix>(residuals.data(), columns.rows(), 3) =
         columns * strengthsOf(problem, columns) - problem.target();
   };
-  auto found = fitting::boundedLeastSquares(function, std::size_t(problem.target().size()), std::move(variables),
-                                            iterations, control.stop);
+  auto found =
+      fitting::boundedLeastSquares(function, std::size_t(problem.target().size()), variables, iterations, control.stop);
   control.throwIfStopped();
   return found;
 }
@@ -182,7 +183,7 @@ std::vector<double> bestWidths(const LobeProblem& problem, const WidthCoding& co
   }
   fitting::BoundedVariables variables = coding.variables(alphas, best.back());
   variables.start = best;
-  return refinedWidths(problem, coding, std::move(variables), fineIterations, control);
+  return refinedWidths(problem, coding, variables, fineIterations, control);
 }
 
 ReciprocalLobes lobesAt(const LobeProblem& problem, const WidthCoding& coding, std::span<const double> x) {

@@ -2,87 +2,87 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/fitting/bounded_least_squares.h"
 
-#include <ceres/ceres.h>
-
 #include <algorithm>
+
+#include "core/fitting/bounded_quadratic.h"
 
 namespace gonio::fitting {
 
 namespace {
 
-class DifferencedCost final : public ceres::CostFunction {
+constexpr double differenceStep = 1e-5, firstDamping = 1e-3, costTolerance = 1e-5;
+constexpr int triesOfStep = 8;
+
+class BoundedSearch {
  public:
-  DifferencedCost(const ResidualFunction& function, std::size_t residualCount, const BoundedVariables& bounds)
-      : function_(function), bounds_(bounds) {
-    set_num_residuals(int(residualCount));
-    mutable_parameter_block_sizes()->push_back(int(bounds.start.size()));
+  BoundedSearch(const ResidualFunction& function, std::size_t residualCount, const BoundedVariables& variables)
+      : function_(function), lower_(asVector(variables.lowest)), upper_(asVector(variables.highest)) {
+    x_ = asVector(variables.start).cwiseMax(lower_).cwiseMin(upper_);
+    residuals_ = residualsAt(x_, residualCount);
   }
 
-  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
-    const auto count = std::size_t(num_residuals()), unknowns = bounds_.start.size();
-    const std::span<const double> x(parameters[0], unknowns);
-    function_(x, {residuals, count});
-    if (!jacobians || !jacobians[0]) return true;
-    std::vector<double> moved(x.begin(), x.end()), changed(count);
-    for (std::size_t k = 0; k < unknowns; ++k) {
-      // Toward the inside: the function is not asked beyond the bounds.
-      const double step = x[k] + differenceStep > bounds_.highest[k] ? -differenceStep : differenceStep;
-      moved[k] = x[k] + step;
-      function_(moved, changed);
-      moved[k] = x[k];
-      for (std::size_t i = 0; i < count; ++i) jacobians[0][i * unknowns + k] = (changed[i] - residuals[i]) / step;
+  /// One iteration; false where the cost no longer falls.
+  bool improve() {
+    const LinearMatrix jacobian = differences();
+    const LinearMatrix normal = jacobian.transpose() * jacobian;
+    const LinearVector slope = jacobian.transpose() * residuals_;
+    const double cost = residuals_.squaredNorm();
+    for (int k = 0; k < triesOfStep; ++k) {
+      LinearMatrix damped = normal;
+      damped.diagonal() *= 1 + damping_;
+      const LinearVector step = solveBounded(damped, -slope, lower_ - x_, upper_ - x_);
+      const LinearVector next = (x_ + step).cwiseMax(lower_).cwiseMin(upper_);
+      LinearVector residuals = residualsAt(next, std::size_t(residuals_.size()));
+      const double lowered = cost - residuals.squaredNorm();
+      if (lowered > 0) {
+        x_ = next;
+        residuals_ = std::move(residuals);
+        damping_ *= 0.2;
+        return lowered > costTolerance * cost;
+      }
+      damping_ *= 5;
     }
-    return true;
+    return false;
   }
+
+  std::vector<double> values() const { return {x_.begin(), x_.end()}; }
 
  private:
-  static constexpr double differenceStep = 1e-5;
+  static LinearVector asVector(const std::vector<double>& values) {
+    return Eigen::Map<const LinearVector>(values.data(), Eigen::Index(values.size()));
+  }
+  LinearVector residualsAt(const LinearVector& x, std::size_t count) const {
+    LinearVector residuals = LinearVector::Zero(Eigen::Index(count));
+    function_({x.data(), std::size_t(x.size())}, {residuals.data(), count});
+    return residuals;
+  }
+  LinearMatrix differences() const {
+    LinearMatrix jacobian(residuals_.size(), x_.size());
+    LinearVector moved = x_;
+    for (Eigen::Index k = 0; k < x_.size(); ++k) {
+      // Toward the inside: the function is not asked beyond the bounds.
+      const double step = x_(k) + differenceStep > upper_(k) ? -differenceStep : differenceStep;
+      moved(k) = x_(k) + step;
+      jacobian.col(k) = (residualsAt(moved, std::size_t(residuals_.size())) - residuals_) / step;
+      moved(k) = x_(k);
+    }
+    return jacobian;
+  }
 
   const ResidualFunction& function_;
-  const BoundedVariables& bounds_;
-};
-
-class StopWatcher final : public ceres::IterationCallback {
- public:
-  explicit StopWatcher(const std::stop_token& stop) : stop_(stop) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return stop_.stop_requested() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const std::stop_token& stop_;
+  LinearVector lower_, upper_, x_, residuals_;
+  double damping_ = firstDamping;
 };
 
 }  // namespace
 
 std::vector<double> boundedLeastSquares(const ResidualFunction& function, std::size_t residualCount,
-                                        BoundedVariables variables, int maxIterations, const std::stop_token& stop) {
-  std::vector<double> x = variables.start;
-  if (x.empty()) return x;
-  for (std::size_t k = 0; k < x.size(); ++k) x[k] = std::clamp(x[k], variables.lowest[k], variables.highest[k]);
-  DifferencedCost cost(function, residualCount, variables);
-  StopWatcher watcher(stop);
-  ceres::Problem::Options problemOptions;
-  problemOptions.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(problemOptions);
-  problem.AddResidualBlock(&cost, nullptr, x.data());
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    problem.SetParameterLowerBound(x.data(), int(k), variables.lowest[k]);
-    problem.SetParameterUpperBound(x.data(), int(k), variables.highest[k]);
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.dense_linear_algebra_library_type = ceres::EIGEN;
-  options.num_threads = 1;
-  options.max_num_iterations = maxIterations;
-  options.function_tolerance = 1e-5;
-  options.parameter_tolerance = 1e-7;
-  options.gradient_tolerance = 0;
-  options.logging_type = ceres::SILENT;
-  options.callbacks = {&watcher};
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  return x;
+                                        const BoundedVariables& variables, int maxIterations,
+                                        const std::stop_token& stop) {
+  if (variables.start.empty()) return {};
+  BoundedSearch search(function, residualCount, variables);
+  for (int k = 0; k < maxIterations && !stop.stop_requested() && search.improve(); ++k) continue;
+  return search.values();
 }
 
 }  // namespace gonio::fitting
