@@ -23,9 +23,11 @@ std::uint64_t MadeExport::bytes() const {
   return sum;
 }
 
-std::vector<fs::path> ExportTarget::paths(const fs::path& name) const {
+std::vector<fs::path> ExportTarget::paths(const fs::path& name, bool withScene) const {
   std::vector<fs::path> result;
   for (const std::string_view suffix : suffixes) result.push_back(fs::path(name) += suffix);
+  if (withScene)
+    for (const std::string_view suffix : sceneSuffixes) result.push_back(fs::path(name) += suffix);
   return result;
 }
 

@@ -35,7 +35,7 @@ MadeExport makeSurfaceExport(const SurfaceShader& shader, std::string_view suffi
 
 std::string decimalText(double number) {
   char digits[32];
-  std::snprintf(digits, sizeof digits, "%.6g", number);
+  std::snprintf(digits, sizeof digits, "%.6g", number + 0.0);  // no "-0"
   return digits;
 }
 
