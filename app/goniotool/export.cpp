@@ -8,6 +8,8 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/export/export_target.h"
+#include "core/rendering/environment_file.h"
+#include "core/rendering/render_picture.h"
 
 namespace gonio::tool {
 
@@ -17,7 +19,8 @@ struct ExportArguments {
   std::string material, out, target;
   double snr = 40;
   std::size_t thetaCount = 0, size = 0;
-  bool force = false;
+  bool force = false, scene = false;
+  std::string environment;  ///< of the scene; empty: that of the rendered SNR
 };
 
 std::string textOf(const exports::MadeExport& made, std::span<const exports::ExportFile> files) {
@@ -48,14 +51,27 @@ exports::ExportOptions exportOptions(const ExportArguments& arguments, const exp
   return options;
 }
 
+/// The scene of the rendered SNR, with the environment that was asked for.
+Scene exportScene(const ExportArguments& arguments) {
+  Scene scene = comparisonScene();
+  if (!arguments.environment.empty()) scene.environment = openEnvironment(arguments.environment);
+  return scene;
+}
+
 int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   const exports::ExportTarget& target = *exports::findExportTarget(arguments.target);
   const exports::ExportOptions options = exportOptions(arguments, target);
+  const bool withScene = arguments.scene || !arguments.environment.empty();
+  if (withScene && !target.scene) throw UsageError("export: --scene is for Mitsuba and pbrt");
   const auto start = std::chrono::steady_clock::now();
+  const Scene scene = withScene ? exportScene(arguments) : Scene();
   const OpenedSource source = openForExport(arguments.material, tool.control("reading"));
   const std::filesystem::path name = target.nameOf(arguments.out);
-  exports::checkTargets(target.paths(name), source.path, arguments.force);
-  const exports::MadeExport made = exports::makeExport(target, source.material, options, tool.control("exporting"));
+  exports::checkTargets(target.paths(name, withScene), source.path, arguments.force);
+  exports::MadeExport made = exports::makeExport(target, source.material, options, tool.control("exporting"));
+  if (withScene)
+    for (exports::MadeExport::Part& part : target.scene(scene, name.filename().string()))
+      made.parts.push_back(std::move(part));
   const std::vector<exports::ExportFile> files = exports::filesOf(made, name);
   exports::writeExport(files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -98,6 +114,9 @@ void addExport(CLI::App& app, Tool& tool) {
   command->add_option("--size", options->size, "Nodes along each side of a slice, with --theta-count")
       ->check(CLI::Range(4, 512));
   command->add_flag("--force", options->force, "Replace files that exist");
+  command->add_flag("--scene", options->scene, "Write a scene with a sphere too, for mitsuba and pbrt");
+  command->add_option("--environment", options->environment,
+                      "Of the scene, a bundled one or a picture (studio); implies --scene");
   command->callback([options, &tool] { tool.run = [options, &tool] { return exportMaterial(*options, tool); }; });
 }
 

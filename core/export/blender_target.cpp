@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "core/rendering/rendered_comparison.h"
+#include "core/export/blender_script.h"
+#include "core/export/export_report.h"
 
 namespace gonio::exports {
 
@@ -19,20 +19,8 @@ using Json = nlohmann::ordered_json;
 /// From few nodes to many: the first that reaches the SNR is taken. A colour ramp has 32 stops at most.
 constexpr ViewLobesSize sizes[] = {{1, 8}, {2, 12}, {4, 16}, {6, 24}, {9, 32}};
 
-/// The part of the script that is the same for all materials; `GONIO` is the dictionary above it.
-constexpr const char* program = R"(
-
-def node(tree, kinds, x, y):
-    """A new node of the first kind that this version of Blender knows."""
-    for kind in kinds:
-        if hasattr(bpy.types, kind):
-            made = tree.nodes.new(kind)
-            made.location = (x, y)
-            return made
-    raise RuntimeError("Blender %s has none of the nodes %s" % (bpy.app.version_string, ", ".join(kinds)))
-
-
-def viewer_angle(tree):
+/// Makes the node graph of GONIO.
+constexpr const char* lobesProgram = R"(def viewer_angle(tree):
     """The socket of the viewer's polar angle, 0 at the normal and 1 at the horizon."""
     geometry = node(tree, ["ShaderNodeNewGeometry"], -1100, 0)
     dot = node(tree, ["ShaderNodeVectorMath"], -920, 0)
@@ -97,21 +85,6 @@ def make_material():
     if total is not None:
         tree.links.new(total, output.inputs["Surface"])
     return material
-
-
-def main():
-    material = make_material()
-    active = bpy.context.view_layer.objects.active if not bpy.app.background else None
-    if active is not None and active.type == 'MESH':
-        active.data.materials.clear()
-        active.data.materials.append(material)
-    material.use_fake_user = True
-    arguments = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
-    if arguments:
-        bpy.ops.wm.save_as_mainfile(filepath=arguments[0])
-
-
-main()
 )";
 
 Json lobeJson(const Json& alpha, const std::vector<Rgb>& weights) {
@@ -134,10 +107,7 @@ std::string pythonText(const Json& json) {
 }
 
 MadeExport makeScript(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
-  RenderOptions pictures;
-  pictures.width = pictures.height = options.pictureSize;
-  pictures.samples = options.samples;
-  const RenderedComparison comparison(*source.brdf, pictures, control.between(0, 0.2));
+  const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.2));
   MadeExport made;
   ViewLobes best;
   double done = 0.2;
@@ -154,13 +124,8 @@ MadeExport makeScript(const ExportSource& source, const ExportOptions& options, 
     if (snr >= options.snr) break;
   }
   made.facts = {{"lobes", "GGX lobes", best.alphas.size()}, {"knots", "Angles of the viewer", best.thetas.size()}};
-  if (!source.brdf->isIsotropic())
-    made.warnings.push_back("the material is anisotropic: the script has the mean over all azimuths");
-  char accuracy[80];
-  std::snprintf(accuracy, sizeof accuracy, ". Rendered SNR %.1f dB (sphere-studio).", made.snr);
-  const std::string text = blenderScript(best, source.name, source.origin + accuracy);
-  const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
-  made.parts.push_back({"_blender.py", {bytes, bytes + text.size()}});
+  if (!source.brdf->isIsotropic()) made.warnings.push_back(meanAzimuthWarning());
+  made.parts.push_back(textPart("_blender.py", blenderScript(best, source.name, originText(source, made.snr))));
   return made;
 }
 
@@ -172,16 +137,9 @@ std::string blenderScript(const ViewLobes& lobes, const std::string& name, const
   if (!isBlack(lobes.weights[0])) json["lobes"].push_back(lobeJson(nullptr, lobes.weights[0]));
   for (std::size_t j = 0; j < lobes.alphas.size(); ++j)
     if (!isBlack(lobes.weights[j + 1])) json["lobes"].push_back(lobeJson(lobes.alphas[j], lobes.weights[j + 1]));
-  std::string comment = "# " + origin;
-  std::erase(comment, '\r');
-  for (std::size_t at = 0; (at = comment.find('\n', at)) != std::string::npos; at += 3) comment.replace(at, 1, "\n# ");
-  return comment +
-         "\n#\n"
-         "# Makes the material in Blender: Scripting > Open > Run Script, with the object selected, or\n"
-         "#   blender --background --python THIS_FILE -- material.blend\n"
-         "# A Diffuse and Glossy nodes, each weighted by the angle of the viewer to the normal.\n"
-         "import math\nimport sys\n\nimport bpy\n\nGONIO = " +
-         pythonText(json) + "\n" + program;
+  return blenderMaterialScript(origin,
+                               "A Diffuse and Glossy nodes, each weighted by the angle of the viewer to the normal.",
+                               pythonText(json), lobesProgram);
 }
 
 ExportTarget blenderTarget() {

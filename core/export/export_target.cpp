@@ -5,7 +5,13 @@
 #include <algorithm>
 
 #include "core/export/blender_target.h"
+#include "core/export/glsl_target.h"
+#include "core/export/gltf_target.h"
+#include "core/export/materialx_targets.h"
+#include "core/export/principled_target.h"
 #include "core/export/rgl_target.h"
+#include "core/export/table_targets.h"
+#include "core/export/values_target.h"
 
 namespace gonio::exports {
 
@@ -17,9 +23,11 @@ std::uint64_t MadeExport::bytes() const {
   return sum;
 }
 
-std::vector<fs::path> ExportTarget::paths(const fs::path& name) const {
+std::vector<fs::path> ExportTarget::paths(const fs::path& name, bool withScene) const {
   std::vector<fs::path> result;
   for (const std::string_view suffix : suffixes) result.push_back(fs::path(name) += suffix);
+  if (withScene)
+    for (const std::string_view suffix : sceneSuffixes) result.push_back(fs::path(name) += suffix);
   return result;
 }
 
@@ -36,7 +44,11 @@ fs::path ExportTarget::nameOf(const fs::path& file) const {
 }
 
 std::span<const ExportTarget> exportTargets() {
-  static const std::vector<ExportTarget> targets{mitsubaTarget(), pbrtTarget(), blenderTarget()};
+  static const std::vector<ExportTarget> targets{
+      mitsubaTarget(), pbrtTarget(),      blenderTarget(), principledTarget(),
+      gltfTarget(),    materialXTarget(), openPbrTarget(), standardSurfaceTarget(),
+      valuesTarget(),  glslTarget(),      merlTarget(),    merlCircleTarget(),
+      utiaTarget(),    csvTarget()};
   return targets;
 }
 
@@ -48,9 +60,10 @@ const ExportTarget* findExportTarget(std::string_view id) {
 
 MadeExport makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options,
                       const TaskControl& control) {
-  constexpr double warned = 0.02;
+  constexpr double warned = 0.02, poorSnr = 10;
   std::vector<std::string> warnings = exportWarnings(*source.brdf);
   MadeExport made = target.make(source, options, control.between(warned, 1));
+  if (made.snr < poorSnr) made.warnings.push_back("the target cannot show this material: the picture has another look");
   made.warnings.insert(made.warnings.end(), std::make_move_iterator(warnings.begin()),
                        std::make_move_iterator(warnings.end()));
   return made;

@@ -11,6 +11,7 @@
 #include "core/export/export_files.h"
 #include "core/export/export_source.h"
 #include "core/export/rgl_parameterisation.h"
+#include "core/rendering/scene.h"
 
 namespace gonio::exports {
 
@@ -50,11 +51,15 @@ struct ExportTarget {
   std::string_view holds;                  ///< what the files can hold and what not, a sentence
   std::vector<std::string_view> suffixes;  ///< "_rgb.bsdf": the files are NAME with each of them
   bool choosesSize = false;                ///< ExportOptions::size counts
+  /// Suffixes of the files of a scene with the material; empty where the target has none.
+  std::vector<std::string_view> sceneSuffixes = {};
+  /// These files. NAME is without folders. @throws Error where the target cannot show the scene.
+  std::vector<MadeExport::Part> (*scene)(const Scene&, const std::string& name) = nullptr;
   /// Some seconds. @throws Error; Cancelled.
   MadeExport (*make)(const ExportSource&, const ExportOptions&, const TaskControl&);
 
-  /// NAME with each of the suffixes.
-  std::vector<std::filesystem::path> paths(const std::filesystem::path& name) const;
+  /// NAME with each of the suffixes, those of the scene too where it is asked for.
+  std::vector<std::filesystem::path> paths(const std::filesystem::path& name, bool withScene = false) const;
   /// NAME of what a user calls a file of the export: without a suffix of the target, or without its last part ".bsdf".
   std::filesystem::path nameOf(const std::filesystem::path& file) const;
 };

@@ -3,6 +3,7 @@
 #include "core/export/rgl_target.h"
 
 #include "core/export/rgl_export.h"
+#include "core/export/scene_files.h"
 
 namespace gonio::exports {
 
@@ -48,15 +49,23 @@ ExportTarget target(std::string_view id, std::string_view label, std::string_vie
 }  // namespace
 
 ExportTarget mitsubaTarget() {
-  return target("mitsuba", "Mitsuba 3",
-                "Two files for the BSDF plugin \"measured\": NAME_rgb.bsdf for the RGB variants, NAME_spec.bsdf for "
-                "the spectral ones.");
+  ExportTarget mitsuba =
+      target("mitsuba", "Mitsuba 3",
+             "Two files for the BSDF plugin \"measured\": NAME_rgb.bsdf for the RGB variants, NAME_spec.bsdf for "
+             "the spectral ones.");
+  mitsuba.sceneSuffixes = {"_scene.xml", "_environment.exr"};
+  mitsuba.scene = mitsubaScene;
+  return mitsuba;
 }
 
 ExportTarget pbrtTarget() {
-  return target("pbrt", "pbrt-v4",
-                "Two files: NAME_spec.bsdf for the material \"measured\", and NAME_rgb.bsdf, which Mitsuba's RGB "
-                "variants read.");
+  ExportTarget pbrt =
+      target("pbrt", "pbrt-v4",
+             "Two files: NAME_spec.bsdf for the material \"measured\", and NAME_rgb.bsdf, which Mitsuba's RGB "
+             "variants read.");
+  pbrt.sceneSuffixes = {"_scene.pbrt", "_environment_octahedral.exr"};
+  pbrt.scene = pbrtScene;
+  return pbrt;
 }
 
 }  // namespace gonio::exports

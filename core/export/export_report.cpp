@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/export_report.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace gonio::exports {
+
+RenderedComparison exportComparison(const ExportSource& source, const ExportOptions& options,
+                                    const TaskControl& control) {
+  RenderOptions pictures;
+  pictures.width = pictures.height = options.pictureSize;
+  pictures.samples = options.samples;
+  return RenderedComparison(*source.brdf, pictures, control);
+}
+
+void measureExport(MadeExport& made, std::shared_ptr<const Brdf> brdf, const RenderedComparison& comparison,
+                   const TaskControl& control) {
+  made.snr = comparison.signalToNoiseRatio(comparison.render(*brdf, control));
+  made.brdf = std::move(brdf);
+}
+
+std::string originText(const ExportSource& source, double snr) {
+  char accuracy[80] = ". Equal pictures.";
+  if (std::isfinite(snr)) std::snprintf(accuracy, sizeof accuracy, ". Rendered SNR %.1f dB (sphere-studio).", snr);
+  return source.origin + accuracy;
+}
+
+std::string commentLines(const std::string& text, std::string_view mark) {
+  std::string lines(mark);
+  for (const char c : text) {
+    if (c == '\r') continue;
+    lines += c;
+    if (c == '\n') lines += mark;
+  }
+  return lines + "\n";
+}
+
+MadeExport::Part textPart(std::string_view suffix, std::string_view text) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
+  return {std::string(suffix), {bytes, bytes + text.size()}};
+}
+
+std::string meanAzimuthWarning() { return "the material is anisotropic: the export has the mean over all azimuths"; }
+
+}  // namespace gonio::exports

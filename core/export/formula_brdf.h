@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "core/brdf/brdf.h"
+#include "core/brdf/visible_normal_lobe.h"
+#include "core/coordinates/azimuth_rotation.h"
+#include "core/models/surface_geometry.h"
+
+namespace gonio::exports {
+
+/// Where the highlight of a formula is stretched, and what the formula keeps to.
+struct FormulaTraits {
+  bool isotropic = true;
+  bool reciprocal = true;
+  double rotation = 0;  ///< rad, of the formula's x axis from the tangent, counter-clockwise
+};
+
+/// A target's own formula as a BRDF, 1/sr without the cosine: `Formula` is callable as Rgb(const
+/// models::SurfaceGeometry&), whose directions have the formula's x axis as theirs; wi is the light, wo the viewer.
+template <typename Formula>
+class FormulaBrdf final : public Brdf {
+ public:
+  FormulaBrdf(Formula formula, const FormulaTraits& traits)
+      : formula_(std::move(formula)), traits_(traits), toGrain_(-traits.rotation) {}
+
+  using Brdf::evaluate;
+  void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override {
+    models::SurfaceGeometry geometry;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const DirectionPair pair = traits_.isotropic ? pairs[i] : toGrain_(pairs[i]);
+      values[i] = models::surfaceGeometry(pair, geometry) ? formula_(geometry) : Rgb(0);
+    }
+  }
+  bool isIsotropic() const override { return traits_.isotropic; }
+  bool isReciprocal() const override { return traits_.reciprocal; }
+
+ private:
+  Formula formula_;
+  FormulaTraits traits_;
+  AzimuthRotation toGrain_;
+};
+
+template <typename Formula>
+std::unique_ptr<const Brdf> makeFormulaBrdf(Formula formula, const FormulaTraits& traits = {}) {
+  return std::make_unique<const FormulaBrdf<Formula>>(std::move(formula), traits);
+}
+
+/// Slope scales of a GGX surface along the formula's x and y axis, > 0.
+struct GgxWidths {
+  double x, y;
+
+  explicit GgxWidths(double alpha) : x(alpha), y(alpha) {}
+  GgxWidths(double alphaX, double alphaY) : x(alphaX), y(alphaY) {}
+  bool isotropic() const { return x == y; }
+  /// One width of about the same peak.
+  double mean() const { return std::sqrt(x * y); }
+};
+
+/// D G_2 / (4 cos theta_i cos theta_o), 1/sr, with the height-correlated Smith term (Heitz 2014, "Understanding the
+/// Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 99): no Fresnel term. Finite toward the horizon. O(1).
+inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha, const GgxWidths& masking) {
+  const double i = ggxShadowedCosine(g.wi, masking.x, masking.y), o = ggxShadowedCosine(g.wo, masking.x, masking.y);
+  return 0.25 * ggxDensity(g.half, alpha.x, alpha.y) / (o * g.cosI + i * g.cosO - g.cosI * g.cosO);
+}
+inline double correlatedGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha) {
+  return correlatedGgx(g, alpha, alpha);
+}
+/// The same with the separable term G_1(i) G_1(o) (Walter et al. 2007, "Microfacet Models for Refraction through Rough
+/// Surfaces", eq. 23 and 34).
+inline double separableGgx(const models::SurfaceGeometry& g, const GgxWidths& alpha) {
+  const double i = ggxShadowedCosine(g.wi, alpha.x, alpha.y), o = ggxShadowedCosine(g.wo, alpha.x, alpha.y);
+  return 0.25 * ggxDensity(g.half, alpha.x, alpha.y) / (i * o);
+}
+
+/// (1 - cosine)^5, of Schlick's approximation (1994, "An Inexpensive BRDF Model for Physically-based Rendering").
+inline double schlickWeight(double cosine) {
+  const double m = 1 - cosine, m2 = m * m;
+  return m2 * m2 * m;
+}
+
+/// Schlick's term between f0 and f90 with a value of its own at 82 degrees, `tint82` times Schlick's there (Hoffman
+/// 2023, "Generalization of Adobe's Fresnel Model"); 1 is Schlick's term.
+inline Rgb tintedSchlick(double cosine, const Rgb& f0, const Rgb& f90, const Rgb& tint82) {
+  constexpr double c = 1.0 / 7, rest = 1 - c, rest5 = rest * rest * rest * rest * rest;
+  const double s = schlickWeight(cosine), m = 1 - cosine;
+  const Rgb dip = glm::mix(f0, f90, rest5) * (Rgb(1) - tint82) / (c * rest5 * rest);
+  return glm::mix(f0, f90, s) - dip * (cosine * s * m);
+}
+
+}  // namespace gonio::exports

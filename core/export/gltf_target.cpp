@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/gltf_target.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "core/export/gltf_model.h"
+#include "core/export/surface_target.h"
+
+namespace gonio::exports {
+
+namespace {
+
+using GltfJson = nlohmann::ordered_json;
+
+enum GltfConstant { floatComponents = 5126, shortComponents = 5123, vertexBuffer = 34962, indexBuffer = 34963 };
+
+/// The unit sphere about the y axis, as glTF has it: tangents along growing longitude.
+class GltfSphere {
+ public:
+  explicit GltfSphere(bool withTangents) {
+    std::vector<float> positions, tangents, coordinates;
+    for (int i = 0; i <= rings; ++i)
+      for (int j = 0; j <= segments; ++j) {
+        const double u = double(j) / segments, v = double(i) / rings, theta = v * pi, phi = 2 * pi * u;
+        // The poles exactly: sin(pi) is not 0.
+        const double sine = i == 0 || i == rings ? 0 : std::sin(theta);
+        for (const double x : {sine * std::sin(phi), std::cos(theta), sine * std::cos(phi)})
+          positions.push_back(float(x));
+        for (const double x : {std::cos(phi), 0.0, -std::sin(phi), 1.0}) tangents.push_back(float(x));
+        coordinates.push_back(float(u));
+        coordinates.push_back(float(v));
+      }
+    attributes_["POSITION"] = addFloats(positions, "VEC3", 3);
+    accessors_.back()["min"] = {-extentOf(positions, 0), -1, -extentOf(positions, 2)};
+    accessors_.back()["max"] = {extentOf(positions, 0), 1, extentOf(positions, 2)};
+    attributes_["NORMAL"] = addFloats(positions, "VEC3", 3);
+    attributes_["TEXCOORD_0"] = addFloats(coordinates, "VEC2", 2);
+    if (withTangents) attributes_["TANGENT"] = addFloats(tangents, "VEC4", 4);
+    indices_ = add(triangles(), indexBuffer, shortComponents, "SCALAR", 1);
+  }
+
+  void addTo(GltfJson& document) const {
+    document["meshes"] = {
+        {{"name", "sphere"}, {"primitives", {{{"attributes", attributes_}, {"indices", indices_}, {"material", 0}}}}}};
+    document["accessors"] = accessors_;
+    document["bufferViews"] = views_;
+    document["buffers"] = {
+        {{"byteLength", bytes_.size()}, {"uri", "data:application/octet-stream;base64," + base64()}}};
+  }
+
+ private:
+  static constexpr int rings = 32, segments = 64;
+
+  static double extentOf(const std::vector<float>& positions, std::size_t axis) {
+    float largest = 0;
+    for (std::size_t i = axis; i < positions.size(); i += 3) largest = std::max(largest, std::abs(positions[i]));
+    return double(largest);
+  }
+
+  /// Counter-clockwise seen from outside.
+  static std::vector<std::uint16_t> triangles() {
+    std::vector<std::uint16_t> indices;
+    const auto vertex = [](int i, int j) { return std::uint16_t(i * (segments + 1) + j); };
+    for (int i = 0; i < rings; ++i)
+      for (int j = 0; j < segments; ++j) {
+        if (i > 0)
+          for (const auto v : {vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)}) indices.push_back(v);
+        if (i + 1 < rings)
+          for (const auto v : {vertex(i, j + 1), vertex(i + 1, j), vertex(i + 1, j + 1)}) indices.push_back(v);
+      }
+    return indices;
+  }
+
+  std::size_t addFloats(const std::vector<float>& values, const char* type, std::size_t components) {
+    return add(values, vertexBuffer, floatComponents, type, components);
+  }
+  template <typename Number>
+  std::size_t add(const std::vector<Number>& values, int target, int componentType, const char* type,
+                  std::size_t components) {
+    const std::size_t size = values.size() * sizeof(Number), offset = bytes_.size();
+    bytes_.resize(offset + size);
+    std::memcpy(bytes_.data() + offset, values.data(), size);
+    views_.push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", size}, {"target", target}});
+    accessors_.push_back({{"bufferView", views_.size() - 1},
+                          {"componentType", componentType},
+                          {"count", values.size() / components},
+                          {"type", type}});
+    return accessors_.size() - 1;
+  }
+
+  std::string base64() const {
+    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes_.size(); i += 3) {
+      std::uint32_t group = 0;
+      for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes_.size() ? bytes_[i + k] : 0u);
+      for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes_.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
+  }
+
+  std::vector<std::uint8_t> bytes_;
+  GltfJson attributes_, accessors_ = GltfJson::array(), views_ = GltfJson::array();
+  std::size_t indices_ = 0;
+};
+
+GltfJson gltfColour(const Rgb& colour) { return {float(colour.x), float(colour.y), float(colour.z)}; }
+
+GltfJson gltfExtensions(const SurfaceValues& v) {
+  GltfJson extensions = GltfJson::object();
+  if (v.specular != 1 || v.specularColour != Rgb(1))
+    extensions["KHR_materials_specular"] = {{"specularFactor", float(v.specular)},
+                                            {"specularColorFactor", gltfColour(v.specularColour)}};
+  if (v.coat > 0)
+    extensions["KHR_materials_clearcoat"] = {{"clearcoatFactor", float(v.coat)},
+                                             {"clearcoatRoughnessFactor", float(v.coatRoughness)}};
+  if (maxChannel(v.sheenColour) > 0)
+    extensions["KHR_materials_sheen"] = {{"sheenColorFactor", gltfColour(v.sheenColour)},
+                                         {"sheenRoughnessFactor", float(v.sheenRoughness)}};
+  if (v.anisotropy > 0)
+    extensions["KHR_materials_anisotropy"] = {{"anisotropyStrength", float(v.anisotropy)},
+                                              {"anisotropyRotation", float(v.rotation)}};
+  return extensions;
+}
+
+}  // namespace
+
+std::string gltfDocument(const SurfaceValues& values, const std::string& name, const std::string& origin) {
+  const GltfJson extensions = gltfExtensions(values);
+  GltfJson base = gltfColour(values.baseColour);
+  base.push_back(1);
+  GltfJson material{{"name", name},
+                    {"pbrMetallicRoughness",
+                     {{"baseColorFactor", base},
+                      {"metallicFactor", float(values.metalness)},
+                      {"roughnessFactor", float(values.roughness)}}}};
+  if (!extensions.empty()) material["extensions"] = extensions;
+  GltfJson document{{"asset", {{"version", "2.0"}, {"generator", "Gonio"}, {"extras", {{"origin", origin}}}}}};
+  for (const auto& [extension, content] : extensions.items()) document["extensionsUsed"].push_back(extension);
+  document["scene"] = 0;
+  document["scenes"] = {{{"nodes", {0}}}};
+  document["nodes"] = {{{"name", name}, {"mesh", 0}}};
+  document["materials"] = GltfJson::array({material});
+  GltfSphere(values.anisotropy > 0).addTo(document);
+  return document.dump(1, ' ', false, GltfJson::error_handler_t::replace) + "\n";
+}
+
+ExportTarget gltfTarget() {
+  return {.id = "gltf",
+          .label = "glTF 2.0",
+          .description =
+              "A sphere with a metallic-roughness material, for three.js, Babylon.js, game engines and Blender's "
+              "import. Extensions for specular, clearcoat, sheen and anisotropy are in it where they have an effect.",
+          .holds =
+              "An approximation by one highlight, a coat and a sheen; isotropic or with one direction of the grain. "
+              "The prediction is the formula of appendix B; viewers may approximate it.",
+          .suffixes = {".gltf"},
+          .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+            return makeSurfaceExport(
+                gltfShader(), ".gltf",
+                [](const ExportSource& of, const SurfaceValues& values, const std::string& origin) {
+                  return gltfDocument(values, of.name, origin);
+                },
+                source, options, control);
+          }};
+}
+
+}  // namespace gonio::exports

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/layer_albedo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/brdf/visible_normal_lobe.h"
+#include "core/export/formula_brdf.h"
+#include "core/math/parallel.h"
+
+namespace gonio::exports {
+
+namespace {
+
+constexpr std::size_t cosineCount = 64, widthCount = 48;
+constexpr double leastCosine = 1e-3, leastRoot = 0.04;  // of cosines and of sqrt(alpha)
+constexpr int strata = 24;
+
+/// Linear between nodes in the cosine and in sqrt(alpha), which spreads the narrow lobes.
+class AlbedoTable {
+ public:
+  explicit AlbedoTable(GgxAlbedo (*integrate)(double cosine, double alpha)) : values_(cosineCount * widthCount) {
+    parallelForBlocks(widthCount, 1, [&](std::size_t width, std::size_t) {
+      for (std::size_t k = 0; k < cosineCount; ++k) {
+        const double root = leastRoot + (1 - leastRoot) * double(width) / double(widthCount - 1);
+        const double cosine = std::max(leastCosine, double(k) / double(cosineCount - 1));
+        values_[width * cosineCount + k] = integrate(cosine, root * root);
+      }
+    });
+  }
+
+  GgxAlbedo at(double cosine, double alpha) const {
+    const double root = std::clamp((std::sqrt(std::max(0.0, alpha)) - leastRoot) / (1 - leastRoot), 0.0, 1.0);
+    const double y = root * double(widthCount - 1), x = std::clamp(cosine, 0.0, 1.0) * double(cosineCount - 1);
+    const std::size_t row = std::min(std::size_t(y), widthCount - 2),
+                      column = std::min(std::size_t(x), cosineCount - 2);
+    const GgxAlbedo* lower = &values_[row * cosineCount + column];
+    const GgxAlbedo* upper = lower + cosineCount;
+    return mixed(mixed(lower[0], lower[1], x - double(column)), mixed(upper[0], upper[1], x - double(column)),
+                 y - double(row));
+  }
+
+ private:
+  static GgxAlbedo mixed(const GgxAlbedo& a, const GgxAlbedo& b, double t) {
+    return {a.normal + t * (b.normal - a.normal), a.edge + t * (b.edge - a.edge)};
+  }
+
+  std::vector<GgxAlbedo> values_;
+};
+
+/// By samples of visible normals, of which each counts G_2 / G_1(wo).
+GgxAlbedo integrateGgx(double cosine, double alpha) {
+  const Direction wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+  const VisibleNormalLobe lobe(alpha);
+  GgxAlbedo sum{0, 0};
+  for (int i = 0; i < strata * strata; ++i) {
+    const Direction wi = lobe.sample(wo, {(i % strata + 0.5) / strata, (i / strata + 0.5) / strata});
+    models::SurfaceGeometry g;
+    if (!models::surfaceGeometry({wi, wo}, g)) continue;
+    const double weight = correlatedGgx(g, GgxWidths(alpha)) * wi.z / lobe.density(wi, wo), s = schlickWeight(g.cosD);
+    sum.normal += weight * (1 - s);
+    sum.edge += weight * s;
+  }
+  return {sum.normal / (strata * strata), sum.edge / (strata * strata)};
+}
+
+/// By directions of the light that are cosine-weighted: the sheen is wide. In `normal`.
+GgxAlbedo integrateCharlie(double cosine, double alpha) {
+  const Direction wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+  double sum = 0;
+  for (int i = 0; i < strata * strata; ++i) {
+    const double r2 = (i % strata + 0.5) / strata, phi = pi * (i / strata + 0.5) / strata, r = std::sqrt(r2);
+    const Direction wi(r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - r2));
+    models::SurfaceGeometry g;
+    if (!models::surfaceGeometry({wi, wo}, g)) continue;
+    sum += pi * charlieDensity(g.sin2H, alpha) / (4 * (g.cosI + g.cosO - g.cosI * g.cosO));
+  }
+  return {std::min(1.0, sum / (strata * strata)), 0};
+}
+
+}  // namespace
+
+GgxAlbedo ggxAlbedo(double cosine, double alpha) {
+  static const AlbedoTable table(integrateGgx);
+  return table.at(cosine, alpha);
+}
+
+double scatteringCompensation(const GgxAlbedo& albedo, double fresnel) {
+  const double white = albedo.at(1);
+  return 1 + fresnel * (1 - white) / white;
+}
+
+double charlieDensity(double sin2H, double alpha) {
+  const double exponent = 1 / std::max(alpha, 1e-3);
+  return (2 + exponent) * std::pow(sin2H, exponent / 2) / (2 * pi);
+}
+
+double charlieAlbedo(double cosine, double alpha) {
+  static const AlbedoTable table(integrateCharlie);
+  return table.at(cosine, alpha).normal;
+}
+
+}  // namespace gonio::exports

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/export/export_target.h"
+#include "core/export/surface_values.h"
+
+namespace gonio::exports {
+
+/// NAME_principled.py: a Python script that sets a Principled BSDF of Blender by principledShader().
+ExportTarget principledTarget();
+
+/// The script, for Blender 3.4 and 4.x. @param origin in its first lines.
+std::string principledScript(const SurfaceValues& values, const std::string& name, const std::string& origin);
+
+}  // namespace gonio::exports

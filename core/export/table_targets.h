@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/export/export_target.h"
+
+namespace gonio::exports {
+
+/// NAME.binary: MERL, 90 x 90 x 180, reciprocal and isotropic.
+ExportTarget merlTarget();
+/// NAME_360.binary: MERL, 90 x 90 x 360, isotropic.
+ExportTarget merlCircleTarget();
+/// NAME.bin: UTIA, 288 x 288 pairs of directions.
+ExportTarget utiaTarget();
+/// NAME.csv: values at a grid of directions.
+ExportTarget csvTarget();
+
+}  // namespace gonio::exports

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/export/values_target.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/export/engine_models.h"
+#include "core/export/export_report.h"
+#include "core/export/materialx_models.h"
+#include "core/export/surface_target.h"
+
+namespace gonio::exports {
+
+namespace {
+
+constexpr std::string_view valuesSuffix = "_values.csv";
+
+/// "#c08040": what colour pickers take.
+std::string srgbText(const Rgb& colour) {
+  const auto encoded = [](double linear) {
+    const double x = std::clamp(linear, 0.0, 1.0);
+    return int(std::lround(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055)));
+  };
+  char text[16];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", encoded(colour.x), encoded(colour.y), encoded(colour.z));
+  return text;
+}
+
+/// Rows of one program: program,input,value,srgb.
+class ValueRows {
+ public:
+  explicit ValueRows(std::string_view program) : program_(program) {}
+  ValueRows& colour(std::string_view input, const Rgb& colour) {
+    return add(input, colourText(colour, " ") + "," + srgbText(colour));
+  }
+  ValueRows& number(std::string_view input, double number) { return add(input, decimalText(number) + ","); }
+  const std::string& text() const { return text_; }
+
+ private:
+  ValueRows& add(std::string_view input, const std::string& fields) {
+    text_ += std::string(program_) + "," + std::string(input) + "," + fields + "\n";
+    return *this;
+  }
+
+  std::string_view program_;
+  std::string text_;
+};
+
+std::string unrealRows(const SurfaceValues& v) {
+  return ValueRows("Unreal Engine (Default Lit)")
+      .colour("Base Color", v.baseColour)
+      .number("Metallic", v.metalness)
+      .number("Specular", v.specular)
+      .number("Roughness", v.roughness)
+      .text();
+}
+
+std::string unityRows(const SurfaceValues& v) {
+  return ValueRows("Unity (HDRP Lit)")
+      .colour("Base Map", v.baseColour)
+      .number("Metallic", v.metalness)
+      .number("Smoothness", 1 - v.roughness)
+      .text();
+}
+
+std::string arnoldRows(const SurfaceValues& v) {
+  return ValueRows("Arnold (standard_surface)")
+      .number("base", 1)
+      .colour("base_color", v.baseColour)
+      .number("metalness", v.metalness)
+      .number("specular", 1)
+      .colour("specular_color", v.specularColour)
+      .number("specular_roughness", v.roughness)
+      .number("specular_IOR", v.ior)
+      .number("specular_anisotropy", v.anisotropy)
+      .number("specular_rotation", v.rotation / (2 * pi))
+      .number("coat", v.coat)
+      .number("coat_roughness", v.coatRoughness)
+      .number("coat_IOR", 1.5)
+      .text();
+}
+
+struct ValuesProgram {
+  std::string_view key, label;  ///< of its SNR
+  const SurfaceShader& (*shader)();
+  std::string (*rows)(const SurfaceValues&);
+};
+
+constexpr ValuesProgram programs[] = {
+    {"snrUnreal", "Rendered SNR in Unreal Engine", unrealShader, unrealRows},
+    {"snrUnity", "Rendered SNR in Unity", unityShader, unityRows},
+    {"snrArnold", "Rendered SNR in Arnold", standardSurfaceShader, arnoldRows},
+};
+
+MadeExport makeValues(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+  const RenderedComparison comparison = exportComparison(source, options, control.between(0, 0.1));
+  MadeExport worst;
+  std::vector<ExportFact> facts;
+  std::string rows;
+  for (std::size_t i = 0; i < std::size(programs); ++i) {
+    const TaskControl part = control.between(0.1 + 0.3 * double(i), 0.4 + 0.3 * double(i));
+    const SurfaceShader& shader = programs[i].shader();
+    const SurfaceValues values = writtenValues(fitSurface(shader, *source.brdf, part.between(0, 0.8)));
+    MadeExport made;
+    measureExport(made, shader.brdf(values), comparison, part.between(0.8, 1));
+    facts.push_back({programs[i].key, programs[i].label, made.snr});
+    rows += programs[i].rows(values);
+    if (!worst.brdf || made.snr < worst.snr) worst = std::move(made);
+  }
+  worst.facts = std::move(facts);
+  if (!source.brdf->isIsotropic())
+    worst.warnings.push_back(
+        "the material is anisotropic: the values for Unreal and Unity have the mean over all azimuths");
+  worst.parts.push_back(
+      textPart(valuesSuffix, commentLines(originText(source, worst.snr), "# ") + "program,input,value,srgb\n" + rows));
+  return worst;
+}
+
+}  // namespace
+
+ExportTarget valuesTarget() {
+  return {.id = "values",
+          .label = "Values (Unreal, Unity, Arnold)",
+          .description =
+              "A table (.csv) of the inputs of Unreal's Default Lit, Unity's HDRP Lit and Arnold's standard_surface "
+              "by the names that these programs give them; colours in linear sRGB and as hexadecimal sRGB.",
+          .holds =
+              "An approximation by a diffuse lobe and one highlight, for Arnold a coat too. The accuracy is that of "
+              "the worst of the three.",
+          .suffixes = {valuesSuffix},
+          .make = makeValues};
+}
+
+}  // namespace gonio::exports

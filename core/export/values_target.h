@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/export/export_target.h"
+
+namespace gonio::exports {
+
+/// NAME_values.csv: inputs of Unreal Engine, Unity (HDRP) and Arnold with the values of the material.
+ExportTarget valuesTarget();
+
+}  // namespace gonio::exports
