@@ -21,7 +21,7 @@ struct FormulaTraits {
 };
 
 /// A target's own formula as a BRDF, 1/sr without the cosine: `Formula` is callable as Rgb(const
-/// models::SurfaceGeometry&), whose directions have the formula's x axis as theirs; wi is the light, wo the viewer.
+/// models::SurfaceGeometry&), with directions about the formula's x axis; wi is the light, wo the viewer.
 template <typename Formula>
 class FormulaBrdf final : public Brdf {
  public:

@@ -18,7 +18,7 @@ constexpr std::size_t glslLobeCounts[] = {1, 2, 4, 6};
 
 constexpr const char* glslUsage = R"(
 // GLSL 3.30 or GLSL ES 3.00. gonioBrdf(wi, wo) is the BRDF in 1/sr, linear sRGB, without the cosine. wi points to the
-// light, wo to the viewer: unit vectors in the shading frame, whose z axis is the normal and whose x axis the tangent.
+// light, wo to the viewer: unit vectors in the shading frame, z the normal and x the tangent.
 // Light that reaches the viewer: radiance * gonioBrdf(wi, wo) * wi.z.
 )";
 

@@ -47,6 +47,45 @@ Direction octahedralDirection(double x, double y) {
           std::copysign(1 - r * r, distance)};
 }
 
+std::string mitsubaText(const Scene& scene, const std::string& file) {
+  const CameraFrame camera = cameraFrame(scene.camera);
+  // Mitsuba's picture has +z where Gonio's has -z; its sphere has its poles at z, Gonio's at y.
+  return R"(<scene version="3.0.0">
+  <integrator type="path"><boolean name="hide_emitters" value="true"/></integrator>
+  <sensor type="perspective">
+    <string name="fov_axis" value="smaller"/>
+    <float name="fov" value=")" +
+         decimalText(degrees(scene.camera.fieldOfView)) + R"("/>
+    <transform name="to_world">
+      <lookat origin=")" +
+         colourText(camera.eye) + "\" target=\"" + colourText(camera.eye + camera.forward) + "\" up=\"" +
+         colourText(camera.up) + R"("/>
+    </transform>
+    <sampler type="independent"><integer name="sample_count" value=")" +
+         std::to_string(sceneSamples) + R"("/></sampler>
+    <film type="hdrfilm">
+      <integer name="width" value=")" +
+         std::to_string(scenePixels) + R"("/>
+      <integer name="height" value=")" +
+         std::to_string(scenePixels) + R"("/>
+      <rfilter type="box"/>
+    </film>
+  </sensor>
+  <emitter type="envmap">
+    <string name="filename" value=")" +
+         file + R"(_environment.exr"/>
+    <transform name="to_world"><rotate y="1" angle=")" +
+         decimalText(180 + environmentDegrees(scene)) + R"("/></transform>
+  </emitter>
+  <shape type="sphere">
+    <transform name="to_world"><rotate x="1" angle="-90"/></transform>
+    <bsdf type="measured"><string name="filename" value=")" +
+         file + R"(_rgb.bsdf"/></bsdf>
+  </shape>
+</scene>
+)";
+}
+
 }  // namespace
 
 Image octahedralEnvironment(const EnvironmentMap& environment, double rotation, int side) {
@@ -62,45 +101,8 @@ Image octahedralEnvironment(const EnvironmentMap& environment, double rotation, 
 
 std::vector<MadeExport::Part> mitsubaScene(const Scene& scene, const std::string& name) {
   expectShowable(scene);
-  const CameraFrame camera = cameraFrame(scene.camera);
-  const std::string file = quotable(name);
-  // Mitsuba's picture has +z where Gonio's has -z; its sphere has its poles at z, Gonio's at y.
-  const std::string text = R"(<scene version="3.0.0">
-  <integrator type="path"><boolean name="hide_emitters" value="true"/></integrator>
-  <sensor type="perspective">
-    <string name="fov_axis" value="smaller"/>
-    <float name="fov" value=")" +
-                           decimalText(degrees(scene.camera.fieldOfView)) + R"("/>
-    <transform name="to_world">
-      <lookat origin=")" + colourText(camera.eye) +
-                           "\" target=\"" + colourText(camera.eye + camera.forward) + "\" up=\"" +
-                           colourText(camera.up) + R"("/>
-    </transform>
-    <sampler type="independent"><integer name="sample_count" value=")" +
-                           std::to_string(sceneSamples) + R"("/></sampler>
-    <film type="hdrfilm">
-      <integer name="width" value=")" +
-                           std::to_string(scenePixels) + R"("/>
-      <integer name="height" value=")" +
-                           std::to_string(scenePixels) + R"("/>
-      <rfilter type="box"/>
-    </film>
-  </sensor>
-  <emitter type="envmap">
-    <string name="filename" value=")" +
-                           file + R"(_environment.exr"/>
-    <transform name="to_world"><rotate y="1" angle=")" +
-                           decimalText(180 + environmentDegrees(scene)) + R"("/></transform>
-  </emitter>
-  <shape type="sphere">
-    <transform name="to_world"><rotate x="1" angle="-90"/></transform>
-    <bsdf type="measured"><string name="filename" value=")" +
-                           file + R"(_rgb.bsdf"/></bsdf>
-  </shape>
-</scene>
-)";
   std::vector<MadeExport::Part> parts;
-  parts.push_back(textPart("_scene.xml", text));
+  parts.push_back(textPart("_scene.xml", mitsubaText(scene, quotable(name))));
   parts.push_back(exrPart("_environment.exr", scene.environment->image()));
   return parts;
 }

@@ -65,7 +65,7 @@ struct SurfaceShader {
 };
 
 /// The values of least error of the shader's own formula in the cells of PictureCells, within its limits: from starts
-/// of a metal and of a dielectric, each without and with a coat, whose widths and colours are those of the reciprocal
+/// of a metal and of a dielectric, each without and with a coat, with the widths and colours of the reciprocal
 /// lobes of the material. Some seconds for an isotropic material. Deterministic. @throws Cancelled.
 SurfaceValues fitSurface(const SurfaceShader& shader, const Brdf& material, const TaskControl& control = {});
 

@@ -18,7 +18,7 @@ struct BoundedVariables {
 using ResidualFunction = std::function<void(std::span<const double> x, std::span<double> residuals)>;
 
 /// A local minimum of the sum of the squared residuals within the bounds, by the method of Levenberg (1944) and
-/// Marquardt (1963) with forward differences, whose steps are the exact minima of the damped problem within the bounds
+/// Marquardt (1963) with forward differences; each step is the exact minimum of the damped problem within the bounds
 /// (solveBounded()); never worse than the start. For some ten numbers of a size near 1, with bounds apart by more than
 /// 1e-5: an iteration calls the function once for each and a few times more. Deterministic. A stop request ends it
 /// early with the best so far.

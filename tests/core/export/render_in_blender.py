@@ -35,6 +35,11 @@ mesh = bpy.data.meshes.new("sphere")
 mesh.from_pydata(vertices, [], faces)
 mesh.polygons.foreach_set("use_smooth", [True] * len(faces))
 mesh.materials.append(material)
+# Tangents of anisotropic materials run along growing longitude, counter-clockwise about the camera's axis.
+corners = mesh.uv_layers.new(name="sphere").data
+for index, (ring, segment) in enumerate((ring, segment) for ring in range(rings) for segment in range(segments)):
+    for corner, (down, right) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1))):
+        corners[4 * index + corner].uv = ((segment + right) / segments, 1 - (ring + down) / rings)
 scene.collection.objects.link(bpy.data.objects.new("sphere", mesh))
 
 bpy.ops.object.camera_add(location=(0, 0, 5))

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QFileInfo>
+#include <QTest>
+
+#include "core/export/export_target.h"
+#include "tests/app/goniotool/goniotool_runner.h"
+#include "tests/support/test_program.h"
+
+namespace goniotool_export_test {
+using namespace gonio;
+using namespace gonio::test;
+
+class GoniotoolExportTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic); }
+
+  /// The targets of each kind, so that all JSON keys are seen: the files that are listed are there.
+  void filesAreWritten_data() {
+    QTest::addColumn<QString>("target");
+    for (const char* id : {"blender", "gltf", "materialx", "values", "csv", "utia"}) QTest::newRow(id) << id;
+  }
+  void filesAreWritten() {
+    QFETCH(QString, target);
+    const ToolResult result = runJson({"export", plastic_, out("a"), "--for", target, "--snr", "10"});
+    VERIFY_SUCCESS(result);
+    QCOMPARE(result.json["target"].get<std::string>(), target.toStdString());
+    QVERIFY(!result.json["files"].empty());
+    for (const auto& file : result.json["files"])
+      QCOMPARE(QFileInfo(QString::fromStdString(file["path"].get<std::string>())).size(), file["bytes"].get<qint64>());
+    QVERIFY(target == "csv" ? result.json["snr"].is_null() : result.json["snr"].get<double>() > 10);
+  }
+
+  void aSceneIsWrittenBeside() {
+    const ToolResult result = runJson(
+        {"export", plastic_, out("b"), "--for", "pbrt", "--theta-count", "4", "--size", "4", "--environment", "sky"});
+    VERIFY_SUCCESS(result);
+    for (const char* suffix : {"_rgb.bsdf", "_spec.bsdf", "_scene.pbrt", "_environment_octahedral.exr"})
+      QVERIFY2(QFileInfo::exists(out("b") + suffix), suffix);
+    // A name in use is refused, whichever of the files has it.
+    QVERIFY(QFile::remove(out("b_rgb.bsdf")) && QFile::remove(out("b_spec.bsdf")));
+    const ToolResult again = runTool({"export", plastic_, out("b"), "--for", "pbrt", "--scene"});
+    QVERIFY(again.code != 0);
+    QVERIFY(again.error.contains("b_scene.pbrt: exists already"));
+    QVERIFY(!QFileInfo::exists(out("b_rgb.bsdf")));
+  }
+
+  void whatATargetCannotDoIsAnError() {
+    for (const QStringList& options : {QStringList{"--scene"}, QStringList{"--theta-count", "8", "--size", "8"}}) {
+      const ToolResult result = runTool(QStringList{"export", plastic_, out("c"), "--for", "gltf"} + options);
+      QVERIFY(result.code != 0 && result.error.contains(options[0]));
+      QVERIFY(!QFileInfo::exists(out("c.gltf")));
+    }
+    const ToolResult unknown = runTool({"export", plastic_, out("c"), "--for", "paint"});
+    QVERIFY(unknown.code != 0 && unknown.error.contains("--for"));
+  }
+
+  void everyTargetIsDocumented() {
+    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/exports.md").toStdString();
+    for (const exports::ExportTarget& target : exports::exportTargets()) {
+      QVERIFY2(text.find("\n| `" + std::string(target.id) + "` |") != std::string::npos, target.id.data());
+      for (const auto& suffixes : {target.suffixes, target.sceneSuffixes})
+        for (const std::string_view suffix : suffixes)
+          QVERIFY2(text.find("NAME" + std::string(suffix)) != std::string::npos || target.id == "pbrt", suffix.data());
+    }
+  }
+
+  /// Last of all tests.
+  void zEveryKeyIsDocumented() {
+    const std::string text = bytesOf(QString(GONIO_DOCUMENTATION_DIR) + "/command-line.md").toStdString();
+    QVERIFY(seenKeys().size() > 10);
+    for (const std::string& key : seenKeys()) QVERIFY2(text.find("`" + key + "`") != std::string::npos, key.c_str());
+  }
+
+ private:
+  QString out(const char* name) const { return folder_.path(name); }
+  TestFolder folder_{"goniotool-export"};
+  QString plastic_;
+};
+
+GONIO_TEST(GoniotoolExportTest)
+}  // namespace goniotool_export_test
+
+#include "goniotool_export_test.moc"
