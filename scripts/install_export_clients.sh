@@ -6,7 +6,10 @@
 set -eu
 apt-get update
 apt-get install --yes --no-install-recommends blender
-# The validator of glTF and MaterialX as WebAssembly, for tests with GONIO_EXPORT_CLIENTS=FOLDER/node_modules.
+# The validator of glTF, MaterialX as WebAssembly and three.js, for tests with GONIO_EXPORT_CLIENTS=FOLDER/node_modules.
 if [ $# -gt 0 ]; then
-  npm install --no-audit --no-fund --prefix "$1" gltf-validator@2.0.0-dev.3.10 @needle-tools/materialx@1.4.6
+  apt-get install --yes --no-install-recommends chromium
+  command -v npm >/dev/null || apt-get install --yes --no-install-recommends nodejs npm
+  npm install --no-audit --no-fund --prefix "$1" gltf-validator@2.0.0-dev.3.10 @needle-tools/materialx@1.4.6 three@0.187 \
+    puppeteer-core@25.16
 fi

@@ -5,20 +5,18 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
-#include <cmath>
-#include <limits>
 
 #include "core/export/blender_target.h"
 #include "core/export/principled_model.h"
 #include "core/export/principled_target.h"
+#include "tests/core/export/sun_picture.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 
 namespace blender_test {
 using namespace gonio;
 
-constexpr int side = 128, samples = 64;
-constexpr double theta = 0.7;  // rad, of the sun to the view
+constexpr int samples = 64;
 
 /// What Cycles shows of a material (render_in_blender.py), the bottom row first.
 QVector<float> rendered(const QString& folder, const std::string& script) {
@@ -27,9 +25,9 @@ QVector<float> rendered(const QString& folder, const std::string& script) {
   file.write(script.data(), qint64(script.size()));
   file.close();
   QProcess blender;
-  blender.start("blender",
-                {"--background", "--python-exit-code", "1", "--python", BLENDER_TEST_SCRIPT, "--", file.fileName(),
-                 folder + "/out.raw", QString::number(side), QString::number(samples), QString::number(theta)});
+  blender.start("blender", {"--background", "--python-exit-code", "1", "--python", BLENDER_TEST_SCRIPT, "--",
+                            file.fileName(), folder + "/out.raw", QString::number(test::sunPictureSide),
+                            QString::number(samples), QString::number(test::sunAngle)});
   if (!blender.waitForFinished(240000) || blender.exitCode() != 0) {
     qWarning() << blender.readAll() << blender.readAllStandardError();
     return {};
@@ -42,43 +40,9 @@ QVector<float> rendered(const QString& folder, const std::string& script) {
   return values;
 }
 
-/// The mean of f cos theta_i pi over a pixel of the sphere; nothing where the pixel is not all of directions that are
-/// at least 20 degrees above the horizon, of the viewer and of the light.
-std::optional<Rgb> predicted(const Brdf& brdf, int column, int row) {
-  constexpr int cells = 6;
-  const Direction sun(std::sin(theta), 0, std::cos(theta));
-  Rgb sum(0);
-  for (int i = 0; i < cells * cells; ++i) {
-    const double x = 2 * (column + (i % cells + 0.5) / cells) / side - 1;
-    const double y = 2 * (row + (i / cells + 0.5) / cells) / side - 1;
-    const double z2 = 1 - x * x - y * y;
-    if (z2 < 0.1) return std::nullopt;
-    const Direction normal(x, y, std::sqrt(z2));
-    if (glm::dot(normal, sun) < 0.34) return std::nullopt;
-    // The tangent runs counter-clockwise about the view.
-    const Direction across = glm::normalize(Direction(-y, x, 0)), along = glm::cross(normal, across);
-    const auto local = [&](const Direction& w) {
-      return Direction(glm::dot(w, across), glm::dot(w, along), glm::dot(w, normal));
-    };
-    sum += brdf.evaluate(local(sun), local(Direction(0, 0, 1))) * glm::dot(normal, sun) * pi;
-  }
-  return sum / double(cells * cells);
-}
-
 /// dB of Cycles' picture of the script against the prediction.
 double snrInBlender(const QString& folder, const std::string& script, const Brdf& brdf) {
-  const QVector<float> pixels = rendered(folder, script);
-  if (pixels.size() != 3 * side * side) return -std::numeric_limits<double>::infinity();
-  double energy = 0, error = 0;
-  for (int row = 0; row < side; ++row)
-    for (int column = 0; column < side; ++column)
-      if (const auto expected = predicted(brdf, column, row))
-        for (int c = 0; c < 3; ++c) {
-          const double found = pixels[3 * (row * side + column) + c], wanted = (*expected)[c];
-          energy += wanted * wanted;
-          error += (found - wanted) * (found - wanted);
-        }
-  return 10 * std::log10(energy / error);
+  return test::sunPictureSnr(rendered(folder, script), brdf, test::TangentAxis::view);
 }
 
 class BlenderTest : public QObject {
