@@ -69,9 +69,7 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   const std::filesystem::path name = target.nameOf(arguments.out);
   exports::checkTargets(target.paths(name, withScene), source.path, arguments.force);
   exports::MadeExport made = exports::makeExport(target, source.material, options, tool.control("exporting"));
-  if (withScene)
-    for (exports::MadeExport::Part& part : target.scene(scene, name.filename().string()))
-      made.parts.push_back(std::move(part));
+  if (withScene) exports::addScene(made, target, scene, name);
   const std::vector<exports::ExportFile> files = exports::filesOf(made, name);
   exports::writeExport(files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -9,6 +9,7 @@
 #include "core/dictionary/code_packing.h"
 #include "core/dictionary/decode.h"
 #include "core/dictionary/gram.h"
+#include "core/dictionary/largest_projections.h"
 #include "core/dictionary/mode_products.h"
 #include "core/math/decompositions.h"
 #include "core/math/parallel.h"
@@ -117,8 +118,7 @@ int Encoder::chooseDictionary(const Eigen::ArrayXf& signal, std::size_t coeffici
     thread_local std::vector<Coefficient<float>> kept;
     ModeMatrices<float> rotations;  // of the signal's bases into the dictionary's
     for (std::size_t mode = 0; mode < 3; ++mode) rotations[mode] = small.bases[mode].transpose() * matrices_[d][mode];
-    const float* projection = transposedModeProducts(small.block.data(), small.ranks, rotations, workspace);
-    keepLargest(std::span(projection, ensemble_.grid.size()), coefficients, kept);
+    keepLargestProjections(small.block.data(), small.ranks, rotations, coefficients, workspace, kept);
     captured[d] = energy<float>(kept);
   });
   return int(std::max_element(captured.begin(), captured.end()) - captured.begin());
@@ -154,9 +154,8 @@ void Encoder::refine(Attempt& attempt, int rounds, const TaskControl& control) c
   const Sizes sizes = modeSizes(ensemble_.grid);
   const auto keep = [&](std::size_t c, Workspace<float>& workspace) {
     ChannelCode& code = attempt.channels[c];
-    const float* projection =
-        transposedModeProducts(attempt.signals[c].data(), sizes, matrices_[std::size_t(code.dictionary)], workspace);
-    keepLargest(std::span(projection, count(sizes)), attempt.options.coefficients, code.coefficients);
+    keepLargestProjections(attempt.signals[c].data(), sizes, matrices_[std::size_t(code.dictionary)],
+                           attempt.options.coefficients, workspace, code.coefficients);
   };
   parallelForBlocks(3, 1,
                     [&](std::size_t c, std::size_t) {

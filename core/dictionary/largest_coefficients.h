@@ -24,33 +24,58 @@ bool isLarger(const Coefficient<Scalar>& a, const Coefficient<Scalar>& b) {
   return sizeA > sizeB || (sizeA == sizeB && a.index < b.index);
 }
 
+/// The largest coefficients among blocks that come one after the other, in any order, with a threshold that rises: most
+/// values are compared once.
+template <typename Scalar>
+class LargestCoefficients {
+ public:
+  /// @param kept the result, in no order; its memory is used again. @param count at most so many.
+  LargestCoefficients(std::vector<Coefficient<Scalar>>& kept, std::size_t count) : kept_(kept), count_(count) {
+    kept_.clear();
+  }
+
+  /// What is smaller in size is not among the largest.
+  Scalar threshold() const { return threshold_; }
+
+  /// Values with consecutive indices. Zeros are left out.
+  void add(std::span<const Scalar> values, std::size_t firstIndex) {
+    if (count_ == 0) return;
+    constexpr std::size_t stretch = 32;
+    for (std::size_t begin = 0; begin < values.size(); begin += stretch) {
+      const std::size_t end = std::min(begin + stretch, values.size());
+      Scalar highest = 0;
+      for (std::size_t i = begin; i < end; ++i) highest = std::max(highest, std::abs(values[i]));
+      if (!(highest > 0 && highest >= threshold_)) continue;
+      for (std::size_t i = begin; i < end; ++i)
+        if (values[i] != 0 && std::abs(values[i]) >= threshold_)
+          kept_.push_back({std::uint32_t(firstIndex + i), values[i]});
+      if (kept_.size() >= 2 * count_ + 64) prune();
+    }
+  }
+  /// To be called after the last block.
+  void prune() {
+    if (kept_.size() <= count_) return;
+    if (count_ > 0) {
+      std::nth_element(kept_.begin(), kept_.begin() + std::ptrdiff_t(count_ - 1), kept_.end(), isLarger<Scalar>);
+      threshold_ = std::abs(kept_[count_ - 1].value);
+    }
+    kept_.resize(count_);
+  }
+
+ private:
+  std::vector<Coefficient<Scalar>>& kept_;
+  std::size_t count_;
+  Scalar threshold_ = 0;
+};
+
 /// The at most `count` largest entries in size other than 0, in no order: the hard threshold, the exact minimiser of
-/// the error at that many coefficients where the dictionary is orthonormal. One pass over the values with a rising
-/// threshold: most of them are compared once.
+/// the error at that many coefficients where the dictionary is orthonormal.
 /// @param kept the result; its memory is used again.
 template <typename Scalar>
 void keepLargest(std::span<const Scalar> values, std::size_t count, std::vector<Coefficient<Scalar>>& kept) {
-  kept.clear();
-  if (count == 0) return;
-  const std::size_t room = 2 * count + 64;
-  Scalar threshold = 0;
-  const auto prune = [&] {
-    if (kept.size() <= count) return;
-    std::nth_element(kept.begin(), kept.begin() + std::ptrdiff_t(count - 1), kept.end(), isLarger<Scalar>);
-    kept.resize(count);
-    threshold = std::abs(kept.back().value);
-  };
-  constexpr std::size_t stretch = 32;
-  for (std::size_t begin = 0; begin < values.size(); begin += stretch) {
-    const std::size_t end = std::min(begin + stretch, values.size());
-    Scalar highest = 0;
-    for (std::size_t i = begin; i < end; ++i) highest = std::max(highest, std::abs(values[i]));
-    if (!(highest > threshold)) continue;
-    for (std::size_t i = begin; i < end; ++i)
-      if (std::abs(values[i]) > threshold) kept.push_back({std::uint32_t(i), values[i]});
-    if (kept.size() >= room) prune();
-  }
-  prune();
+  LargestCoefficients<Scalar> largest(kept, count);
+  largest.add(values, 0);
+  largest.prune();
 }
 
 /// Sum of the squares, in double.

@@ -152,6 +152,7 @@ ExportTarget blenderTarget() {
               "An approximation by GGX lobes whose colours depend on the viewer alone; isotropic. Blender 3.4 shows "
               "the stated accuracy; later versions have another masking term, which differs near the horizon.",
           .suffixes = {"_blender.py"},
+          .choosesSnr = true,
           .make = makeScript};
 }
 

@@ -69,6 +69,10 @@ MadeExport makeExport(const ExportTarget& target, const ExportSource& source, co
   return made;
 }
 
+void addScene(MadeExport& made, const ExportTarget& target, const Scene& scene, const fs::path& name) {
+  for (MadeExport::Part& part : target.scene(scene, name.filename().string())) made.parts.push_back(std::move(part));
+}
+
 std::vector<ExportFile> filesOf(const MadeExport& made, const fs::path& name) {
   std::vector<ExportFile> files;
   for (const MadeExport::Part& part : made.parts) files.push_back({fs::path(name) += part.suffix, part.bytes});

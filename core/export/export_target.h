@@ -51,6 +51,7 @@ struct ExportTarget {
   std::string_view holds;                  ///< what the files can hold and what not, a sentence
   std::vector<std::string_view> suffixes;  ///< "_rgb.bsdf": the files are NAME with each of them
   bool choosesSize = false;                ///< ExportOptions::size counts
+  bool choosesSnr = false;                 ///< ExportOptions::snr counts: the files grow with it
   /// Suffixes of the files of a scene with the material; empty where the target has none.
   std::vector<std::string_view> sceneSuffixes = {};
   /// These files. NAME is without folders. @throws Error where the target cannot show the scene.
@@ -72,6 +73,8 @@ const ExportTarget* findExportTarget(std::string_view id);
 /// Makes an export; the warnings that concern the material (exportWarnings()) are among its own.
 MadeExport makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options = {},
                       const TaskControl& control = {});
+/// Adds the files of a scene. Contract: the target has one. @throws Error where it cannot show the scene.
+void addScene(MadeExport& made, const ExportTarget& target, const Scene& scene, const std::filesystem::path& name);
 /// The parts at the target's paths, for writeExport().
 std::vector<ExportFile> filesOf(const MadeExport& made, const std::filesystem::path& name);
 

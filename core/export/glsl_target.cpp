@@ -105,6 +105,7 @@ ExportTarget glslTarget() {
           "An approximation by a diffuse lobe and up to six GGX lobes; isotropic or with one direction of the "
           "grain; reciprocal. Single scattering.",
       .suffixes = {glslSuffix},
+      .choosesSnr = true,
       .make = makeGlsl};
 }
 

@@ -43,6 +43,7 @@ ExportTarget target(std::string_view id, std::string_view label, std::string_vie
               "file keeps its own. No transmission.",
           .suffixes = {rgbSuffix, spectralSuffix},
           .choosesSize = true,
+          .choosesSnr = true,
           .make = makeBsdf};
 }
 

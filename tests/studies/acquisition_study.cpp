@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// acquisition_study --csv FILE [--samples M,M,..] [--fold K]... [--seeds N] [--only SELECTION]... [--every N]
+// gonio_studies acquisition --csv FILE [--samples M,M,..] [--fold K]... [--seeds N] [--only SELECTION]... [--every N]
 // [--reconstructions ID,..] [--measured FOLDER] FOLDER...: how well materials that a training set has not seen are told
 // from few measurements. 10-fold cross-validation over the .binary and .bsdf files of the folders: folder after folder,
 // those of each in the order of names, numbered from 0 through all folders; number i belongs to fold i mod 10.
@@ -28,10 +28,9 @@
 #include "tests/studies/comparison_judge.h"
 #include "tests/studies/research/acquisition/factor_measurement.h"
 #include "tests/studies/study_files.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 
-using namespace gonio;
-using namespace gonio::study;
+namespace gonio::study::acquisition_study {
 namespace fs = std::filesystem;
 
 namespace {
@@ -238,10 +237,10 @@ void testMeasured(const std::vector<fs::path>& files, const Options& options, Ac
 
 int run(const Options& options) {
   if (options.folders.empty() || options.csv.empty()) {
-    std::fprintf(
-        stderr,
-        "usage: acquisition_study --csv FILE [--samples M,M,..] [--fold K]... [--seeds N] [--only SELECTION]... "
-        "[--every N] [--reconstructions ID,..] [--measured FOLDER] FOLDER...\n");
+    std::fprintf(stderr,
+                 "usage: gonio_studies acquisition --csv FILE [--samples M,M,..] [--fold K]... [--seeds N] [--only "
+                 "SELECTION]... "
+                 "[--every N] [--reconstructions ID,..] [--measured FOLDER] FOLDER...\n");
     return 2;
   }
   const std::vector<fs::path> files = filesOf(options.folders, extensions);
@@ -257,8 +256,10 @@ int run(const Options& options) {
   return 0;
 }
 
+int study(int count, char** arguments) { return run(Options(count, arguments)); }
+
 }  // namespace
 
-int main(int count, char** arguments) {
-  return gonio::study::studyMain([&] { return run(Options(count, arguments)); });
-}
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::acquisition_study

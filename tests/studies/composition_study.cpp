@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// composition_study [GRID [FOLDER [KIND ...]]]: edits whose truth is known (composition_truths.h), by each model that
-// edits and each composition. The material is fitted; the controls that the truth names are set to the values that are
-// best for the composition. Prints, for each, the rendered SNR of the edited material against the truth, dB, and the
-// hue error of its highlight, CIELAB units; then medians, of each kind of edit and of all. GRID: MERL grids divided by
-// this (2). FOLDER: pictures of the five worst of each method, the truth above the edited material; "" for none. KIND:
-// of edits
+// gonio_studies composition [GRID [FOLDER [KIND ...]]]: edits whose truth is known (composition_truths.h), by each
+// model that edits and each composition. The material is fitted; the controls that the truth names are set to the
+// values that are best for the composition. Prints, for each, the rendered SNR of the edited material against the
+// truth, dB, and the hue error of its highlight, CIELAB units; then medians, of each kind of edit and of all. GRID:
+// MERL grids divided by this (2). FOLDER: pictures of the five worst of each method, the truth above the edited
+// material; "" for none. KIND: of edits
 // ("roughness", "body grey"); all without.
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,9 @@
 #include "core/rendering/tone_map.h"
 #include "tests/studies/composition_truths.h"
 #include "tests/studies/highlight_hue.h"
+#include "tests/studies/study_program.h"
 
-namespace gonio {
+namespace gonio::study::composition_study {
 namespace {
 
 using editing::Composition;
@@ -158,14 +159,14 @@ void run(int divisor, const std::filesystem::path& folder, const std::vector<std
   for (std::size_t i = 0; i < methods.size(); ++i) writeWorst(methods[i], outcomes[i], truths, folder);
 }
 
-}  // namespace
-}  // namespace gonio
-
-int main(int argumentCount, char** arguments) try {
-  gonio::run(argumentCount > 1 ? std::max(1, std::atoi(arguments[1])) : 2, argumentCount > 2 ? arguments[2] : "",
-             {arguments + std::min(argumentCount, 3), arguments + argumentCount});
+int study(int argumentCount, char** arguments) {
+  run(argumentCount > 1 ? std::max(1, std::atoi(arguments[1])) : 2, argumentCount > 2 ? arguments[2] : "",
+      {arguments + std::min(argumentCount, 3), arguments + argumentCount});
   return 0;
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "composition_study: %s\n", error.what());
-  return 1;
 }
+
+}  // namespace
+
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::composition_study

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// cross_validation_study --csv FILE [--dictionary FILE]... [--every N] [--only ID]... [--size PIXELS] [--samples N]
-// FOLDER...: how well dictionaries keep materials that they have not seen. Each dictionary is judged by the .binary
-// files of the folders that are not among the materials it learned from; of these every Nth, from the first, when
+// gonio_studies cross_validation --csv FILE [--dictionary FILE]... [--every N] [--only ID]... [--size PIXELS]
+// [--samples N] FOLDER...: how well dictionaries keep materials that they have not seen. Each dictionary is judged by
+// the .binary files of the folders that are not among the materials it learned from; of these every Nth, from the
+// first, when
 // --every is given. A line a material, model and count of coefficients: rendered SNR and PSNR in comparisonScene(), SNR
 // of the reflectances, bytes, seconds. Models: "ensemble" (of its two transforms that of the smaller gamma-mapped
 // error), "ensemble-squared" (that of the smaller squared error), and with at most as many bytes as "ensemble" has
@@ -12,8 +13,9 @@
 // have. Records are kept in the file, and what is in it is not computed again. At the end tables of the means, and of
 // what the ensemble is ahead of the others by.
 //
-// cross_validation_study --fold K FOLDER...: the names of fold K of 5, for `goniotool dictionary train --exclude`: the
-// files of each folder in the order of their names, folder after folder; number i belongs to fold i mod 5.
+// gonio_studies cross_validation --fold K FOLDER...: the names of fold K of 5, for `goniotool dictionary train
+// --exclude`: the files of each folder in the order of their names, folder after folder; number i belongs to fold i
+// mod 5.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -33,10 +35,9 @@
 #include "tests/studies/comparison_records.h"
 #include "tests/studies/held_out_models.h"
 #include "tests/studies/study_files.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 
-using namespace gonio;
-using namespace gonio::study;
+namespace gonio::study::cross_validation_study {
 namespace fs = std::filesystem;
 
 namespace {
@@ -225,9 +226,9 @@ void printFold(const std::vector<fs::path>& files, int fold) {
 int run(const Options& options) {
   if (options.folders.empty() || (options.csv.empty() && !options.fold)) {
     std::fprintf(stderr,
-                 "usage: cross_validation_study --csv FILE [--dictionary FILE]... [--every N] [--only ID]... "
+                 "usage: gonio_studies cross_validation --csv FILE [--dictionary FILE]... [--every N] [--only ID]... "
                  "[--size PIXELS] [--samples N] FOLDER...\n"
-                 "       cross_validation_study --fold K FOLDER...\n");
+                 "       gonio_studies cross_validation --fold K FOLDER...\n");
     return 2;
   }
   const std::vector<fs::path> files = filesOf(options.folders, {".binary"});
@@ -246,8 +247,10 @@ int run(const Options& options) {
   return 0;
 }
 
+int study(int count, char** arguments) { return run(Options(count, arguments)); }
+
 }  // namespace
 
-int main(int count, char** arguments) {
-  return gonio::study::studyMain([&] { return run(Options(count, arguments)); });
-}
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::cross_validation_study

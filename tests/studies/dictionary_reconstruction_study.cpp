@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// dictionary_reconstruction_study --dictionary FILE --test MATERIAL,.. --plan PLAN.csv,.. FILE|FOLDER...: materials
-// reconstructed in an ensemble of dictionaries, beside principal components. The priors of the dictionaries are learned
-// from the files that the ensemble names among what it learned from; nor may the bases beside the plans have learned
-// from others. The materials of --test are measured by each plan without noise. A line a material and plan, and means:
-// rendered SNR (128 x 128, 16 samples a pixel) of the ridge by leave-one-out with all components of the basis, and of
-// the dictionaries by each way to learn and to choose.
+// gonio_studies dictionary_reconstruction --dictionary FILE --test MATERIAL,.. --plan PLAN.csv,.. FILE|FOLDER...:
+// materials reconstructed in an ensemble of dictionaries, beside principal components. The priors of the dictionaries
+// are learned from the files that the ensemble names among what it learned from; nor may the bases beside the plans
+// have learned from others. The materials of --test are measured by each plan without noise. A line a material and
+// plan, and means: rendered SNR (128 x 128, 16 samples a pixel) of the ridge by leave-one-out with all components of
+// the basis, and of the dictionaries by each way to learn and to choose.
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -21,9 +21,9 @@
 #include "core/materials/plan_file.h"
 #include "core/rendering/rendered_comparison.h"
 #include "core/support/error.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 
-using namespace gonio;
+namespace gonio::study::dictionary_reconstruction_study {
 using namespace gonio::acquisition;
 namespace fs = std::filesystem;
 
@@ -122,8 +122,10 @@ int run(int count, char** arguments) {
   return 0;
 }
 
+int study(int count, char** arguments) { return run(count, arguments); }
+
 }  // namespace
 
-int main(int count, char** arguments) {
-  return study::studyMain([&] { return run(count, arguments); });
-}
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::dictionary_reconstruction_study

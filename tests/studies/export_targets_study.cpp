@@ -1,43 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// export_targets_study MATERIAL ...: the rendered SNR that each target reaches which approximates a material, its
-// median over the materials, and the seconds of an export.
+// gonio_studies export_targets MATERIAL ...: the rendered SNR that each target reaches which approximates a material,
+// its median over the materials, and the seconds of an export.
 #include <algorithm>
 #include <chrono>
 #include <string>
 
 #include "core/export/export_target.h"
 #include "core/materials/material_file.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 
-int main(int argumentCount, char** arguments) {
-  using namespace gonio;
+namespace gonio::study::export_targets_study {
+namespace {
+
+int study(int argumentCount, char** arguments) {
   constexpr const char* targets[] = {"blender", "principled",       "gltf",   "materialx",
                                      "openpbr", "standard-surface", "values", "glsl"};
-  return study::studyMain([&] {
-    std::vector<std::vector<double>> ratios(std::size(targets)), seconds(std::size(targets));
-    for (const char* target : targets) std::printf("| %s ", target);
-    std::printf("| material\n");
-    for (int i = 1; i < argumentCount; ++i) {
-      const exports::ExportSource source{.name = arguments[i],
-                                         .brdf = materials::readMaterial(std::string(arguments[i])).brdf};
-      for (std::size_t k = 0; k < std::size(targets); ++k) {
-        const auto start = std::chrono::steady_clock::now();
-        const auto made = exports::makeExport(*exports::findExportTarget(targets[k]), source);
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-        ratios[k].push_back(made.snr);
-        seconds[k].push_back(taken.count());
-        std::printf("| %.1f ", made.snr);
-        std::fflush(stdout);
-      }
-      std::printf("| %s\n", source.name.c_str());
+  std::vector<std::vector<double>> ratios(std::size(targets)), seconds(std::size(targets));
+  for (const char* target : targets) std::printf("| %s ", target);
+  std::printf("| material\n");
+  for (int i = 1; i < argumentCount; ++i) {
+    const exports::ExportSource source{.name = arguments[i],
+                                       .brdf = materials::readMaterial(std::string(arguments[i])).brdf};
+    for (std::size_t k = 0; k < std::size(targets); ++k) {
+      const auto start = std::chrono::steady_clock::now();
+      const auto made = exports::makeExport(*exports::findExportTarget(targets[k]), source);
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+      ratios[k].push_back(made.snr);
+      seconds[k].push_back(taken.count());
+      std::printf("| %.1f ", made.snr);
+      std::fflush(stdout);
     }
-    const auto median = [](std::vector<double>& values) {
-      std::ranges::sort(values);
-      return values.empty() ? 0.0 : values[values.size() / 2];
-    };
-    for (std::size_t k = 0; k < std::size(targets); ++k)
-      std::printf("%-17s median %.1f dB, %.1f s\n", targets[k], median(ratios[k]), median(seconds[k]));
-    return 0;
-  });
+    std::printf("| %s\n", source.name.c_str());
+  }
+  const auto median = [](std::vector<double>& values) {
+    std::ranges::sort(values);
+    return values.empty() ? 0.0 : values[values.size() / 2];
+  };
+  for (std::size_t k = 0; k < std::size(targets); ++k)
+    std::printf("%-17s median %.1f dB, %.1f s\n", targets[k], median(ratios[k]), median(seconds[k]));
+  return 0;
 }
+
+}  // namespace
+
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::export_targets_study

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// factor_comparison_study [--size PIXELS] [--samples N] [--csv FILE] [--only ID]... [--npf FILE] [--materials] FILE...:
-// how well factorisations keep materials at equal bytes. Budgets are the bytes of the three-factor PDV model of 1, 2, 5
-// and 10 terms; the two-factor form and each baseline get as many terms as a budget holds. A line a material, model and
-// budget: rendered SNR and PSNR in comparisonScene(), SNR of the reflectances, bytes, seconds. At the end a table of
-// means over the materials. With --csv records are kept in a file, and what is in it is not computed again; --only
-// leaves other models out; --npf adds Bagher's published table for the materials that it names; --materials prints all
-// materials at the largest budget. "symmetric" and "pdv-grid", with L = 0, are no models but bounds of them
-// (comparison_bounds.h).
+// gonio_studies factor_comparison [--size PIXELS] [--samples N] [--csv FILE] [--only ID]... [--npf FILE] [--materials]
+// FILE...: how well factorisations keep materials at equal bytes. Budgets are the bytes of the three-factor PDV model
+// of 1, 2, 5 and 10 terms; the two-factor form and each baseline get as many terms as a budget holds. A line a
+// material, model and budget: rendered SNR and PSNR in comparisonScene(), SNR of the reflectances, bytes, seconds. At
+// the end a table of means over the materials. With --csv records are kept in a file, and what is in it is not computed
+// again; --only leaves other models out; --npf adds Bagher's published table for the materials that it names;
+// --materials prints all materials at the largest budget. "symmetric" and "pdv-grid", with L = 0, are no models but
+// bounds of them (comparison_bounds.h).
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -27,9 +27,9 @@
 #include "tests/studies/comparison_records.h"
 #include "tests/studies/research/baselines/baselines.h"
 #include "tests/studies/research/baselines/npf_file.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 
-using namespace gonio;
+namespace gonio::study::factor_comparison_study {
 using namespace gonio::factorization;
 using study::ComparisonRecord;
 using study::ComparisonRecords;
@@ -149,7 +149,7 @@ int run(const Options& options) {
   if (options.files.empty()) {
     std::fprintf(
         stderr,
-        "usage: factor_comparison_study [--size PIXELS] [--samples N] [--csv FILE] [--only ID]... [--npf FILE] "
+        "usage: gonio_studies factor_comparison [--size PIXELS] [--samples N] [--csv FILE] [--only ID]... [--npf FILE] "
         "[--materials] FILE...\n");
     return 2;
   }
@@ -176,8 +176,10 @@ int run(const Options& options) {
   return 0;
 }
 
+int study(int count, char** arguments) { return run(Options(count, arguments)); }
+
 }  // namespace
 
-int main(int count, char** arguments) {
-  return gonio::study::studyMain([&] { return run(Options(count, arguments)); });
-}
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::factor_comparison_study

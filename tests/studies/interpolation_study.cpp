@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// interpolation_study: the table of docs/interpolation.md. Half way between two GGX materials of different roughness
-// (or colour) the truth is known. For each space: the rendered SNR of what it gives against the material whose
-// roughness is the geometric mean, and against the GGX material that comes nearest, with that one's roughness.
+// gonio_studies interpolation: the table of docs/interpolation.md. Half way between two GGX materials of different
+// roughness (or colour) the truth is known. For each space: the rendered SNR of what it gives against the material
+// whose roughness is the geometric mean, and against the GGX material that comes nearest, with that one's roughness.
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -13,9 +13,9 @@
 #include "core/metrics/image_metrics.h"
 #include "core/models/registry.h"
 #include "core/rendering/render_picture.h"
+#include "tests/studies/study_program.h"
 
-using namespace gonio;
-
+namespace gonio::study::interpolation_study {
 namespace {
 
 using editing::InterpolationSpace;
@@ -106,11 +106,16 @@ void print(const Ends& ends) {
   tell("dictionary, log-plus, all coefficients", *transformedMean(*materials[0].table, *materials[1].table));
 }
 
-}  // namespace
-
-int main() {
+int study(int, char**) {
   const Rgb grey(0.1), red(0.3, 0.05, 0.05), blue(0.05, 0.1, 0.3);
   for (const Ends& ends :
        {Ends{0.1, 0.2, grey, grey}, Ends{0.1, 0.4, grey, grey}, Ends{0.05, 0.6, grey, grey}, Ends{0.2, 0.2, red, blue}})
     print(ends);
+  return 0;
 }
+
+}  // namespace
+
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::interpolation_study

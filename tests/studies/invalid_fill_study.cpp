@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// invalid_fill_study [--every N] [--held-out N] FOLDER...: what the values in invalid cells do to dictionaries. Of the
-// .binary files of the folders every Nth (7) is taken, and of these every Nth (4) is held out; two small ensembles are
-// learned from the others: "held" as always, and "zero" from tables whose invalid cells are measured zeros. Rendered
-// SNR of the held-out materials in comparisonScene() for codes over either, and, as "zero in both", of codes of tables
-// whose invalid cells are zeros too. At the end the tables of comparison_records.h.
+// gonio_studies invalid_fill [--every N] [--held-out N] FOLDER...: what the values in invalid cells do to dictionaries.
+// Of the .binary files of the folders every Nth (7) is taken, and of these every Nth (4) is held out; two small
+// ensembles are learned from the others: "held" as always, and "zero" from tables whose invalid cells are measured
+// zeros. Rendered SNR of the held-out materials in comparisonScene() for codes over either, and, as "zero in both", of
+// codes of tables whose invalid cells are zeros too. At the end the tables of comparison_records.h.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -16,10 +16,9 @@
 #include "core/support/error.h"
 #include "tests/studies/comparison_judge.h"
 #include "tests/studies/held_out_models.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 
-using namespace gonio;
-using namespace gonio::study;
+namespace gonio::study::invalid_fill_study {
 namespace fs = std::filesystem;
 
 namespace {
@@ -93,7 +92,7 @@ int run(const Options& options) {
   for (std::size_t i = 0; i < options.files.size(); i += options.every)
     (i / options.every % options.heldOut == 0 ? heldOut : learnedFrom).push_back(options.files[i]);
   if (learnedFrom.empty()) {
-    std::fprintf(stderr, "usage: invalid_fill_study [--every N] [--held-out N] FOLDER...\n");
+    std::fprintf(stderr, "usage: gonio_studies invalid_fill [--every N] [--held-out N] FOLDER...\n");
     return 2;
   }
   std::printf("learning from %zu materials, %zu held out\n", learnedFrom.size(), heldOut.size());
@@ -106,8 +105,10 @@ int run(const Options& options) {
   return 0;
 }
 
+int study(int count, char** arguments) { return run(Options(count, arguments)); }
+
 }  // namespace
 
-int main(int count, char** arguments) {
-  return gonio::study::studyMain([&] { return run(Options(count, arguments)); });
-}
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::invalid_fill_study

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// mitsuba_parity_study SHARED [SAMPLES [MATERIAL ...]]: our pictures of eight RGL materials against those of Mitsuba 3,
-// in each order of the directions. SHARED is the folder of the development data.
+// gonio_studies mitsuba_parity SHARED [SAMPLES [MATERIAL ...]]: our pictures of eight RGL materials against those of
+// Mitsuba 3, in each order of the directions. SHARED is the folder of the development data.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 
+#include "tests/studies/study_program.h"
 #include "tests/support/mitsuba_pictures.h"
 
-int main(int argumentCount, char** arguments) try {
-  using namespace gonio;
+namespace gonio::study::mitsuba_parity_study {
+namespace {
+
+int study(int argumentCount, char** arguments) {
   if (argumentCount < 2) {
-    std::fprintf(stderr, "usage: mitsuba_parity_study SHARED [SAMPLES [MATERIAL ...]]\n");
+    std::fprintf(stderr, "usage: gonio_studies mitsuba_parity SHARED [SAMPLES [MATERIAL ...]]\n");
     return 2;
   }
   const int samples = argumentCount > 2 ? std::atoi(arguments[2]) : 256;
@@ -29,7 +32,10 @@ int main(int argumentCount, char** arguments) try {
     std::printf("\n");
   }
   return 0;
-} catch (const std::exception& error) {
-  std::fprintf(stderr, "mitsuba_parity_study: %s\n", error.what());
-  return 1;
 }
+
+}  // namespace
+
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::mitsuba_parity_study

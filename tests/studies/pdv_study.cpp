@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// pdv_study MERL_FILE ...: three tables of docs/factors.md. Noise at equal samples: the standard deviation of the light
-// that the material sends to a viewer under the studio environment, relative to its mean and averaged over viewers, for
-// directions drawn by four densities. Factor measurement: SNR of pictures and of reflectances predicted from two
-// curves, over four pairs of axes, each at the best of several fixed angles. And where in |Dp| and theta_h the
+// gonio_studies pdv MERL_FILE ...: three tables of docs/factors.md. Noise at equal samples: the standard deviation of
+// the light that the material sends to a viewer under the studio environment, relative to its mean and averaged over
+// viewers, for directions drawn by four densities. Factor measurement: SNR of pictures and of reflectances predicted
+// from two curves, over four pairs of axes, each at the best of several fixed angles. And where in |Dp| and theta_h the
 // highlight has fallen to half, in the plane of incidence toward the viewer.
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,9 @@
 #include "core/rendering/rendered_comparison.h"
 #include "tests/studies/research/acquisition/factor_measurement.h"
 #include "tests/studies/research/factorization/printed_pdv_sampler.h"
+#include "tests/studies/study_program.h"
 
-using namespace gonio;
-
+namespace gonio::study::pdv_study {
 namespace {
 
 using Draw = std::function<DirectionSample(const Direction& wo, const glm::dvec3& u)>;
@@ -111,9 +111,7 @@ void printWidths(const std::string& name, const TabulatedBrdf& table) {
   std::printf("\n");
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int study(int argc, char** argv) {
   std::vector<std::pair<std::string, std::shared_ptr<const TabulatedBrdf>>> materials;
   for (int i = 1; i < argc; ++i)
     materials.emplace_back(std::filesystem::path(argv[i]).stem().string(),
@@ -126,3 +124,9 @@ int main(int argc, char** argv) {
   for (const auto& [name, table] : materials) printWidths(name, *table);
   return 0;
 }
+
+}  // namespace
+
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::pdv_study

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// published_fits_study [--max-angle DEGREES] [--factors] TABLES MERL_FOLDER [SET ...]: the loss of published fits
-// against that of our own, by the metric that the authors minimised, over the materials of a folder of MERL .binary
-// files (../shared/tools/make-merl). For each set also the factors by which the published colours would fit best at the
-// published shape: medians far from 1 mean that a convention is not the authors'. --factors prints these alone, without
-// fits.
+// gonio_studies published_fits [--max-angle DEGREES] [--factors] TABLES MERL_FOLDER [SET ...]: the loss of published
+// fits against that of our own, by the metric that the authors minimised, over the materials of a folder of MERL
+// .binary files (../shared/tools/make-merl). For each set also the factors by which the published colours would fit
+// best at the published shape: medians far from 1 mean that a convention is not the authors'. --factors prints these
+// alone, without fits.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,11 +17,10 @@
 #include "core/fitting/fit_parameters.h"
 #include "core/materials/material.h"
 #include "core/models/registry.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 #include "tests/support/published_fits.h"
 
-using namespace gonio;
-
+namespace gonio::study::published_fits_study {
 namespace {
 
 /// The fit looks at some of the cells, and prefers parameters near the defaults: that much may be lost.
@@ -121,8 +120,8 @@ void addMaterial(const std::filesystem::path& file, const std::vector<test::Publ
 
 int run(const Options& options) {
   if (options.arguments.size() < 2) {
-    std::fprintf(stderr,
-                 "usage: published_fits_study [--max-angle DEGREES] [--factors] TABLES MERL_FOLDER [SET ...]\n");
+    std::fprintf(
+        stderr, "usage: gonio_studies published_fits [--max-angle DEGREES] [--factors] TABLES MERL_FOLDER [SET ...]\n");
     return 2;
   }
   const std::set<std::string> wanted(options.arguments.begin() + 2, options.arguments.end());
@@ -137,8 +136,10 @@ int run(const Options& options) {
   return 0;
 }
 
+int study(int count, char** arguments) { return run(Options(count, arguments)); }
+
 }  // namespace
 
-int main(int count, char** arguments) {
-  return gonio::study::studyMain([&] { return run(Options(count, arguments)); });
-}
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::published_fits_study

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// sampling_noise_study [MATERIAL ...]: noise of the path tracer at equal time, by representation: directions from the
-// representation's own density (or its values, tabulated) against one fitted GGX lobe. Pictures of the scene of every
-// rendered SNR, 128 x 128, 16 samples, against 2,048 of the own density; root mean square error over the root mean
-// square of the picture. Time is processor time, so that other work on the machine counts little. Columns: error of
-// the lobe in the time that the own density takes, error of the own density, their ratio; with lights sampled too (as
-// pictures are rendered), then from the material alone. MATERIAL are bundled RGL files.
+// gonio_studies sampling_noise [MATERIAL ...]: noise of the path tracer at equal time, by representation: directions
+// from the representation's own density (or its values, tabulated) against one fitted GGX lobe. Pictures of the scene
+// of every rendered SNR, 128 x 128, 16 samples, against 2,048 of the own density; root mean square error over the root
+// mean square of the picture. Time is processor time, so that other work on the machine counts little. Columns: error
+// of the lobe in the time that the own density takes, error of the own density, their ratio; with lights sampled too
+// (as pictures are rendered), then from the material alone. MATERIAL are bundled RGL files.
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -20,11 +20,11 @@
 #include "core/models/registry.h"
 #include "core/rendering/path_tracer.h"
 #include "core/rendering/render_picture.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 
+namespace gonio::study::sampling_noise_study {
 namespace {
 
-using namespace gonio;
 using Strategy = PathTracer::Strategy;
 
 constexpr int side = 128, samples = 16, referenceSamples = 2048;
@@ -105,10 +105,14 @@ int run(const std::vector<std::string>& names) {
   return 0;
 }
 
-}  // namespace
-
-int main(int count, char** values) {
+int study(int count, char** values) {
   std::vector<std::string> names(values + 1, values + count);
   if (names.empty()) names = {"satin_purple", "vch_golden_yellow", "cc_iris_purple_gem", "acrylic_felt_green"};
-  return gonio::study::studyMain([&] { return run(names); });
+  return run(names);
 }
+
+}  // namespace
+
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::sampling_noise_study

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// scattered_completion_study: materials of which values at scattered pairs of directions are known, completed by the
-// principal components that files of points are read with, and by the prior of the bundled dictionary; both know the
-// bundled materials. Every other point is given, the others are predicted: exp of the root mean square of the log of
-// (predicted w + 1e-3) / (true w + 1e-3), w the cosines of max(cos, 0.001) multiplied, and rendered SNR of the whole
+// gonio_studies scattered_completion: materials of which values at scattered pairs of directions are known, completed
+// by the principal components that files of points are read with, and by the prior of the bundled dictionary; both know
+// the bundled materials. Every other point is given, the others are predicted: exp of the root mean square of the log
+// of (predicted w + 1e-3) / (true w + 1e-3), w the cosines of max(cos, 0.001) multiplied, and rendered SNR of the whole
 // material (128 x 128, 16 samples). Materials: models that neither has seen, then three bundled files, which both have.
 // Directions: 205 pairs over the hemispheres as of CUReT, four angles of incidence in the plane as of ASTM files, and
 // the hemisphere for one angle of incidence as of pgII files.
@@ -23,11 +23,11 @@
 #include "core/materials/near_measured_library.h"
 #include "core/models/registry.h"
 #include "core/rendering/rendered_comparison.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 
+namespace gonio::study::scattered_completion_study {
 namespace {
 
-using namespace gonio;
 using namespace gonio::acquisition;
 
 std::shared_ptr<const Brdf> model(const char* id, const Rgb& diffuse, double roughness, double f0) {
@@ -170,6 +170,10 @@ int run() {
   return 0;
 }
 
+int study(int, char**) { return run(); }
+
 }  // namespace
 
-int main() { return gonio::study::studyMain(run); }
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::scattered_completion_study

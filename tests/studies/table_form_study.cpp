@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-// table_form_study [MATERIAL ...]: rendered SNR of half-difference tables of the bundled RGL files against the files
-// themselves: folded as in MERL files (90 x 90 x 180) and over the whole circle (90 x 90 x 360), of the values, of the
-// values times both cosines, and over the whole circle of the values times the cosine of the light, as RGL files store
-// them. The first column is the mean of both orders of the directions without a table. Without a name all of the files.
+// gonio_studies table_form [MATERIAL ...]: rendered SNR of half-difference tables of the bundled RGL files against the
+// files themselves: folded as in MERL files (90 x 90 x 180) and over the whole circle (90 x 90 x 360), of the values,
+// of the values times both cosines, and over the whole circle of the values times the cosine of the light, as RGL files
+// store them. The first column is the mean of both orders of the directions without a table. Without a name all of the
+// files.
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -12,11 +13,10 @@
 #include "core/brdf/incident_slot.h"
 #include "core/materials/measured_library.h"
 #include "core/rendering/rendered_comparison.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 
+namespace gonio::study::table_form_study {
 namespace {
-
-using namespace gonio;
 
 enum class Cosine { none, light, both };
 
@@ -86,8 +86,10 @@ int run(const std::vector<std::string>& names) {
   return 0;
 }
 
+int study(int count, char** values) { return run({values + 1, values + count}); }
+
 }  // namespace
 
-int main(int count, char** values) {
-  return gonio::study::studyMain([&] { return run({values + 1, values + count}); });
-}
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::table_form_study

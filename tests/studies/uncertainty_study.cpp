@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 //
-// uncertainty_study PLAN.csv MATERIAL...: whether the uncertainty of reconstructions is true. Materials that the basis
-// beside the plan has not learned from are measured by the plan, without noise and with 10 %, and reconstructed. For
-// each way the means over the materials: the error of the mapped values (root mean square over all cells), that of
-// samples left out, the error over its deviation (root mean square; 1 would be true), and the share of the cells whose
-// error is less than the deviation (0.68 of Gaussian errors).
+// gonio_studies uncertainty PLAN.csv MATERIAL...: whether the uncertainty of reconstructions is true. Materials that
+// the basis beside the plan has not learned from are measured by the plan, without noise and with 10 %, and
+// reconstructed. For each way the means over the materials: the error of the mapped values (root mean square over all
+// cells), that of samples left out, the error over its deviation (root mean square; 1 would be true), and the share of
+// the cells whose error is less than the deviation (0.68 of Gaussian errors).
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -16,9 +16,9 @@
 #include "core/materials/material.h"
 #include "core/materials/plan_file.h"
 #include "core/support/error.h"
-#include "tests/studies/study_main.h"
+#include "tests/studies/study_program.h"
 
-using namespace gonio;
+namespace gonio::study::uncertainty_study {
 using namespace gonio::acquisition;
 
 namespace {
@@ -69,7 +69,7 @@ Figures figuresOf(const dictionary::PrincipalComponents& basis, const SamplingPl
 }
 
 int run(int count, char** arguments) {
-  if (count < 3) throw Error("uncertainty_study PLAN.csv MATERIAL...");
+  if (count < 3) throw Error("gonio_studies uncertainty PLAN.csv MATERIAL...");
   const SamplingPlan plan = materials::readPlan(arguments[1]);
   const auto basis = materials::readBasis(std::filesystem::path(arguments[1]).replace_extension(".basis"));
   std::vector<std::shared_ptr<const TabulatedBrdf>> tables;
@@ -92,8 +92,10 @@ int run(int count, char** arguments) {
   return 0;
 }
 
+int study(int count, char** arguments) { return run(count, arguments); }
+
 }  // namespace
 
-int main(int count, char** arguments) {
-  return study::studyMain([&] { return run(count, arguments); });
-}
+GONIO_STUDY(study)
+
+}  // namespace gonio::study::uncertainty_study

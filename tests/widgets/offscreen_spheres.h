@@ -12,7 +12,7 @@ namespace gonio::test {
 /// Pictures of a sphere by the preview's shader, beside those of the CPU. Tests skip when isValid() is false.
 class OffscreenSpheres {
  public:
-  static constexpr int side = 64;
+  static constexpr int side = 48;
 
   OffscreenSpheres() {
     if (isValid()) renderer_.initialize();

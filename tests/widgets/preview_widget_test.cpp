@@ -65,7 +65,7 @@ class PreviewWidgetTest : public QObject {
     QVERIFY(picture.at(110, 110).x > 0.02f && picture.at(4, 4).x == 0);
     widget_->showScene(openScene("sphere"));
     QVERIFY(!widget_->isTraced());
-    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
   }
 
   /// Looked at from elsewhere the plan stays; only a lamp that comes into view changes it.
@@ -89,14 +89,14 @@ class PreviewWidgetTest : public QObject {
   void aForcedEffectChangesThePicture() {
     widget_->showScene(openScene("sphere-point-light"));
     widget_->setSubject(widgets::measuredSubject(table_));
-    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const auto shadowed = [&] { return luminance(Rgb(widget_->linearPicture().at(180, 170))); };
     const double inShadow = shadowed();
     EffectOverrides overrides;
     overrides[std::size_t(Effect::castShadows)] = false;
     widget_->setOverrides(overrides);
     QVERIFY(!widget_->plan().simulates(Effect::castShadows) && widget_->plan()[Effect::castShadows].calledFor);
-    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     QVERIFY2(shadowed() > 2 * inShadow, qPrintable(QString("%1 against %2").arg(shadowed()).arg(inShadow)));
   }
 

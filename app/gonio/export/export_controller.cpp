@@ -35,9 +35,10 @@ QString ExportSubject::proposedName() const {
   return QString::fromStdString(exports::proposedName(material->material.name, edits));
 }
 
-QString fileNames(const exports::ExportTarget& target, const QString& name) {
+QString fileNames(const exports::ExportTarget& target, const QString& name, bool withScene) {
   QStringList names;
-  for (const std::string_view suffix : target.suffixes) names << QFileInfo(name).fileName() + widgets::fromView(suffix);
+  for (const std::filesystem::path& path : target.paths(name.toStdString(), withScene))
+    names << QString::fromStdString(path.filename().string());
   if (names.size() == 1) return names.front();
   const QString last = names.takeLast();
   return ExportController::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
@@ -75,17 +76,16 @@ std::optional<double> ExportController::trialProgress() const { return m_tasks.p
 void ExportController::write(const ExportSubject& subject, const ExportRequest& request, ExportTrialPtr trial) {
   m_last = request;
   Q_EMIT lastChanged();
-  const QString files = fileNames(*request.target, request.name);
+  const QString files = fileNames(*request.target, request.name, request.scene != nullptr);
   m_tasks.run<std::vector<std::string>>(
       {tr("Exporting %1").arg(files), QStringLiteral("export-files:") + request.name},
       [subject, request, trial](const TaskControl& control) {
         const std::filesystem::path name = request.name.toStdString();
-        exports::checkTargets(request.target->paths(name), exports::sourceFile(subject.material->material), true);
-        if (trial) {
-          exports::writeExport(exports::filesOf(trial->made, name));
-          return trial->made.warnings;
-        }
-        const auto made = exports::makeExport(*request.target, subject.source(), request.options, control);
+        exports::checkTargets(request.target->paths(name, request.scene != nullptr),
+                              exports::sourceFile(subject.material->material), true);
+        exports::MadeExport made =
+            trial ? trial->made : exports::makeExport(*request.target, subject.source(), request.options, control);
+        if (request.scene) exports::addScene(made, *request.target, *request.scene, name);
         exports::writeExport(exports::filesOf(made, name));
         return made.warnings;
       },

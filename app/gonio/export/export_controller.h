@@ -38,7 +38,8 @@ using ExportTrialPtr = std::shared_ptr<const ExportTrial>;
 struct ExportRequest {
   const exports::ExportTarget* target = nullptr;
   exports::ExportOptions options;
-  QString name;  ///< a path without the target's suffixes
+  QString name;                                  ///< a path without the target's suffixes
+  std::shared_ptr<const Scene> scene = nullptr;  ///< written beside the material; null: none
 };
 
 /// Makes exports in the background and writes them. Each is a task of its own, so that several wait in a row.
@@ -80,6 +81,6 @@ class ExportController : public QObject {
 };
 
 /// "chrome_rgb.bsdf and chrome_spec.bsdf"
-QString fileNames(const exports::ExportTarget& target, const QString& name);
+QString fileNames(const exports::ExportTarget& target, const QString& name, bool withScene = false);
 
 }  // namespace gonio::app

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/export/export_dialog.h"
 
+#include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -27,7 +28,7 @@ namespace gonio::app {
 namespace {
 
 const QString targetKey = QStringLiteral("export/target"), snrKey = QStringLiteral("export/snr"),
-              folderKey = QStringLiteral("export/folder");
+              folderKey = QStringLiteral("export/folder"), sceneKey = QStringLiteral("export/scene");
 constexpr int trialDelayMilliseconds = 300;
 constexpr double smallestSnr = 10, largestSnr = 80;
 enum Column { labelColumn, snrColumn, bytesColumn };
@@ -50,11 +51,15 @@ QLabel* exportText() {
 
 }  // namespace
 
-ExportDialog::ExportDialog(ExportController& controller, QSettings& settings, QWidget* parent)
-    : QDialog(parent), m_controller(controller), m_settings(settings), m_subject(controller.document()) {
+ExportDialog::ExportDialog(ExportController& controller, QSettings& settings, const Scene& scene, QWidget* parent)
+    : QDialog(parent),
+      m_controller(controller),
+      m_settings(settings),
+      m_scene(std::make_shared<const Scene>(scene)),
+      m_subject(controller.document()) {
   setWindowTitle(tr("Export for Renderer"));
   const int em = fontMetrics().height();
-  resize(em * 56, em * 36);
+  resize(em * 62, em * 38);
   auto* columns = new QHBoxLayout;
   columns->addWidget(targetList(), 2);
   columns->addWidget(details(), 3);
@@ -74,6 +79,7 @@ ExportDialog::ExportDialog(ExportController& controller, QSettings& settings, QW
   restore();
   connect(m_targets, &QTreeWidget::currentItemChanged, this, &ExportDialog::showTarget);
   connect(m_snr, &QDoubleSpinBox::valueChanged, this, &ExportDialog::showTarget);
+  connect(m_withScene, &QCheckBox::toggled, this, &ExportDialog::showFiles);
   connect(m_name, &QLineEdit::textChanged, this, &ExportDialog::showFiles);
   showTarget();
 }
@@ -86,8 +92,11 @@ QWidget* ExportDialog::targetList() {
   m_targets->setRootIsDecorated(false);
   m_targets->setUniformRowHeights(true);
   m_targets->setAccessibleName(tr("Target"));
+  int widest = 0;
   for (const exports::ExportTarget& target : exports::exportTargets()) {
-    auto* item = new QTreeWidgetItem({widgets::fromView(target.label)});
+    const QString label = widgets::fromView(target.label);
+    widest = std::max(widest, fontMetrics().horizontalAdvance(label));
+    auto* item = new QTreeWidgetItem({label});
     item->setToolTip(labelColumn, widgets::fromView(target.description));
     for (const Column column : {snrColumn, bytesColumn}) item->setTextAlignment(column, Qt::AlignRight);
     m_targets->addTopLevelItem(item);
@@ -95,6 +104,8 @@ QWidget* ExportDialog::targetList() {
   m_targets->header()->setStretchLastSection(false);
   m_targets->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   m_targets->header()->setSectionResizeMode(labelColumn, QHeaderView::Stretch);
+  m_targets->setMinimumWidth(widest + fontMetrics().horizontalAdvance(tr("Rendered SNR") + QStringLiteral("100.0 MB")) +
+                             6 * fontMetrics().height());
   return m_targets;
 }
 
@@ -119,8 +130,14 @@ QWidget* ExportDialog::details() {
   m_snr->setToolTip(
       tr("The rendered SNR that the files should reach: a higher one takes larger files. Some targets "
          "cannot reach it."));
+  m_withScene = new QCheckBox(tr("Also write a &scene"));
+  m_withScene->setToolTip(
+      canShowScene() ? tr("A sphere of the material in the preview's environment, seen by the preview's camera, for "
+                          "Mitsuba and pbrt.")
+                     : tr("A scene needs an environment and a perspective camera in the preview."));
   auto* form = new QFormLayout;
   form->addRow(tr("&Rendered SNR >="), m_snr);
+  form->addRow(QString(), m_withScene);
   layout->addWidget(m_description);
   layout->addLayout(form);
   layout->addWidget(m_pictures, 1);
@@ -151,6 +168,7 @@ QWidget* ExportDialog::nameRow() {
 
 void ExportDialog::restore() {
   m_snr->setValue(m_settings.value(snrKey, exports::ExportOptions().snr).toDouble());
+  m_withScene->setChecked(m_settings.value(sceneKey, false).toBool());
   const auto& last = m_controller.last();
   chooseTarget(last ? last->target->id : m_settings.value(targetKey).toString().toStdString());
   const QString folder = m_settings.value(folderKey).toString();
@@ -163,6 +181,7 @@ void ExportDialog::restore() {
 void ExportDialog::remember() {
   m_settings.setValue(targetKey, widgets::fromView(target().id));
   m_settings.setValue(snrKey, m_snr->value());
+  m_settings.setValue(sceneKey, m_withScene->isChecked());
   m_settings.setValue(folderKey, QFileInfo(name()).absolutePath());
 }
 
@@ -199,9 +218,13 @@ ExportTrialPtr ExportDialog::trial() const {
   return found == m_trials.end() ? nullptr : found->second;
 }
 
+bool ExportDialog::withScene() const { return m_withScene->isEnabled() && m_withScene->isChecked(); }
+
 void ExportDialog::showTarget() {
   m_description->setText(widgets::fromView(target().description) + '\n' + widgets::fromView(target().holds));
   m_pictures->setExportedName(tr("Export for %1").arg(widgets::fromView(target().label)));
+  m_snr->setEnabled(target().choosesSnr);
+  m_withScene->setEnabled(target().scene && canShowScene());
   m_error.clear();
   m_controller.dropTrial();
   if (!trial()) m_delay.start();
@@ -234,7 +257,8 @@ void ExportDialog::showTrial() {
     m_targets->topLevelItem(i)->setText(bytesColumn, of ? exportBytesText(of->made.bytes()) : QString());
   }
   const ExportTrialPtr shown = trial();
-  m_pictures->setPictures(shown ? shown->original : QImage(), shown ? shown->exported : QImage());
+  const QImage original = m_trials.empty() ? QImage() : m_trials.begin()->second->original;
+  m_pictures->setPictures(original, shown ? shown->exported : QImage());
   QStringList warnings;
   if (shown) {
     m_cost->setText(
@@ -263,9 +287,9 @@ void ExportDialog::showFiles() {
   m_export->setEnabled(!path.isEmpty());
   if (path.isEmpty()) return m_files->setText(tr("Enter a name."));
   bool exists = false;
-  for (const auto& file : target().paths(path.toStdString()))
+  for (const auto& file : target().paths(path.toStdString(), withScene()))
     exists |= QFileInfo::exists(QString::fromStdString(file.string()));
-  const QString files = fileNames(target(), path);
+  const QString files = fileNames(target(), path, withScene());
   m_files->setText(exists ? tr("%1 (replaces existing files)").arg(files) : files);
 }
 
@@ -277,7 +301,7 @@ void ExportDialog::browse() {
 
 bool ExportDialog::mayReplace() {
   QStringList existing;
-  for (const auto& file : target().paths(name().toStdString()))
+  for (const auto& file : target().paths(name().toStdString(), withScene()))
     if (const QFileInfo info(QString::fromStdString(file.string())); info.exists()) existing << info.fileName();
   return existing.isEmpty() ||
          QMessageBox::question(this, tr("Replace files"), tr("Replace %1?").arg(existing.join(QStringLiteral(", "))),
@@ -288,7 +312,7 @@ void ExportDialog::accept() {
   if (!mayReplace()) return;
   const ExportTrialPtr made = trial();
   m_controller.dropTrial();
-  m_controller.write(m_subject, {&target(), options(), name()}, made);
+  m_controller.write(m_subject, {&target(), options(), name(), withScene() ? m_scene : nullptr}, made);
   remember();
   QDialog::accept();
 }

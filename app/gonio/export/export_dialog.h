@@ -27,8 +27,8 @@ class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// Contract: the document has a material.
-  ExportDialog(ExportController& controller, QSettings& settings, QWidget* parent);
+  /// Contract: the document has a material. @param scene of the preview, which is written where the user asks for it.
+  ExportDialog(ExportController& controller, QSettings& settings, const Scene& scene, QWidget* parent);
   ~ExportDialog() override;
 
   const exports::ExportTarget& target() const;
@@ -38,6 +38,8 @@ class ExportDialog : public QDialog {
   void setName(const QString& name);
   /// Of the chosen target with the options of now; null while it is being made or where that failed.
   ExportTrialPtr trial() const;
+  /// Whether a scene is written beside the material.
+  bool withScene() const;
 
   void accept() override;
 
@@ -64,9 +66,11 @@ class ExportDialog : public QDialog {
   void showProgress();
   void browse();
   bool mayReplace();
+  bool canShowScene() const { return m_scene->environment && m_scene->camera.fieldOfView > 0; }
 
   ExportController& m_controller;
   QSettings& m_settings;
+  const std::shared_ptr<const Scene> m_scene;
   const ExportSubject m_subject;
   std::map<Key, ExportTrialPtr> m_trials;
   QString m_error;  ///< of the last trial
@@ -77,6 +81,7 @@ class ExportDialog : public QDialog {
   QLabel *m_cost, *m_warnings, *m_files;
   QProgressBar* m_progress;
   QDoubleSpinBox* m_snr;
+  QCheckBox* m_withScene;
   QLineEdit* m_name;
   QPushButton* m_export;
 };

@@ -11,14 +11,17 @@
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/document_files.h"
+#include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
 
-FileMenu::FileMenu(DocumentFiles& files, ExportController& exporter, LibraryController& library, DockLayout& docks,
-                   QSettings& settings, const std::function<void()>& newWindow, QWidget* window)
+FileMenu::FileMenu(DocumentFiles& files, ExportController& exporter, const widgets::PreviewWidget& preview,
+                   LibraryController& library, DockLayout& docks, QSettings& settings,
+                   const std::function<void()>& newWindow, QWidget* window)
     : QMenu(tr("&File"), window),
       m_files(files),
       m_exporter(exporter),
+      m_preview(preview),
       m_library(library),
       m_docks(docks),
       m_settings(settings) {
@@ -84,7 +87,7 @@ void FileMenu::fillRecent(QMenu* menu) {
 }
 
 void FileMenu::exportForRenderer() {
-  auto* dialog = new ExportDialog(m_exporter, m_settings, parentWidget());
+  auto* dialog = new ExportDialog(m_exporter, m_settings, m_preview.scene(), parentWidget());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
 }

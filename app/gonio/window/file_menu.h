@@ -7,6 +7,10 @@
 
 class QSettings;
 
+namespace gonio::widgets {
+class PreviewWidget;
+}
+
 namespace gonio::app {
 
 class DockLayout;
@@ -19,8 +23,9 @@ class FileMenu : public QMenu {
   Q_OBJECT
 
  public:
-  FileMenu(DocumentFiles& files, ExportController& exporter, LibraryController& library, DockLayout& docks,
-           QSettings& settings, const std::function<void()>& newWindow, QWidget* window);
+  FileMenu(DocumentFiles& files, ExportController& exporter, const widgets::PreviewWidget& preview,
+           LibraryController& library, DockLayout& docks, QSettings& settings, const std::function<void()>& newWindow,
+           QWidget* window);
 
  private:
   void addOpening(const std::function<void()>& newWindow);
@@ -31,6 +36,7 @@ class FileMenu : public QMenu {
 
   DocumentFiles& m_files;
   ExportController& m_exporter;
+  const widgets::PreviewWidget& m_preview;
   LibraryController& m_library;
   DockLayout& m_docks;
   QSettings& m_settings;

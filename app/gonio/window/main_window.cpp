@@ -109,7 +109,7 @@ void MainWindow::addDocks() {
 void MainWindow::addMenus() {
   EditorParts& p = m_parts;
   menuBar()->addMenu(new FileMenu(
-      m_files, p.exporter, p.library, *m_docks, p.settings, [] { (new MainWindow)->show(); }, this));
+      m_files, p.exporter, p.preview, p.library, *m_docks, p.settings, [] { (new MainWindow)->show(); }, this));
   menuBar()->addMenu(new EditMenu(p.document, p.controller, p.inspector, p.settings,
                                   m_docks->dock("history")->toggleViewAction(), this));
   auto* light = new LightMenu(p.environment, p.preview, this);

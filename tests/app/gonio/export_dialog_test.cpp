@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/export/export_dialog.h"
 
+#include <QCheckBox>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
@@ -45,7 +46,7 @@ class ExportDialogTest : public QObject {
   /// All targets are listed, and the remembered one is chosen.
   void listsTheTargets() {
     Editor editor;
-    ExportDialog dialog(editor.controller, editor.settings, nullptr);
+    ExportDialog dialog(editor.controller, editor.settings, sphereScene(studioEnvironment()), nullptr);
     QCOMPARE(dialog.findChild<QTreeWidget*>()->topLevelItemCount(), int(exports::exportTargets().size()));
     QCOMPARE(dialog.target().id, std::string_view("blender"));
     QCOMPARE(dialog.name(), editor.path("glossy"));
@@ -57,7 +58,7 @@ class ExportDialogTest : public QObject {
   void showsTheCostAndWrites() {
     Editor editor;
     QSignalSpy exported(&editor.controller, &ExportController::exported);
-    ExportDialog dialog(editor.controller, editor.settings, nullptr);
+    ExportDialog dialog(editor.controller, editor.settings, sphereScene(studioEnvironment()), nullptr);
     QVERIFY(wait([&] { return dialog.trial() != nullptr; }));
     const QTreeWidgetItem& row = *dialog.findChild<QTreeWidget*>()->currentItem();
     QVERIFY(row.text(1).endsWith(" dB") && !row.text(2).isEmpty());
@@ -70,6 +71,25 @@ class ExportDialogTest : public QObject {
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())));
     QCOMPARE(exported.front().front().toString(), QStringLiteral("glossy_blender.py"));
+  }
+
+  /// The preview's scene is written beside the material where the target has scenes and the user asks for it.
+  void writesTheScene() {
+    Editor editor;
+    QSignalSpy exported(&editor.controller, &ExportController::exported);
+    ExportDialog dialog(editor.controller, editor.settings, sphereScene(studioEnvironment()), nullptr);
+    auto* withScene = dialog.findChild<QCheckBox*>();
+    withScene->setChecked(true);
+    QVERIFY(!withScene->isEnabled() && !dialog.withScene());
+    dialog.chooseTarget("mitsuba");
+    QVERIFY(withScene->isEnabled() && dialog.withScene());
+    dialog.accept();
+    QVERIFY(wait([&] { return exported.count() == 1; }));
+    QCOMPARE(QDir(editor.folder.path()).entryList({"glossy*"}),
+             QStringList({"glossy_environment.exr", "glossy_rgb.bsdf", "glossy_scene.xml", "glossy_spec.bsdf"}));
+    ExportDialog dark(editor.controller, editor.settings, sphereScene(), nullptr);
+    dark.chooseTarget("mitsuba");
+    QVERIFY(!dark.findChild<QCheckBox*>()->isEnabled());
   }
 
   /// The same files once more, of the document as it is; not of another material.
@@ -103,7 +123,7 @@ class ExportDialogTest : public QObject {
   void closingEndsTheTrial() {
     Editor editor;
     {
-      ExportDialog dialog(editor.controller, editor.settings, nullptr);
+      ExportDialog dialog(editor.controller, editor.settings, sphereScene(studioEnvironment()), nullptr);
       QVERIFY(wait([&] { return editor.controller.trialProgress().has_value(); }));
     }
     QVERIFY(editor.tasks.isIdle());

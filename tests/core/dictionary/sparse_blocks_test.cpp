@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/dictionary/decode.h"
-#include "core/dictionary/largest_coefficients.h"
+#include "core/dictionary/largest_projections.h"
 #include "core/dictionary/procrustes.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 #include "tests/support/test_program.h"
@@ -14,7 +14,8 @@ using namespace gonio;
 using namespace gonio::dictionary;
 using namespace gonio::dictionary::test_support;
 
-std::vector<Coefficient<double>> sortedByIndex(std::vector<Coefficient<double>> coefficients) {
+template <typename Scalar>
+std::vector<Coefficient<Scalar>> sortedByIndex(std::vector<Coefficient<Scalar>> coefficients) {
   std::sort(coefficients.begin(), coefficients.end(), [](auto& a, auto& b) { return a.index < b.index; });
   return coefficients;
 }
@@ -87,6 +88,40 @@ class SparseBlocksTest : public QObject {
     QCOMPARE(kept.size(), expected.size());
     for (std::size_t i = 0; i < kept.size(); ++i) QCOMPARE(kept[i].index, expected[i].index);
     QCOMPARE(kept.back().index, 500u);
+  }
+
+  /// The largest coefficients of a projection without the others: those that the whole projection has, of a signal that
+  /// the dictionary holds in few coefficients as of noise, which it does not.
+  void largestOfAProjection() {
+    std::mt19937_64 random(4);
+    const Sizes sizes{18, 9, 10};
+    ModeMatrices<float> matrices;
+    const ModeMatrices<double> wide = randomDictionary(sizes, random);
+    for (std::size_t mode = 0; mode < 3; ++mode) matrices[mode] = wide[mode].leftCols(6 + int(mode)).cast<float>();
+    const std::size_t all = 6 * 7 * 8;
+    for (const float decay : {0.f, 0.02f, 0.3f}) {
+      std::vector<Coefficient<float>> truth;
+      for (std::size_t i = 0; i < all; ++i)
+        truth.push_back({std::uint32_t((i * 37) % all), (i % 2 == 0 ? 1.f : -1.f) * std::exp(-decay * float(i))});
+      Eigen::VectorXf signal(Eigen::Index(count(sizes)));
+      compose(matrices, truth, signal.data());
+      if (decay == 0) signal.setRandom();
+      Workspace<float> workspace;
+      const float* projection = transposedModeProducts(signal.data(), sizes, matrices, workspace);
+      const std::vector<float> values(projection, projection + all);
+      for (const std::size_t kept : {std::size_t(0), std::size_t(1), std::size_t(20), all}) {
+        std::vector<Coefficient<float>> expected, found;
+        keepLargest(std::span<const float>(values), kept, expected);
+        keepLargestProjections(signal.data(), sizes, matrices, kept, workspace, found);
+        expected = sortedByIndex(expected);
+        found = sortedByIndex(found);
+        QCOMPARE(found.size(), expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          QCOMPARE(found[i].index, expected[i].index);
+          QVERIFY(std::abs(found[i].value - expected[i].value) < 1e-6f);
+        }
+      }
+    }
   }
 
   /// Few coefficients compose to what the full tensor products give.

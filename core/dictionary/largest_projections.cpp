@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/dictionary/largest_projections.h"
+
+#include <numeric>
+
+namespace gonio::dictionary {
+
+namespace {
+
+/// What rounding may add to a coefficient over the norm of what it is projected from.
+constexpr float rounding = 1.001f;
+
+/// The columns in falling order of their norms.
+std::vector<Eigen::Index> byNorm(const Eigen::VectorXf& norms) {
+  std::vector<Eigen::Index> order(std::size_t(norms.size()));
+  std::iota(order.begin(), order.end(), Eigen::Index(0));
+  std::ranges::stable_sort(order, [&](Eigen::Index a, Eigen::Index b) { return norms[a] > norms[b]; });
+  return order;
+}
+
+}  // namespace
+
+void keepLargestProjections(const float* signal, const Sizes& sizes, const ModeMatrices<float>& matrices,
+                            std::size_t count, Workspace<float>& workspace, std::vector<Coefficient<float>>& kept) {
+  kept.clear();
+  if (count == 0) return;
+  using Map = Eigen::Map<const Eigen::MatrixXf>;
+  const Eigen::Index n0 = sizes[0], n1 = sizes[1];
+  const Eigen::Index slices = matrices[2].cols(), fibres = matrices[1].cols(), coefficients = matrices[0].cols();
+  workspace.first.resize(std::size_t(n0 * n1 * slices));
+  transposedModeProduct(signal, sizes, 2, matrices[2], workspace.first.data());
+  const Eigen::VectorXf sliceNorms = rounding * Map(workspace.first.data(), n0 * n1, slices).colwise().norm();
+
+  LargestCoefficients<float> largest(kept, count);
+  Eigen::MatrixXf projected(n0, fibres), chosen(n0, fibres), values(coefficients, fibres);
+  for (const Eigen::Index slice : byNorm(sliceNorms)) {
+    if (sliceNorms[slice] < largest.threshold()) break;
+    projected.noalias() = Map(workspace.first.data() + n0 * n1 * slice, n0, n1) * matrices[1];
+    const Eigen::VectorXf fibreNorms = rounding * projected.colwise().norm();
+    std::vector<Eigen::Index> large;
+    for (Eigen::Index fibre = 0; fibre < fibres; ++fibre)
+      if (fibreNorms[fibre] >= largest.threshold()) {
+        chosen.col(Eigen::Index(large.size())) = projected.col(fibre);
+        large.push_back(fibre);
+      }
+    const auto found = Eigen::Index(large.size());
+    values.leftCols(found).noalias() = matrices[0].transpose() * chosen.leftCols(found);
+    for (Eigen::Index n = 0; n < found; ++n)
+      largest.add({values.col(n).data(), std::size_t(coefficients)},
+                  std::size_t(coefficients * (large[std::size_t(n)] + fibres * slice)));
+  }
+  largest.prune();
+}
+
+}  // namespace gonio::dictionary
