@@ -56,7 +56,8 @@ GgxAlbedo integrateGgx(double cosine, double alpha) {
   const VisibleNormalLobe lobe(alpha);
   GgxAlbedo sum{0, 0};
   for (int i = 0; i < strata * strata; ++i) {
-    const Direction wi = lobe.sample(wo, {(i % strata + 0.5) / strata, (i / strata + 0.5) / strata});
+    const int row = i / strata, column = i % strata;
+    const Direction wi = lobe.sample(wo, {(column + 0.5) / strata, (row + 0.5) / strata});
     models::SurfaceGeometry g;
     if (!models::surfaceGeometry({wi, wo}, g)) continue;
     const double weight = correlatedGgx(g, GgxWidths(alpha)) * wi.z / lobe.density(wi, wo), s = schlickWeight(g.cosD);
@@ -71,7 +72,8 @@ GgxAlbedo integrateCharlie(double cosine, double alpha) {
   const Direction wo(std::sqrt(1 - cosine * cosine), 0, cosine);
   double sum = 0;
   for (int i = 0; i < strata * strata; ++i) {
-    const double r2 = (i % strata + 0.5) / strata, phi = pi * (i / strata + 0.5) / strata, r = std::sqrt(r2);
+    const int row = i / strata, column = i % strata;
+    const double r2 = (column + 0.5) / strata, phi = pi * (row + 0.5) / strata, r = std::sqrt(r2);
     const Direction wi(r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - r2));
     models::SurfaceGeometry g;
     if (!models::surfaceGeometry({wi, wo}, g)) continue;

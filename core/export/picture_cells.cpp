@@ -35,11 +35,11 @@ PictureCells::PictureCells(bool isotropic)
     for (std::size_t j = 0; j < turns; ++j)
       addViewer(fromSpherical(std::asin(std::sqrt(areas.nodes[k])), 2 * pi * double(j) / double(turns)),
                 areas.weights[k] / double(turns));
-  patches_ = scales_.size() / viewers_;
 }
 
 void PictureCells::addViewer(const Direction& wo, double share) {
   const double circle = isotropic_ ? pi : 2 * pi, turn = azimuth(wo);
+  const std::size_t before = scales_.size();
   std::vector<double> areas;
   for (std::size_t i = 0; i < nodes_.polar; ++i) {
     const double u = (double(i) + 0.5) / double(nodes_.polar), theta = u * u * u * halfPi;
@@ -62,6 +62,7 @@ void PictureCells::addViewer(const Direction& wo, double share) {
     if (grid.size() == 1) break;
     pool(areas, grid);
   }
+  patches_ = scales_.size() - before;
   ++viewers_;
 }
 

@@ -41,8 +41,8 @@ MadeExport makeMerl(std::string_view suffix, const HalfDifferenceGrid& grid, con
 constexpr HalfDifferenceGrid circleGrid{.phiDCount = 360, .reciprocal = false};
 
 Direction utiaNode(std::size_t index) {
-  return fromSpherical(UtiaBrdf::polarStep * double(index / UtiaBrdf::azimuthCount),
-                       UtiaBrdf::azimuthStep * double(index % UtiaBrdf::azimuthCount));
+  const std::size_t polar = index / UtiaBrdf::azimuthCount, azimuth = index % UtiaBrdf::azimuthCount;
+  return fromSpherical(UtiaBrdf::polarStep * double(polar), UtiaBrdf::azimuthStep * double(azimuth));
 }
 
 /// The values at the nodes with the viewer in the slot of the incident direction, as renderers read them.
