@@ -27,7 +27,7 @@ using PairFunction = std::function<void(std::span<const DirectionPair>, std::spa
 }  // namespace
 
 PictureCells::PictureCells(bool isotropic)
-    : isotropic_(isotropic), nodes_{32, isotropic ? std::size_t(8) : std::size_t(16)} {
+    : isotropic_(isotropic), nodes_{polarNodes, isotropic ? halfCircleNodes : 2 * halfCircleNodes} {
   // Over the squared sine, in which the picture of a sphere is even.
   const QuadratureRule areas = gaussLegendre(isotropic ? viewerPolarCount : grainPolarCount, 0, largestSquaredSine);
   const std::size_t turns = isotropic ? 1 : grainAzimuthCount;
@@ -35,6 +35,10 @@ PictureCells::PictureCells(bool isotropic)
     for (std::size_t j = 0; j < turns; ++j)
       addViewer(fromSpherical(std::asin(std::sqrt(areas.nodes[k])), 2 * pi * double(j) / double(turns)),
                 areas.weights[k] / double(turns));
+}
+
+PictureCells::PictureCells(std::span<const double> viewers) : isotropic_(true), nodes_{polarNodes, halfCircleNodes} {
+  for (const double theta : viewers) addViewer(fromSpherical(theta, 0), 1);
 }
 
 void PictureCells::addViewer(const Direction& wo, double share) {

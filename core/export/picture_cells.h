@@ -19,11 +19,15 @@ class PictureCells {
   /// @param isotropic one azimuth of the viewer and, by the mirror symmetry, half of the light's circle, about 2,600
   /// pairs; else five azimuths, about 13,000.
   explicit PictureCells(bool isotropic);
+  /// Of one azimuth, for viewers at these polar angles (rad, below pi/2) that count alike. 256 pairs each.
+  explicit PictureCells(std::span<const double> viewers);
 
   bool isIsotropic() const { return isotropic_; }
   std::span<const DirectionPair> pairs() const { return pairs_; }
   /// Residuals of one channel.
   std::size_t residualCount() const { return scales_.size(); }
+  /// Of these, one viewer's, which follow each other.
+  std::size_t residualsOfViewer() const { return patches_; }
 
   /// Residuals of one channel. @param values at the pairs, 1/sr without the cosine.
   void weigh(std::span<const double> values, std::span<double> residuals) const;
@@ -33,6 +37,8 @@ class PictureCells {
   std::vector<double> residualsOfMaterial(const Brdf& material) const;
 
  private:
+  static constexpr std::size_t polarNodes = 32, halfCircleNodes = 8;
+
   struct Grid {
     std::size_t polar, azimuth;
     std::size_t size() const { return polar * azimuth; }

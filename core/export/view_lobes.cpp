@@ -7,8 +7,8 @@
 #include <memory>
 #include <numeric>
 
+#include "core/export/picture_cells.h"
 #include "core/fitting/bounded_quadratic.h"
-#include "core/math/parallel.h"
 
 namespace gonio::exports {
 
@@ -17,11 +17,9 @@ namespace {
 using fitting::LinearMatrix;
 using fitting::LinearVector;
 
-constexpr int polarNodes = 40, azimuthNodes = 32, turns = 8;
 constexpr double lastKnotDegrees = 85;
-constexpr double albedoWeight = 1;  // 1/sr: of the error of the albedo against those of single directions
-constexpr double smallestAlpha = 0.01;
-constexpr std::size_t candidateWidths = 14;
+constexpr double smallestAlpha = 0.002;
+constexpr std::size_t candidateWidths = 18;
 
 /// G_1 / (2 cos theta): nothing is divided by a cosine.
 double foldedMasking(double cosine, double alpha2) {
@@ -70,63 +68,43 @@ class ViewLobesBrdf : public Brdf {
   ViewLobes lobes_;
 };
 
-/// A direction of the light for one viewer.
-struct LightNode {
-  Direction wi;
-  double solidAngle;  ///< sr
-};
-
-/// All of them, dense where the half vector is near the normal.
-std::vector<LightNode> lightNodes(const Direction& wo) {
-  std::vector<LightNode> nodes;
-  for (int i = 0; i < polarNodes; ++i) {
-    const double u = (i + 0.5) / polarNodes, theta = u * u * u * pi / 2, step = 3 * u * u * pi / 2 / polarNodes;
-    for (int j = 0; j < azimuthNodes; ++j) {
-      const double phi = 2 * pi * (j + 0.5) / azimuthNodes;
-      const Direction half(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
-      const double projection = glm::dot(wo, half);
-      const Direction wi = 2 * projection * half - wo;
-      if (projection <= 0 || wi.z <= 1e-3) continue;
-      nodes.push_back({wi, 4 * projection * std::sin(theta) * step * 2 * pi / azimuthNodes});
-    }
-  }
-  return nodes;
-}
-
-/// f cos theta_i, of an anisotropic material the mean over the azimuths.
-Rgb meanResponse(const Brdf& material, const Direction& wi, const Direction& wo) {
-  const int count = material.isIsotropic() ? 1 : turns;
-  Rgb sum(0);
-  for (int i = 0; i < count; ++i) {
-    const double phi = 2 * pi * i / count, c = std::cos(phi), s = std::sin(phi);
-    const auto turned = [&](const Direction& w) { return Direction(c * w.x - s * w.y, s * w.x + c * w.y, w.z); };
-    sum += material.evaluate(turned(wi), turned(wo));
-  }
-  return glm::max(sum, Rgb(0)) * (wi.z / count);
-}
-
-/// The linear problem of one knot: the lobes' responses against the material's.
+/// The linear problem of one knot: the lobes' light against the material's.
 struct KnotProblem {
   LinearMatrix normal;
   LinearMatrix rightSides;  ///< a column for each channel
 };
 
-KnotProblem knotProblem(const Brdf& material, double theta, std::span<const double> alphas) {
-  const Direction wo(std::sin(theta), 0, std::cos(theta));
-  const auto lobes = Eigen::Index(alphas.size() + 1);
-  // Columns: the lobes, then R, G and B of the material.
-  LinearMatrix normal = LinearMatrix::Zero(lobes + 3, lobes + 3);
-  LinearVector response(lobes + 3), albedo = LinearVector::Zero(lobes + 3);
-  for (const auto& [wi, solidAngle] : lightNodes(wo)) {
-    response(0) = wi.z / pi;
-    for (Eigen::Index c = 1; c < lobes; ++c) response(c) = wi.z * lobeValue(wi, wo, alphas[std::size_t(c - 1)]);
-    const Rgb measured = meanResponse(material, wi, wo);
-    for (int channel = 0; channel < 3; ++channel) response(lobes + channel) = measured[channel];
-    normal += solidAngle * response * response.transpose();
-    albedo += solidAngle * response;
+/// Columns of residuals: Lambert, then the lobes.
+LinearMatrix lobeColumns(const PictureCells& cells, std::span<const double> alphas) {
+  LinearMatrix columns(Eigen::Index(cells.residualCount()), Eigen::Index(alphas.size() + 1));
+  std::vector<double> values(cells.pairs().size());
+  const auto weigh = [&](Eigen::Index column) {
+    cells.weigh(values, {columns.col(column).data(), cells.residualCount()});
+  };
+  std::ranges::fill(values, 1 / pi);
+  weigh(0);
+  for (std::size_t j = 0; j < alphas.size(); ++j) {
+    std::ranges::transform(cells.pairs(), values.begin(),
+                           [&](const DirectionPair& pair) { return lobeValue(pair.wi, pair.wo, alphas[j]); });
+    weigh(Eigen::Index(j + 1));
   }
-  normal += albedoWeight * albedo * albedo.transpose();
-  return {normal.topLeftCorner(lobes, lobes), normal.topRightCorner(lobes, 3)};
+  return columns;
+}
+
+std::vector<KnotProblem> knotProblems(const Brdf& material, std::span<const double> thetas,
+                                      std::span<const double> alphas) {
+  const PictureCells cells(thetas);
+  const LinearMatrix columns = lobeColumns(cells, alphas);
+  const std::vector<double> residuals = cells.residualsOfMaterial(material);
+  const Eigen::Map<const LinearMatrix> target(residuals.data(), columns.rows(), 3);
+  const auto rows = Eigen::Index(cells.residualsOfViewer());
+  std::vector<KnotProblem> problems;
+  for (std::size_t k = 0; k < thetas.size(); ++k) {
+    const auto lobes = columns.middleRows(Eigen::Index(k) * rows, rows);
+    problems.push_back(
+        {lobes.transpose() * lobes, lobes.transpose() * target.middleRows(Eigen::Index(k) * rows, rows)});
+  }
+  return problems;
 }
 
 /// Weights [column][channel] of the columns that are used; 0 for the others.
@@ -174,13 +152,8 @@ ViewLobes fitViewLobes(const Brdf& material, const ViewLobesSize& size, const Ta
   ViewLobes result;
   for (std::size_t k = 0; k < size.knots; ++k)
     result.thetas.push_back(radians(lastKnotDegrees) * double(k) / double(size.knots - 1));
-  std::vector<KnotProblem> problems(size.knots);
-  parallelForBlocks(
-      size.knots, 1,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) problems[k] = knotProblem(material, result.thetas[k], alphas);
-      },
-      control);
+  const std::vector<KnotProblem> problems = knotProblems(material, result.thetas, alphas);
+  control.throwIfStopped();
   const std::vector<Eigen::Index> used = strongest(problems, result.thetas, size.lobes);
   result.weights.assign(used.size(), std::vector<Rgb>(size.knots));
   for (std::size_t j = 1; j < used.size(); ++j) result.alphas.push_back(alphas[std::size_t(used[j] - 1)]);

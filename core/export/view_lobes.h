@@ -27,9 +27,9 @@ struct ViewLobesSize {
   std::size_t lobes = 4, knots = 12;
 };
 
-/// The lobes of least squared error of f cos theta_i over the light's directions, for the viewer at each knot: a linear
-/// non-negative fit per channel and knot (Stark and Parker 1995), where the albedo counts too. The widths are those
-/// of a series from 0.01 to 1 that take most of the energy. Of an anisotropic material the mean over the azimuths.
+/// The lobes of least squared error of the light that reaches the viewer at each knot, by PictureCells: a linear
+/// non-negative fit per channel and knot (Stark and Parker 1995). The widths are those of a series from 0.002 to 1 that
+/// take most of the energy. Of an anisotropic material the mean over the azimuths.
 /// About 1 s. @throws Cancelled.
 ViewLobes fitViewLobes(const Brdf& material, const ViewLobesSize& size, const TaskControl& control = {});
 

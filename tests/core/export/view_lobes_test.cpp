@@ -17,7 +17,7 @@ using exports::ViewLobes;
 
 /// A body and one lobe of a width that the fit tries, whose colour grows toward the horizon.
 ViewLobes known() {
-  ViewLobes lobes{.alphas = {std::pow(0.01, 6.0 / 13)}, .thetas = {0, radians(42.5), radians(85)}, .weights = {}};
+  ViewLobes lobes{.alphas = {std::pow(0.002, 6.0 / 17)}, .thetas = {0, radians(42.5), radians(85)}, .weights = {}};
   lobes.weights = {{Rgb(0.3, 0.2, 0.1), Rgb(0.3, 0.2, 0.1), Rgb(0.1)}, {Rgb(0.05), Rgb(0.1, 0.12, 0.14), Rgb(0.6)}};
   return lobes;
 }
