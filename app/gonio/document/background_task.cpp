@@ -3,6 +3,7 @@
 #include "app/gonio/document/background_task.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/math/parallel.h"
 
@@ -26,6 +27,8 @@ BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
   m_livePool.setMaxThreadCount(liveThreads);
   m_progressTimer.setInterval(progressMilliseconds);
   connect(&m_progressTimer, &QTimer::timeout, this, &BackgroundTasks::changed);
+  m_holdTimer.setSingleShot(true);
+  connect(&m_holdTimer, &QTimer::timeout, this, &BackgroundTasks::release);
 }
 
 BackgroundTasks::~BackgroundTasks() {
@@ -65,13 +68,26 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
     QMetaObject::invokeMethod(
         this, [this, task, outcome, error] { finish(task, outcome, error); }, Qt::QueuedConnection);
   };
-  if (request.quiet)
-    m_quietPool.start([body] { runQuietly(body); });
-  else if (request.live)
-    m_livePool.start(body);
+  const auto launch = [this, request, body] {
+    if (request.quiet)
+      m_quietPool.start([body] { runQuietly(body); });
+    else if (request.live)
+      m_livePool.start(body);
+    else
+      m_pool.start(body);
+  };
+  if (m_holdTimer.isActive())
+    m_held.push_back(launch);
   else
-    m_pool.start(body);
+    launch();
   Q_EMIT changed();
+}
+
+void BackgroundTasks::hold(int mostMilliseconds) { m_holdTimer.start(mostMilliseconds); }
+
+void BackgroundTasks::release() {
+  m_holdTimer.stop();
+  for (const auto& launch : std::exchange(m_held, {})) launch();
 }
 
 void BackgroundTasks::finish(const std::shared_ptr<Task>& task, Outcome outcome, const QString& error) {

@@ -60,6 +60,10 @@ class BackgroundTasks : public QObject {
   std::optional<double> progress(const QString& key) const;
   bool isIdle() const { return m_tasks.empty(); }
 
+  /// Work that is asked for from now on waits for release(), at most this long: what is urgent has the processors.
+  void hold(int mostMilliseconds);
+  void release();
+
   /// Asks a task to stop; its `cancelled` or `done` still comes.
   void cancel(const QString& key);
   /// Stops a task and drops its result.
@@ -90,7 +94,8 @@ class BackgroundTasks : public QObject {
   std::shared_ptr<Task> newestShown() const;
 
   QThreadPool m_pool, m_quietPool, m_livePool;
-  QTimer m_progressTimer;
+  QTimer m_progressTimer, m_holdTimer;  ///< the latter runs while work is held
+  std::vector<std::function<void()>> m_held;
   std::vector<std::shared_ptr<Task>> m_tasks;  ///< those whose result is still wanted, oldest first
 };
 

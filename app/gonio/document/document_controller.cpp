@@ -83,6 +83,7 @@ void DocumentController::start(const QString& path, const QString& documentPath,
 void DocumentController::install(const Opened& opened, const QString& path, const QString& documentPath,
                                  bool recovered) {
   dropTasks();
+  Q_EMIT installing();
   if (!opened.stored) {
     m_document.setMaterial(opened.material);
   } else {

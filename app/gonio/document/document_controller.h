@@ -49,6 +49,8 @@ class DocumentController : public QObject {
   void paste(const editing::EditList& edits);
 
  Q_SIGNALS:
+  /// What was read is about to take the place of what is open.
+  void installing();
   /// `path` is empty for recovered work that was never saved.
   void opened(const QString& path);
   /// The work of an autosaved copy is in the document now.

@@ -63,6 +63,7 @@ EditorParts::EditorParts()
   connectStandIns();
   connectLibrary();
   connectPlots();
+  connectFirstPicture();
   QObject::connect(&controller, &DocumentController::viewRestored, &controller,
                    [this](const nlohmann::json& view) { restoreSavedView(view); });
 }
@@ -123,6 +124,18 @@ void EditorParts::connectPlots() {
                    [this](const QString& check, double theta) {
                      plots.showAt(check == "energy" ? PlotKind::albedo : PlotKind::cartesian, theta);
                    });
+}
+
+void EditorParts::connectFirstPicture() {
+  constexpr int mostMilliseconds = 2000;
+  QObject::connect(&controller, &DocumentController::installing, &preview, [this] {
+    if (!preview.isVisible()) return;
+    m_requestsBefore = preview.lastRequest();
+    tasks.hold(mostMilliseconds);
+  });
+  QObject::connect(&preview, &widgets::PreviewWidget::frameRendered, &controller, [this] {
+    if (preview.shownRequest() > m_requestsBefore) tasks.release();
+  });
 }
 
 void EditorParts::restoreSavedView(const nlohmann::json& view) {

@@ -67,8 +67,12 @@ struct EditorParts {
   void connectStandIns();
   void connectLibrary();
   void connectPlots();
+  /// Fits and checks of a material wait for its first picture: the preview has the processors.
+  void connectFirstPicture();
   void restoreSavedView(const nlohmann::json& view);
   void use(const gonio::study::Representation& representation);
+
+  int m_requestsBefore = 0;  ///< the preview's last request of what was open before
 };
 
 }  // namespace gonio::app

@@ -61,6 +61,30 @@ class BackgroundTaskTest : public QObject {
     QCOMPARE(failed[0][1].toString(), QStringLiteral("a.binary: too short"));
   }
 
+  /// Held work waits for its release, in order, or for the time that is given; cancelled meanwhile it does not run.
+  void heldWorkWaits() {
+    BackgroundTasks tasks;
+    int done = 0, cancelled = 0;
+    const auto ask = [&](const char* key) {
+      tasks.run<int>(
+          {key, key}, [](const TaskControl&) { return 1; }, [&](int r) { done += r; }, {}, [&] { ++cancelled; });
+    };
+    tasks.hold(60000);
+    ask("one");
+    ask("two");
+    QTest::qWait(30);
+    QVERIFY(done == 0 && tasks.isRunning("one") && tasks.isRunning("two"));
+    tasks.cancel("two");
+    tasks.release();
+    QTRY_VERIFY(tasks.isIdle());
+    QVERIFY(done == 1 && cancelled == 1);
+    tasks.hold(20);
+    ask("three");
+    QTRY_COMPARE(done, 2);
+    ask("four");
+    QTRY_COMPARE(done, 3);
+  }
+
   /// Live work is neither shown nor stopped by Esc, and does not wait for thumbnails or other work.
   void liveWorkGoesOnUnseen() {
     BackgroundTasks tasks;
