@@ -30,7 +30,7 @@ void fitModel(benchmark::State& state, const models::Model* model) {
   for (auto _ : state) benchmark::DoNotOptimize(fitting::fit(*table(), *model));
 }
 
-const bool registered = [] {
+const bool fitsAreRegistered = [] {
   for (const models::Model* model : models::allModels())
     benchmark::RegisterBenchmark(("fitModel/" + std::string(model->spec().id)).c_str(), fitModel, model)
         ->Unit(benchmark::kMillisecond)

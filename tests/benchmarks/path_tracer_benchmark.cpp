@@ -44,7 +44,7 @@ void traceScene(benchmark::State& state, const std::string& name) {
   state.counters["everything"] = everythingSeconds / plannedSeconds;
 }
 
-const bool registered = [] {
+const bool scenesAreRegistered = [] {
   for (const std::string& name : bundledSceneNames())
     benchmark::RegisterBenchmark(("traceScene/" + name).c_str(), traceScene, name)
         ->Unit(benchmark::kMillisecond)

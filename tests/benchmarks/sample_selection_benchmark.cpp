@@ -157,17 +157,17 @@ void selectPlainly(benchmark::State& state, SelectionMethod method) {
   state.counters["checksum"] = checksum(cells);
 }
 
-void samples(benchmark::internal::Benchmark* benchmark) {
+void sampleCounts(benchmark::internal::Benchmark* benchmark) {
   for (const int count : {5, 10, 20, 30, 40, 50, 60}) benchmark->Arg(count);
   benchmark->Unit(benchmark::kSecond)->UseRealTime()->MeasureProcessCPUTime();
 }
 
-BENCHMARK_CAPTURE(select, allSignals, SelectionMethod::simultaneousPursuit)->Apply(samples);
-BENCHMARK_CAPTURE(select, firstColumns, SelectionMethod::simultaneousPursuitFirstColumns)->Apply(samples);
-BENCHMARK_CAPTURE(select, conditionNumber, SelectionMethod::conditionNumber)->Apply(samples)->Iterations(1);
-BENCHMARK_CAPTURE(selectPlainly, allSignals, SelectionMethod::simultaneousPursuit)->Apply(samples)->Iterations(1);
+BENCHMARK_CAPTURE(select, allSignals, SelectionMethod::simultaneousPursuit)->Apply(sampleCounts);
+BENCHMARK_CAPTURE(select, firstColumns, SelectionMethod::simultaneousPursuitFirstColumns)->Apply(sampleCounts);
+BENCHMARK_CAPTURE(select, conditionNumber, SelectionMethod::conditionNumber)->Apply(sampleCounts)->Iterations(1);
+BENCHMARK_CAPTURE(selectPlainly, allSignals, SelectionMethod::simultaneousPursuit)->Apply(sampleCounts)->Iterations(1);
 BENCHMARK_CAPTURE(selectPlainly, firstColumns, SelectionMethod::simultaneousPursuitFirstColumns)
-    ->Apply(samples)
+    ->Apply(sampleCounts)
     ->Iterations(1);
 
 }  // namespace
