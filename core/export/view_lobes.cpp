@@ -47,9 +47,9 @@ class ViewLobesBrdf : public Brdf {
  private:
   Rgb value(const Direction& wi, const Direction& wo) const {
     if (!(wi.z > 0 && wo.z > 0)) return Rgb(0);
-    const auto [knot, fraction] = place(std::acos(std::min(1.0, wo.z)));
+    const auto at = place(std::acos(std::min(1.0, wo.z)));
     const auto weight = [&](const std::vector<Rgb>& row) {
-      return fraction > 0 ? glm::mix(row[knot], row[knot + 1], fraction) : row[knot];
+      return at.fraction > 0 ? glm::mix(row[at.knot], row[at.knot + 1], at.fraction) : row[at.knot];
     };
     Rgb sum = weight(lobes_.weights[0]) / pi;
     for (std::size_t j = 0; j < lobes_.alphas.size(); ++j)
@@ -57,7 +57,11 @@ class ViewLobesBrdf : public Brdf {
     return sum;
   }
 
-  std::pair<std::size_t, double> place(double theta) const {
+  struct Place {
+    std::size_t knot;
+    double fraction;  ///< of the way to the next knot
+  };
+  Place place(double theta) const {
     const std::vector<double>& t = lobes_.thetas;
     if (theta <= t.front()) return {0, 0};
     if (theta >= t.back()) return {t.size() - 1, 0};

@@ -54,7 +54,7 @@ ExportController::ExportController(Document& document, BackgroundTasks& tasks, Q
 
 void ExportController::tryOut(const ExportSubject& subject, const exports::ExportTarget& target,
                               const exports::ExportOptions& options, std::function<void(ExportTrialPtr)> done,
-                              std::function<void(const QString&)> failed) {
+                              const std::function<void(const QString&)>& failed) {
   m_tasks.run<ExportTrialPtr>(
       {tr("Preparing the export for %1").arg(labelOf(target)), trialKey},
       [subject, &target, options](const TaskControl& control) {
@@ -73,7 +73,7 @@ void ExportController::dropTrial() { m_tasks.drop(trialKey); }
 
 std::optional<double> ExportController::trialProgress() const { return m_tasks.progress(trialKey); }
 
-void ExportController::write(const ExportSubject& subject, const ExportRequest& request, ExportTrialPtr trial) {
+void ExportController::write(const ExportSubject& subject, const ExportRequest& request, const ExportTrialPtr& trial) {
   m_last = request;
   Q_EMIT lastChanged();
   const QString files = fileNames(*request.target, request.name, request.scene != nullptr);

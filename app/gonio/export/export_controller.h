@@ -54,14 +54,14 @@ class ExportController : public QObject {
 
   /// Makes an export without writing it; a newer trial takes the place of an older one.
   void tryOut(const ExportSubject& subject, const exports::ExportTarget& target, const exports::ExportOptions& options,
-              std::function<void(ExportTrialPtr)> done, std::function<void(const QString&)> failed);
+              std::function<void(ExportTrialPtr)> done, const std::function<void(const QString&)>& failed);
   void dropTrial();
   /// Progress of the trial, [0, 1]; nothing while none runs.
   std::optional<double> trialProgress() const;
 
   /// Writes an export, which replaces files of its names but never the source.
   /// @param trial of this request; null: it is made first.
-  void write(const ExportSubject& subject, const ExportRequest& request, ExportTrialPtr trial);
+  void write(const ExportSubject& subject, const ExportRequest& request, const ExportTrialPtr& trial);
   /// The last export of this document once more, as the document is now. Contract: canRepeat().
   void repeat();
   bool canRepeat() const { return m_last.has_value(); }

@@ -9,6 +9,7 @@
 
 #include "app/gonio/export/export_controller.h"
 
+class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
