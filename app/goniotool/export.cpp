@@ -19,7 +19,7 @@ struct ExportArguments {
   std::string material, out, target;
   double snr = 40;
   std::size_t thetaCount = 0, size = 0;
-  bool force = false, scene = false;
+  bool scene = false;
   std::string environment;  ///< of the scene; empty: that of the rendered SNR
 };
 
@@ -67,7 +67,7 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   const Scene scene = withScene ? exportScene(arguments) : Scene();
   const OpenedSource source = openForExport(arguments.material, tool.control("reading"));
   const std::filesystem::path name = target.nameOf(arguments.out);
-  exports::checkTargets(target.paths(name, withScene), source.path, arguments.force);
+  exports::checkTargets(target.paths(name, withScene), source.path, tool.force);
   exports::MadeExport made = exports::makeExport(target, source.material, options, tool.control("exporting"));
   if (withScene) exports::addScene(made, target, scene, name);
   const std::vector<exports::ExportFile> files = exports::filesOf(made, name);
@@ -111,7 +111,6 @@ void addExport(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(4, 1024));
   command->add_option("--size", options->size, "Nodes along each side of a slice, with --theta-count")
       ->check(CLI::Range(4, 512));
-  command->add_flag("--force", options->force, "Replace files that exist");
   command->add_flag("--scene", options->scene, "Write a scene with a sphere too, for mitsuba and pbrt");
   command->add_option("--environment", options->environment,
                       "Of the scene, a bundled one or a picture (studio); implies --scene");

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/editing/edit_document.h"
@@ -28,10 +29,11 @@ std::string formatsText() {
   return text;
 }
 
-int work(const tool::Tool& tool) {
+int work(const tool::Tool& tool, const CLI::App& command) {
   std::optional<ThreadLimit> limit;
   if (tool.threads > 0) limit.emplace(tool.threads);
   try {
+    if (!tool.force) tool::checkOutputs(command);
     return tool.run();
   } catch (const tool::UsageError& error) {
     return tell(error.what(), wrongUsage);
@@ -53,6 +55,8 @@ int main(int argc, char** argv) {
   app.fallthrough();
   app.add_flag("--json", tool.json, "Results as JSON on standard output");
   app.add_flag("--progress", tool.showProgress, "Progress on standard error even where that is no terminal");
+  app.add_flag("--force", tool.force,
+               "Let an output replace a file that the command reads, and an export files that exist");
   app.add_option("--threads", tool.threads, "Number of threads (all cores)")->check(CLI::Range(1, 4096));
   app.footer("A MATERIAL is a file (" + formatsText() + "; found by\ncontent), a " +
              std::string(editing::documentSuffix) +
@@ -69,5 +73,5 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : wrongUsage;
   }
-  return work(tool);
+  return work(tool, *app.get_subcommands().front());
 }

@@ -20,6 +20,7 @@ class UsageError : public Error {
 struct Tool {
   bool json = false;
   bool showProgress = false;
+  bool force = false;        ///< outputs may replace what checkOutputs() refuses, and exports files that exist
   int threads = 0;           ///< 0: all cores
   std::function<int()> run;  ///< returns the exit code
 

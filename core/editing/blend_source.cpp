@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/editing/edit_document_json.h"
 #include "core/io/sha256.h"
+#include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
 #include "core/math/weights.h"
 
@@ -143,6 +145,17 @@ materials::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<co
   material.table = table;
   material.brdf = std::move(table);
   return material;
+}
+
+std::vector<std::filesystem::path> sourceFiles(const EditDocument& document) {
+  if (!document.blend) {
+    if (document.sourcePath.empty() || document.sourcePath.starts_with(materials::libraryScheme)) return {};
+    return {document.sourcePath};
+  }
+  std::vector<std::filesystem::path> files;
+  for (const EditDocument& material : document.blend->materials)
+    std::ranges::copy(sourceFiles(material), std::back_inserter(files));
+  return files;
 }
 
 materials::Material readSource(const EditDocument& document, const std::filesystem::path& documentPath,

@@ -46,6 +46,10 @@ std::string blendSha256(const BlendSource& blend);
 /// A blend as a material: named after its materials, without a path.
 materials::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<const TabulatedBrdf> table);
 
+/// The files that a document is about, in its blends too; none of them bundled. As their paths stand in the document:
+/// see resolved().
+std::vector<std::filesystem::path> sourceFiles(const EditDocument& document);
+
 /// Reads what a document is about, without its own edits: the file, or the blend of all files. Each of a blend's
 /// materials takes as long as its file and its edits, the blend up to some seconds.
 /// @param documentPath against which relative paths are resolved. @throws Error naming the file; Cancelled.

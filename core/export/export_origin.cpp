@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/export/export_origin.h"
 
-#include <algorithm>
-
+#include "core/editing/edit_words.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/material_file.h"
 
@@ -46,10 +45,10 @@ std::filesystem::path sourceFile(const materials::Material& base) {
 }
 
 std::string proposedName(const std::string& material, const editing::EditList& edits) {
-  std::string name = material;
-  std::ranges::replace_if(
-      name, [](char c) { return c == '/' || c == '\\' || c == ' ' || c == ':'; }, '_');
-  return editing::isIdentity(edits) ? name : name + "_edited";
+  std::string name;
+  for (const char c : editing::editedName(material, edits))
+    if (c != ',') name += c == ' ' ? '_' : c;
+  return name;
 }
 
 }  // namespace gonio::exports

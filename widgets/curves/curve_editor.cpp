@@ -100,6 +100,10 @@ void CurveEditor::choosePoints() {
                              : editing::controlPoints(m_nodes, shownCurve(m_curves), pointShare, mostPoints);
   m_selected.assign(m_points.size(), false);
   m_current = -1;
+  // What was said of a point of other curves is not true of these.
+  m_hovered.reset();
+  m_announced.clear();
+  setAccessibleDescription({});
 }
 
 double CurveEditor::valueAt(double place) const {

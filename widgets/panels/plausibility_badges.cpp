@@ -69,7 +69,7 @@ void PlausibilityBadge::paintEvent(QPaintEvent*) {
 PlausibilityBadges::PlausibilityBadges(QWidget* parent)
     : QWidget(parent),
       m_grid(new QGridLayout),
-      m_empty(new QLabel(tr("Open a material to check it."), this)),
+      m_empty(new QLabel(this)),
       m_explanation(new QLabel(this)),
       m_show(new QPushButton(tr("Show in the Plot"), this)) {
   m_empty->setForegroundRole(QPalette::PlaceholderText);
@@ -122,11 +122,13 @@ void PlausibilityBadges::setChecks(const std::vector<metrics::PlausibilityCheck>
 }
 
 void PlausibilityBadges::setPending() {
+  m_empty->setText(tr("Checking..."));
   for (PlausibilityBadge* badge : m_badges) badge->setState(PlausibilityBadge::State::unknown);
 }
 
 void PlausibilityBadges::clear() {
   for (PlausibilityBadge* badge : m_badges) badge->setChecked(false);
+  m_empty->setText(tr("Open a material to check it."));
   setChecks({});
 }
 

@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QProgressBar>
 #include <QToolButton>
 #include <cmath>
@@ -15,7 +16,12 @@ constexpr int barSteps = 1000;
 }
 
 ProgressStrip::ProgressStrip(QWidget* parent)
-    : QWidget(parent), m_text(new QLabel(this)), m_bar(new QProgressBar(this)), m_cancel(new QToolButton(this)) {
+    : QWidget(parent),
+      m_text(new QLabel(this)),
+      m_notice(new QLabel(this)),
+      m_bar(new QProgressBar(this)),
+      m_cancel(new QToolButton(this)),
+      m_entries(new QToolButton(this)) {
   m_bar->setRange(0, barSteps);
   m_bar->setTextVisible(false);
   m_bar->setFixedSize(fontMetrics().height() * 8, fontMetrics().height() * 2 / 3);
@@ -28,7 +34,18 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   layout->addWidget(m_bar);
   layout->addWidget(m_text);
   layout->addWidget(m_cancel);
-  layout->addStretch();
+  layout->addWidget(m_entries);
+  layout->addWidget(m_notice, 1);
+  // A long path must not push the numbers at the right out of the window.
+  m_notice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  m_notice->setTextFormat(Qt::PlainText);
+  m_entries->setAutoRaise(true);
+  m_entries->setPopupMode(QToolButton::InstantPopup);
+  m_entries->setMenu(new QMenu(m_entries));
+  m_entries->setToolTip(tr("All work in progress; choose one to stop it"));
+  m_noticeTime.setSingleShot(true);
+  connect(&m_noticeTime, &QTimer::timeout, m_notice, &QLabel::clear);
+  setEntries({});
   clear();
 }
 
@@ -40,6 +57,33 @@ void ProgressStrip::showProgress(const QString& text, double share, bool canCanc
   m_text->show();
   m_bar->show();
 }
+
+void ProgressStrip::setEntries(const std::vector<Entry>& entries) {
+  m_entries->setVisible(entries.size() > 1);
+  m_entries->setText(tr("%n tasks", nullptr, int(entries.size())));
+  QMenu* menu = m_entries->menu();
+  const QList<QAction*> actions = menu->actions();
+  // An open menu keeps its entries under the pointer: only their texts change while the same work goes on.
+  bool same = actions.size() == qsizetype(entries.size());
+  for (std::size_t i = 0; same && i < entries.size(); ++i)
+    same = actions[qsizetype(i)]->data().toInt() == entries[i].id;
+  if (!same) menu->clear();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const int id = entries[i].id;
+    QAction* action = same ? actions[qsizetype(i)] : menu->addAction(QString());
+    action->setText(tr("Stop: %1").arg(QString(entries[i].text).replace('&', QStringLiteral("&&"))));
+    action->setData(id);
+    if (!same) connect(action, &QAction::triggered, this, [this, id] { Q_EMIT entryCancelRequested(id); });
+  }
+}
+
+void ProgressStrip::showNotice(const QString& text, int milliseconds) {
+  m_notice->setText(text);
+  m_notice->setToolTip(text);
+  m_noticeTime.start(milliseconds);
+}
+
+QString ProgressStrip::notice() const { return m_notice->text(); }
 
 void ProgressStrip::clear() {
   m_text->hide();

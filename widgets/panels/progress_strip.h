@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
+#include <vector>
 
 class QLabel;
 class QProgressBar;
@@ -10,23 +12,39 @@ class QToolButton;
 
 namespace gonio::widgets {
 
-/// Text, bar and Cancel button of the work in progress, for a status bar. Invisible while there is none.
+/// Text, bar and Cancel button of the work in progress, for a status bar; a list of all of it where there is more than
+/// one piece. While there is none, the last notice is shown for some seconds.
 class ProgressStrip : public QWidget {
   Q_OBJECT
 
  public:
   explicit ProgressStrip(QWidget* parent = nullptr);
 
+  /// One piece of work in the list.
+  struct Entry {
+    int id;
+    QString text;  ///< "Exporting chrome.bsdf, 40 %"
+  };
+
   void showProgress(const QString& text, double share, bool canCancel);
   void clear();
+  /// Shown as a list where there are two or more.
+  void setEntries(const std::vector<Entry>& entries);
+  /// What has been done ("Wrote chrome.bsdf"), beside the work that goes on.
+  void showNotice(const QString& text, int milliseconds);
+  QString notice() const;
+  QToolButton* entriesButton() const { return m_entries; }
 
  Q_SIGNALS:
   void cancelRequested();
+  /// Of one entry of the list.
+  void entryCancelRequested(int id);
 
  private:
-  QLabel* m_text;
+  QLabel *m_text, *m_notice;
   QProgressBar* m_bar;
-  QToolButton* m_cancel;
+  QToolButton *m_cancel, *m_entries;
+  QTimer m_noticeTime;
 };
 
 }  // namespace gonio::widgets

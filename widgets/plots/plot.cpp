@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "core/support/error.h"
+#include "widgets/inputs/dialog_folder.h"
 #include "widgets/plots/plot_export.h"
 #include "widgets/plots/plot_text.h"
 
@@ -18,7 +19,8 @@ namespace gonio::widgets {
 
 namespace {
 constexpr double keyStep = radians(1);
-}
+const QString dialogPurpose = QStringLiteral("plot");
+}  // namespace
 
 Plot::Plot(const QString& title, QWidget* parent)
     : QWidget(parent), m_title(title), m_readout(new QLabel(this)), m_hint(new QLabel(this)) {
@@ -82,9 +84,10 @@ void Plot::editThetaI(double thetaI) { Q_EMIT thetaIEdited(std::clamp(thetaI, 0.
 void Plot::exportAs(const QString& suffix) {
   const QString name =
       QStringLiteral("%1 %2.%3").arg(m_source, m_title.toLower(), suffix).simplified().replace('/', '-');
-  QString path =
-      QFileDialog::getSaveFileName(this, tr("Export Plot"), name, tr("%1 file (*.%2)").arg(suffix.toUpper(), suffix));
+  QString path = QFileDialog::getSaveFileName(this, tr("Export Plot"), inDialogFolder(dialogPurpose, name),
+                                              tr("%1 file (*.%2)").arg(suffix.toUpper(), suffix));
   if (path.isEmpty()) return;
+  rememberDialogFolder(dialogPurpose, path);
   if (!path.endsWith('.' + suffix, Qt::CaseInsensitive)) path += '.' + suffix;
   try {
     exportPlot(*this, path);

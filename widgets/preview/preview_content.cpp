@@ -75,7 +75,10 @@ void PreviewContent::traceBoth() {
 
 void PreviewContent::showScene(const Scene& scene) {
   m_home = scene;
-  setScene(scene);
+  Scene lit = scene;
+  if (m_environment) light(lit);
+  if (m_backgroundShown) lit.showEnvironment = *m_backgroundShown;
+  setScene(lit);
 }
 
 void PreviewContent::setScene(const Scene& scene) {
@@ -101,14 +104,36 @@ void PreviewContent::tellSceneChange() {
   Q_EMIT sceneChanged(m_scene);
 }
 
-void PreviewContent::setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
-  Scene scene = m_scene;
-  scene.environment = environment;
+/// Puts the chosen environment into a scene.
+void PreviewContent::light(Scene& scene) const {
+  const std::shared_ptr<const EnvironmentMap>& environment = *m_environment;
   const std::vector<DirectionalLight>& own = m_home.directionalLights;
+  scene.environment = environment;
   if (!environment)
     scene.directionalLights = own.empty() ? std::vector{DirectionalLight{}} : own;
   else
     scene.directionalLights = m_home.environment ? own : std::vector<DirectionalLight>{};
+}
+
+void PreviewContent::setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
+  m_environment = environment;
+  Scene scene = m_scene;
+  light(scene);
+  setScene(scene);
+}
+
+void PreviewContent::resetEnvironment() {
+  m_environment.reset();
+  Scene scene = m_scene;
+  scene.environment = m_home.environment;
+  scene.directionalLights = m_home.directionalLights;
+  setScene(scene);
+}
+
+void PreviewContent::setBackgroundShown(bool shown) {
+  m_backgroundShown = shown;
+  Scene scene = m_scene;
+  scene.showEnvironment = shown;
   setScene(scene);
 }
 

@@ -27,7 +27,7 @@ class PreviewContent : public QObject {
   const PreviewSide& second() const { return m_second; }
   bool hasMaterial() const { return !m_first.subject().isEmpty(); }
 
-  /// Another scene, which becomes the home().
+  /// Another scene, which becomes the home(). The environment and the background that the user chose stay.
   void showScene(const Scene& scene);
   /// The scene seen or lit otherwise.
   void setScene(const Scene& scene);
@@ -36,8 +36,14 @@ class PreviewContent : public QObject {
   const Scene& scene() const { return m_scene; }
   /// What the view is reset to.
   const Scene& home() const { return m_home; }
-  /// Puts an environment into the scene; null: a distant light in its place.
+  /// Puts an environment into this scene and all that follow; null: a distant light in its place.
   void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
+  /// Every scene has its own light again.
+  void resetEnvironment();
+  /// Whether the scene's light is one that was put there by setEnvironment().
+  bool isEnvironmentChosen() const { return m_environment.has_value(); }
+  /// Whether the environment is seen behind the objects, in this scene and all that follow.
+  void setBackgroundShown(bool shown);
   /// What the scene's other places show: number i is others[i - 1]; the subject itself where that is null or missing.
   void setOthers(const RenderMaterials& others);
   const RenderMaterials& others() const { return m_others; }
@@ -80,10 +86,13 @@ class PreviewContent : public QObject {
   void trace(PreviewSide& side);
   void traceBoth();
   void tellSceneChange();
+  void light(Scene& scene) const;
 
   PreviewSide m_first, m_second;
   PreviewComparison m_comparison;
   Scene m_scene, m_home;
+  std::optional<std::shared_ptr<const EnvironmentMap>> m_environment;  ///< by the user
+  std::optional<bool> m_backgroundShown;                               ///< likewise
   EffectOverrides m_overrides;
   RenderMaterials m_others;
   QSize m_viewport{1, 1};

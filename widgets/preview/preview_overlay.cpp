@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "widgets/preview/false_colour_legend.h"
+#include "widgets/preview/preview_banner.h"
 #include "widgets/preview/split_bar.h"
 
 namespace gonio::widgets {
@@ -37,6 +38,7 @@ PreviewOverlay::PreviewOverlay(QWidget* viewport)
       m_status(addLabel()),
       m_hint(new QLabel(viewport)),
       m_names{addLabel(), addLabel()},
+      m_banner(new PreviewBanner(viewport)),
       m_split(new SplitBar(viewport)),
       m_legend(new FalseColourLegend(viewport)) {
   m_hint->setStyleSheet("color: #c8c8c8; background: transparent;");
@@ -91,15 +93,23 @@ void PreviewOverlay::setComparison(const PreviewComparison& shown, const std::ar
 
 void PreviewOverlay::setRange(DifferenceKind kind, double range) { m_legend->setDifference(kind, range); }
 
+void PreviewOverlay::setBanner(const QString& text, const QString& button) {
+  m_banner->showText(text, button);
+  place();
+}
+
 void PreviewOverlay::place() {
   const int width = m_viewport->width(), height = m_viewport->height();
+  m_banner->resize(std::min(m_banner->sizeHint().width(), width - 2 * edgeMargin), m_banner->sizeHint().height());
+  m_banner->move((width - m_banner->width()) / 2, edgeMargin);
+  const int top = edgeMargin + (m_banner->isHidden() ? 0 : m_banner->height() + edgeMargin);
   m_hint->setGeometry(m_viewport->rect().adjusted(4 * edgeMargin, 4 * edgeMargin, -4 * edgeMargin, -4 * edgeMargin));
   m_status->adjustSize();
   m_status->move(edgeMargin, height - m_status->height() - edgeMargin);
   for (QLabel* name : m_names) name->adjustSize();
-  m_names[0]->move(edgeMargin, edgeMargin);
+  m_names[0]->move(edgeMargin, top);
   m_names[1]->move(m_mode == CompareMode::twoUp ? width / 2 + edgeMargin : width - m_names[1]->width() - edgeMargin,
-                   edgeMargin);
+                   top);
   const QSize wanted = m_legend->sizeHint();
   m_legend->resize(std::min(wanted.width(), width - 2 * edgeMargin), wanted.height());
   const int below = m_status->isVisible() ? m_status->height() + edgeMargin : 0;

@@ -17,10 +17,12 @@ QString samplesText(int samples);
 QString effectsText(const EffectPlan& plan, int followed);
 
 class FalseColourLegend;
+class PreviewBanner;
 class SplitBar;
 
-/// What lies over the preview's picture: facts about the frame, a hint while it is empty, and for a comparison the
-/// names of the sides, the split bar and the legend of the difference.
+/// What lies over the preview's picture: facts about the frame, a hint while it is empty, a banner while something else
+/// than the material is shown, and for a comparison the names of the sides, the split bar and the legend of the
+/// difference.
 class PreviewOverlay : public QObject {
   Q_OBJECT
 
@@ -38,6 +40,10 @@ class PreviewOverlay : public QObject {
   void setComparison(const PreviewComparison& shown, const std::array<QString, 2>& names, bool flickering);
   void setRange(DifferenceKind kind, double range);
 
+  /// At the top; an empty text hides it.
+  void setBanner(const QString& text, const QString& button);
+
+  PreviewBanner* banner() const { return m_banner; }
   SplitBar* splitBar() const { return m_split; }
   FalseColourLegend* legend() const { return m_legend; }
   QLabel* name(std::size_t side) const { return m_names[side]; }
@@ -52,6 +58,7 @@ class PreviewOverlay : public QObject {
   QWidget* m_viewport;
   QLabel *m_status, *m_hint;
   std::array<QLabel*, 2> m_names;
+  PreviewBanner* m_banner;
   SplitBar* m_split;
   FalseColourLegend* m_legend;
   CompareMode m_mode = CompareMode::off;

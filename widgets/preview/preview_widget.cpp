@@ -64,6 +64,7 @@ void PreviewWidget::connectContent() {
 void PreviewWidget::setFlickering(bool flickering) {
   m_flickering = flickering && isComparing() && comparison().mode != CompareMode::twoUp;
   showOverlay();
+  if (hasMaterial() && m_state.number > 0) showStatus(m_state.milliseconds);
   requestPicture();
 }
 
@@ -156,7 +157,8 @@ void PreviewWidget::showOverlay() {
 void PreviewWidget::showStatus(double milliseconds) {
   const QString curve = QString::fromUtf8(toneMapName(m_settings.toneMap).data());
   const int followed = isTraced() ? plan().reflections : SceneUniforms::mostReflections;
-  const QString& name = m_content.first().name();
+  const bool second = m_flickering && isComparing();
+  const QString& name = (second ? m_content.second() : m_content.first()).name();
   m_overlay->setStatus(tr("%1%2 | exposure %3 | %4 | %5 ms%6 | %7\n%8")
                            .arg(name.isEmpty() ? QString() : tr("%1 | ").arg(name))
                            .arg(QString::fromStdString(scene().name))
@@ -164,7 +166,7 @@ void PreviewWidget::showStatus(double milliseconds) {
                            .arg(curve)
                            .arg(milliseconds, 0, 'f', 1)
                            .arg(isTraced() ? tr(" a sample, on the CPU") : QString())
-                           .arg(samplesText(m_state.sides[0].samples), effectsText(plan(), followed)));
+                           .arg(samplesText(m_state.sides[second ? 1 : 0].samples), effectsText(plan(), followed)));
 }
 
 }  // namespace gonio::widgets

@@ -7,8 +7,15 @@
 
 #include "core/materials/plan_file.h"
 #include "core/materials/values_file.h"
+#include "widgets/inputs/dialog_folder.h"
 
 namespace gonio::app {
+
+namespace {
+const QString purpose = QStringLiteral("acquisition");
+
+void remember(const QString& path) { widgets::rememberDialogFolder(purpose, path); }
+}  // namespace
 
 AcquisitionFiles::AcquisitionFiles(AcquisitionSession& session, AcquisitionControls& controls,
                                    AcquisitionSubject& subject, QWidget* panel)
@@ -67,9 +74,10 @@ void AcquisitionFiles::readValues(const QString& path) {
 }
 
 QFileDialog* AcquisitionFiles::openDialog(const QString& title, const QString& filter) {
-  auto* dialog = new QFileDialog(m_panel, title, {}, filter);
+  auto* dialog = new QFileDialog(m_panel, title, widgets::dialogFolder(purpose), filter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, remember);
   dialog->open();
   return dialog;
 }
@@ -85,9 +93,10 @@ void AcquisitionFiles::askForValues() {
 }
 
 void AcquisitionFiles::askForPlanFile() {
-  auto* dialog = new QFileDialog(m_panel, tr("Save Plan"), {}, tr("Plan (*.csv)"));
+  auto* dialog = new QFileDialog(m_panel, tr("Save Plan"), widgets::dialogFolder(purpose), tr("Plan (*.csv)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
+  connect(dialog, &QFileDialog::fileSelected, this, remember);
   dialog->setDefaultSuffix(QStringLiteral("csv"));
   connect(dialog, &QFileDialog::fileSelected, this, &AcquisitionFiles::savePlan);
   dialog->open();

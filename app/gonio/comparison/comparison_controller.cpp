@@ -7,6 +7,8 @@
 #include "app/gonio/document/loaded_material.h"
 #include "widgets/parameters/parameter_text.h"
 #include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_banner.h"
+#include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
@@ -40,6 +42,7 @@ ComparisonController::ComparisonController(Document& document, BackgroundTasks& 
   connect(&preview, &widgets::PreviewWidget::frameRendered, this, [this] {
     if (m_preview.differenceRange() > 0) m_bar.setFoundRange(m_preview.differenceRange());
   });
+  connect(preview.overlay()->banner(), &widgets::PreviewBanner::dismissed, this, &ComparisonController::dismissStandIn);
   refresh();
 }
 
@@ -105,6 +108,19 @@ void ComparisonController::setStandIn(StandIn kind, std::optional<widgets::Previ
   replacement = {std::move(subject), name};
   if (standIn().has_value() != stoodIn && !m_sidesChosen) chooseUsualSides();
   refresh();
+}
+
+void ComparisonController::dismissStandIn() {
+  if (const auto kind = standIn()) Q_EMIT standInDismissed(*kind);
+}
+
+void ComparisonController::showBanner() {
+  const auto kind = standIn();
+  if (!kind) return m_preview.overlay()->setBanner({}, {});
+  const QString what = *kind == StandIn::blend ? tr("the blend %1").arg(standInName()) : standInName();
+  if (!m_document.material()) return m_preview.overlay()->setBanner(tr("Showing %1").arg(what), tr("Hide the Blend"));
+  m_preview.overlay()->setBanner(tr("Showing %1 instead of %2").arg(what, m_document.name()),
+                                 tr("Back to the Material"));
 }
 
 void ComparisonController::setCode(std::shared_ptr<const MaterialCode> code) {
@@ -174,6 +190,7 @@ void ComparisonController::refresh() {
   for (const ComparedSubject side : allSides) names[std::size_t(side)] = name(side);
   m_bar.setSubjects(names);
   m_bar.setSides(m_sides[0], m_sides[1]);
+  showBanner();
   Q_EMIT subjectsChanged();
 }
 

@@ -66,6 +66,8 @@ class ComparisonController : public QObject {
   /// Of those that are there, the one that is shown; nothing: the edited material.
   std::optional<StandIn> standIn() const;
   QString standInName() const;
+  /// Asks whoever put the stand-in there to take it back; nothing where there is none.
+  void dismissStandIn();
 
   /// sourceKind(), "Fit: GGX", "Edited", "Encoded", the name of the reference; empty while it is not there.
   QString name(widgets::ComparedSubject side) const;
@@ -74,12 +76,15 @@ class ComparisonController : public QObject {
   /// The sides, or what stands on one of them.
   void subjectsChanged();
   void comparisonChanged();
+  /// The user wants to see the material again.
+  void standInDismissed(gonio::app::StandIn kind);
   /// The user wants to choose another material.
   void referenceWanted();
   void failed(const QString& title, const QString& text);
 
  private:
   void refresh();
+  void showBanner();
   /// Null for other materials than the document's.
   const WavelengthSubjects* wavelength() const;
   bool isEdited() const;

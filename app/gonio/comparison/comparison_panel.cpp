@@ -115,7 +115,7 @@ void ComparisonPanel::fillTable(const ComparisonNumbers* numbers) {
   m_table->setRowCount(hasBoth() ? int(lines.size()) : 0);
   for (int row = 0; row < m_table->rowCount(); ++row) {
     const ComparisonLine& line = lines[std::size_t(row)];
-    const QString value = numbers ? comparisonValue(line.value) : tr("not measured");
+    const QString value = numbers ? comparisonValue(line.value) : isVisible() ? tr("measuring...") : QString();
     const QString cells[] = {line.name, value, line.unit, line.explanation.section('\n', 0, 0)};
     for (int column = 0; column < columnCount; ++column) {
       auto* item = new QTableWidgetItem(cells[column]);

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/gonio/document/material_files.h"
+#include "widgets/inputs/dialog_folder.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/library_view.h"
 
@@ -41,10 +42,12 @@ ReferenceDialog::ReferenceDialog(widgets::LibraryModel& library, QWidget* parent
 }
 
 void ReferenceDialog::chooseFile() {
+  const QString purpose = QStringLiteral("open");
   const QString path =
-      QFileDialog::getOpenFileName(this, tr("Compare with a File"), {},
+      QFileDialog::getOpenFileName(this, tr("Compare with a File"), widgets::dialogFolder(purpose),
                                    tr("Measured materials (%1);;All files (*)").arg(materialFilePatterns().join(' ')));
   if (path.isEmpty()) return;
+  widgets::rememberDialogFolder(purpose, path);
   accept();
   Q_EMIT chosen(path);
 }

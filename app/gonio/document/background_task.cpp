@@ -3,6 +3,7 @@
 #include "app/gonio/document/background_task.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "core/math/parallel.h"
@@ -18,6 +19,8 @@ struct BackgroundTasks::Task {
   TaskRequest request;
   std::stop_source stop;
   std::atomic<double> share{0};
+  std::atomic<bool> waiting{true};
+  int id = 0;
   Callbacks callbacks;
 };
 
@@ -25,6 +28,7 @@ BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
   m_pool.setMaxThreadCount(foregroundThreads);
   m_quietPool.setMaxThreadCount(1);
   m_livePool.setMaxThreadCount(liveThreads);
+  m_filePool.setMaxThreadCount(1);
   m_progressTimer.setInterval(progressMilliseconds);
   connect(&m_progressTimer, &QTimer::timeout, this, &BackgroundTasks::changed);
   m_holdTimer.setSingleShot(true);
@@ -35,15 +39,19 @@ BackgroundTasks::~BackgroundTasks() {
   for (const auto& task : m_tasks) task->stop.request_stop();
   m_quietPool.clear();
   m_livePool.clear();
+  m_filePool.clear();
   m_pool.waitForDone();
+  m_filePool.waitForDone();
   m_livePool.waitForDone();
   m_quietPool.waitForDone();
 }
 
 void BackgroundTasks::start(const TaskRequest& request, std::function<void(const TaskControl&)> work,
                             Callbacks callbacks) {
-  drop(request.key);
+  assert(request.key.isEmpty() == request.file);
+  if (!request.file) drop(request.key);
   auto task = std::make_shared<Task>();
+  task->id = ++m_lastId;
   task->request = request;
   task->callbacks = std::move(callbacks);
   m_tasks.push_back(task);
@@ -52,6 +60,7 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
   const auto body = [this, task, work = std::move(work)] {
     Outcome outcome = Outcome::done;
     QString error;
+    task->waiting = false;
     try {
       const TaskControl control{task->stop.get_token(), [task](double share) { task->share = share; }};
       control.throwIfStopped();
@@ -73,6 +82,8 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
       m_quietPool.start([body] { runQuietly(body); });
     else if (request.live)
       m_livePool.start(body);
+    else if (request.file)
+      m_filePool.start(body);
     else
       m_pool.start(body);
   };
@@ -108,16 +119,33 @@ void BackgroundTasks::finish(const std::shared_ptr<Task>& task, Outcome outcome,
 }
 
 std::shared_ptr<BackgroundTasks::Task> BackgroundTasks::newestShown() const {
-  const auto found = std::find_if(m_tasks.rbegin(), m_tasks.rend(),
-                                  [](const auto& t) { return !t->request.quiet && !t->request.live; });
-  return found != m_tasks.rend() ? *found : nullptr;
+  std::shared_ptr<Task> newest;
+  for (const auto& task : m_tasks)
+    if (!task->request.quiet && !task->request.live && (!newest || !(task->request.file && task->waiting)))
+      newest = task;
+  return newest;
+}
+
+BackgroundTasks::Info BackgroundTasks::infoOf(const Task& task) {
+  return {task.request.title, task.share, task.request.quiet, task.id, task.waiting};
 }
 
 std::optional<BackgroundTasks::Info> BackgroundTasks::topmost() const {
-  if (const auto task = newestShown()) return Info{task->request.title, task->share, false};
+  if (const auto task = newestShown()) return infoOf(*task);
   const auto quiet = std::find_if(m_tasks.begin(), m_tasks.end(), [](const auto& t) { return t->request.quiet; });
   if (quiet == m_tasks.end()) return std::nullopt;
-  return Info{(*quiet)->request.title, (*quiet)->share, true};
+  return infoOf(**quiet);
+}
+
+std::vector<BackgroundTasks::Info> BackgroundTasks::shown() const {
+  std::vector<Info> result;
+  for (const auto& task : m_tasks)
+    if (!task->request.quiet && !task->request.live) result.push_back(infoOf(*task));
+  return result;
+}
+
+bool BackgroundTasks::isWritingFiles() const {
+  return std::any_of(m_tasks.begin(), m_tasks.end(), [](const auto& t) { return t->request.file; });
 }
 
 bool BackgroundTasks::isRunning(const QString& key) const {
@@ -133,6 +161,11 @@ std::optional<double> BackgroundTasks::progress(const QString& key) const {
 void BackgroundTasks::cancel(const QString& key) {
   for (const auto& task : m_tasks)
     if (task->request.key == key) task->stop.request_stop();
+}
+
+void BackgroundTasks::cancel(int id) {
+  for (const auto& task : m_tasks)
+    if (task->id == id) task->stop.request_stop();
 }
 
 void BackgroundTasks::drop(const QString& key) {

@@ -23,6 +23,7 @@ struct TaskRequest {
   bool quiet = false;  ///< at low priority, shown only while nothing else runs, not cancelled by Esc (thumbnails)
   bool live = false;   ///< at normal priority in threads of their own, never shown, not cancelled by Esc: what follows
                        ///< each step of the user's hand (checks, comparisons, plots)
+  bool file = false;   ///< it writes a file that the user asked for: one after the other, never replaced; key: none
 };
 
 /// The one place that runs core functions off the GUI thread. Work gets a TaskControl; its result comes back to the
@@ -52,9 +53,15 @@ class BackgroundTasks : public QObject {
     QString title;
     double share;  ///< [0, 1]
     bool quiet;
+    int id;        ///< for cancel()
+    bool waiting;  ///< for those before it
   };
   /// What the status bar shows: the newest task that is neither quiet nor live, else a quiet one.
   std::optional<Info> topmost() const;
+  /// All that is neither quiet nor live, oldest first.
+  std::vector<Info> shown() const;
+  /// Whether files that the user asked for are still being written or waiting for it.
+  bool isWritingFiles() const;
   bool isRunning(const QString& key) const;
   /// Its share, [0, 1]; nothing where it does not run.
   std::optional<double> progress(const QString& key) const;
@@ -66,6 +73,7 @@ class BackgroundTasks : public QObject {
 
   /// Asks a task to stop; its `cancelled` or `done` still comes.
   void cancel(const QString& key);
+  void cancel(int id);
   /// Stops a task and drops its result.
   void drop(const QString& key);
 
@@ -91,11 +99,14 @@ class BackgroundTasks : public QObject {
   void start(const TaskRequest& request, std::function<void(const TaskControl&)> work, Callbacks callbacks);
   void finish(const std::shared_ptr<Task>& task, Outcome outcome, const QString& error);
 
+  static Info infoOf(const Task& task);
+  /// One that runs comes before those that wait for it.
   std::shared_ptr<Task> newestShown() const;
 
-  QThreadPool m_pool, m_quietPool, m_livePool;
+  QThreadPool m_pool, m_quietPool, m_livePool, m_filePool;
   QTimer m_progressTimer, m_holdTimer;  ///< the latter runs while work is held
   std::vector<std::function<void()>> m_held;
+  int m_lastId = 0;
   std::vector<std::shared_ptr<Task>> m_tasks;  ///< those whose result is still wanted, oldest first
 };
 

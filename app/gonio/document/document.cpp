@@ -29,6 +29,16 @@ bool sameFits(const EditList& a, const EditList& b) {
   }
 }
 
+/// The edits without those that a fit alone made.
+EditList changing(EditList edits) {
+  std::erase_if(edits, [](const editing::Edit& edit) {
+    const auto* change = std::get_if<DifferentialEdit>(&edit.content);
+    return change && change->isIdentity() && edit.name.empty() && edit.enabled && edit.strength == 1 &&
+           change->composition == editing::defaultComposition(*change->model);
+  });
+  return edits;
+}
+
 }  // namespace
 
 DifferentialEdit identityEdit(const fitting::FitResult& fit) {
@@ -37,6 +47,20 @@ DifferentialEdit identityEdit(const fitting::FitResult& fit) {
 
 Document::Document(QObject* parent) : QObject(parent) {
   connect(&m_history, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+  for (const auto signal : {&Document::stateChanged, &Document::editChanged})
+    connect(this, signal, this, &Document::titleChanged);
+}
+
+bool Document::isModified() const {
+  if (m_history.isClean()) return false;
+  return !m_saved || m_saved->material != material() || m_saved->state.incident != state().incident ||
+         changing(m_saved->state.edits) != changing(edits());
+}
+
+void Document::markUnsaved() {
+  m_saved.reset();
+  m_history.resetClean();
+  Q_EMIT titleChanged();
 }
 
 QString Document::name() const {
@@ -62,6 +86,7 @@ void Document::setContent(Content content) {
 void Document::startAnew(Content content) {
   m_history.clear();
   m_history.setClean();
+  m_saved = Saved{content.material, content.state};
   setContent(std::move(content));
 }
 
@@ -182,6 +207,7 @@ editing::EditDocument Document::toEditDocument() const {
 
 void Document::markSaved(const QString& path) {
   m_content.path = path;
+  m_saved = Saved{material(), state()};
   m_history.setClean();
   Q_EMIT titleChanged();
 }

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <optional>
 
 #include "app/gonio/document/history.h"
 #include "app/gonio/document/loaded_material.h"
@@ -64,7 +65,9 @@ class Document : public QObject {
 
   const History& history() const { return m_history; }
   History& history() { return m_history; }
-  bool isModified() const { return !m_history.isClean(); }
+  /// Whether saving would keep something that opening the material again would not: another value, edit, order of
+  /// directions. A model that is only chosen is nothing of the kind.
+  bool isModified() const;
   QString path() const { return m_content.path; }
   /// For titles: the file's name, else the material's, else "Untitled".
   QString name() const;
@@ -73,7 +76,7 @@ class Document : public QObject {
   void setMaterial(LoadedMaterialPtr material);
   void setMaterial(LoadedMaterialPtr material, const editing::EditDocument& stored, const QString& path);
   /// Counts as unsaved from now on (a recovered document).
-  void markUnsaved() { m_history.resetClean(); }
+  void markUnsaved();
 
   /// Another material takes the place of this one, without edits and never saved: one undo step, which brings back the
   /// material with its edits and its file.
@@ -135,6 +138,12 @@ class Document : public QObject {
   Content m_content;
   History m_history;
   EditState m_atBegin;
+  /// What the file on the disk holds, or the material as it was opened; nothing: no such file is there.
+  struct Saved {
+    LoadedMaterialPtr material;
+    EditState state;
+  };
+  std::optional<Saved> m_saved;
   mutable std::shared_ptr<const Brdf> m_base, m_baseSource;  ///< of the state before, kept while it serves
   int m_interaction = 0;
   bool m_interacting = false;

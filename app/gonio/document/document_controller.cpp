@@ -5,22 +5,20 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/document/edit_transfer.h"
 #include "app/gonio/document/material_files.h"
 #include "core/editing/factor_transfer.h"
-#include "core/io/image_io.h"
-#include "core/rendering/path_tracer.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
 namespace {
-const QString openKey = QStringLiteral("open"), fitKey = QStringLiteral("fit"), exportKey = QStringLiteral("export"),
+const QString openKey = QStringLiteral("open"), fitKey = QStringLiteral("fit"),
               pasteKey = QStringLiteral("paste-factors");
-constexpr int exrSide = 1024, exrSamples = 128;
 
 QString shortName(const QString& path) { return path.section('/', -1); }
 
@@ -65,13 +63,15 @@ void DocumentController::start(const QString& path, const QString& documentPath,
         opened.material = stored ? loadSource(*opened.stored, control) : loadMaterial(source, control);
         return opened;
       },
-      [=, this](const Opened& opened) {
+      [=, this](Opened opened) {
         m_opening.clear();
-        try {
-          install(opened, path, documentPath, recovered);
-        } catch (const Error& error) {
-          Q_EMIT failed(tr("Cannot open %1").arg(shortName(path)), QString::fromUtf8(error.what()));
-        }
+        opened.path = path;
+        opened.documentPath = documentPath;
+        opened.recovered = recovered;
+        if (opened.stored && opened.stored->sourceSha256 != opened.material->material.source.sha256)
+          offerChangedSource(std::move(opened));
+        else
+          install(opened);
       },
       [=, this](const QString& error) {
         m_opening.clear();
@@ -80,30 +80,48 @@ void DocumentController::start(const QString& path, const QString& documentPath,
       [this] { m_opening.clear(); });
 }
 
-void DocumentController::install(const Opened& opened, const QString& path, const QString& documentPath,
-                                 bool recovered) {
-  dropTasks();
-  Q_EMIT installing();
-  if (!opened.stored) {
-    m_document.setMaterial(opened.material);
-  } else {
-    m_document.setMaterial(opened.material, *opened.stored, documentPath);
-    if (recovered) {
-      m_document.markUnsaved();
-      Q_EMIT this->recovered(path);
+void DocumentController::install(const Opened& opened) {
+  try {
+    m_changedSource.reset();
+    dropTasks();
+    Q_EMIT installing();
+    if (!opened.stored) {
+      m_document.setMaterial(opened.material);
+    } else {
+      m_document.setMaterial(opened.material, *opened.stored, opened.documentPath);
+      if (opened.recovered) {
+        m_document.markUnsaved();
+        Q_EMIT this->recovered(opened.path);
+      }
+      Q_EMIT viewRestored(opened.stored->view);
     }
-    Q_EMIT viewRestored(opened.stored->view);
-    if (opened.stored->sourceSha256 != opened.material->material.source.sha256)
-      Q_EMIT warned(
-          opened.stored->blend
-              ? tr("A material that this document blends has changed since it was saved. The blend is made of the "
-                   "files as they are now.")
-              : tr("The measured file %1 has changed since this document was saved. The edit is applied to the file "
-                   "as it is now.")
-                    .arg(QString::fromStdString(opened.material->material.source.path.string())));
+    Q_EMIT this->opened(opened.recovered ? opened.documentPath : opened.path);
+    if (!hasModelEdit()) automaticFit();
+  } catch (const Error& error) {
+    Q_EMIT failed(tr("Cannot open %1").arg(shortName(opened.path)), QString::fromUtf8(error.what()));
   }
-  Q_EMIT this->opened(recovered ? documentPath : path);
-  if (!hasModelEdit()) automaticFit();
+}
+
+void DocumentController::offerChangedSource(Opened opened) {
+  const QString name = shortName(opened.path);
+  const QString source = QString::fromStdString(opened.material->material.source.path.string());
+  const QString text = opened.stored->blend
+                           ? tr("%1 blends materials, and one of them has changed since it was saved.").arg(name)
+                           : tr("%1 edits %2, which has changed since the document was saved.").arg(name, source);
+  m_changedSource = std::make_shared<const Opened>(std::move(opened));
+  Q_EMIT sourceChanged(text);
+}
+
+void DocumentController::openChangedSource(ChangedSource choice) {
+  const std::shared_ptr<const Opened> changed = std::exchange(m_changedSource, nullptr);
+  if (!changed || choice == ChangedSource::cancel) return;
+  Opened opened = *changed;
+  if (choice == ChangedSource::withoutEdits) {
+    opened.stored->edits.clear();
+    opened.documentPath.clear();  // saving must not replace the document by one without edits
+  }
+  install(opened);
+  if (choice == ChangedSource::withEdits) m_document.markUnsaved();
 }
 
 void DocumentController::dropTasks() {
@@ -188,43 +206,6 @@ bool DocumentController::save(const QString& path, const nlohmann::json& view) {
   m_document.markSaved(path);
   Q_EMIT saved(path);
   return true;
-}
-
-void DocumentController::exportMaterial(const QString& path, exports::MaterialForm form) {
-  const LoadedMaterialPtr material = m_document.material();
-  if (!material) return;
-  m_tasks.run<ExportLosses>(
-      {tr("Exporting %1").arg(shortName(path)), exportKey},
-      [material, base = m_document.base(), edits = m_document.edits(), form, path](const TaskControl& control) {
-        return writeMaterial(*material, base, edits, form, path.toStdString(), control);
-      },
-      [this, path](const ExportLosses& losses) {
-        Q_EMIT exported(path);
-        if (!losses.sentences.isEmpty()) Q_EMIT warned(QStringLiteral("%1: %2").arg(shortName(path), losses.text()));
-      },
-      [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(shortName(path)), error); });
-}
-
-void DocumentController::exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
-                                   const RenderMaterials& others) {
-  const LoadedMaterialPtr material = m_document.material();
-  if (!material) return;
-  const editing::EditList edits = m_document.edits();
-  m_tasks.run<bool>(
-      {tr("Rendering %1").arg(shortName(path)), exportKey},
-      [material, base = m_document.base(), edits, scene, overrides, others, path](const TaskControl& control) {
-        const auto edited = std::make_shared<const RenderMaterial>(editing::applyEdits(base, edits));
-        const RenderMaterials materials = bindMaterials(scene, materialsInSlots(scene, edited, others));
-        constexpr std::uint64_t seed = 1;
-        const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides), seed);
-        Film film(exrSide, exrSide);
-        tracer.accumulate(film, exrSamples, control);
-        io::writeExr(film.image(), path.toStdString(),
-                     pictureAttributes(scene, tracer.plan(), material->material.name, film.samples, seed));
-        return true;
-      },
-      [this, path](bool) { Q_EMIT exported(path); },
-      [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(shortName(path)), error); });
 }
 
 const models::ParameterValues* DocumentController::fittedValues(const models::Model& model) const {

@@ -6,13 +6,14 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
-#include "app/gonio/document/material_export.h"
-#include "core/rendering/effect_plan.h"
 
 namespace gonio::app {
 
-/// What the user does with a document that takes time or touches files: opening, fitting, saving, exporting. All of it
-/// runs in the background but saving, which is a small file.
+/// What becomes of a document whose measured file has changed since it was saved.
+enum class ChangedSource { withEdits, withoutEdits, cancel };
+
+/// What the user does with a document that takes time or touches files: opening, fitting, saving. All of it runs in the
+/// background but saving, which is a small file.
 class DocumentController : public QObject {
   Q_OBJECT
 
@@ -25,6 +26,8 @@ class DocumentController : public QObject {
   /// An autosaved document; `originalPath` is where it belongs (empty: it was never saved).
   void openRecovered(const QString& autosavePath, const QString& originalPath);
   QString opening() const { return m_opening; }
+  /// The answer to sourceChanged(). The document then counts as unsaved.
+  void openChangedSource(ChangedSource choice);
 
   /// Uses the fit that is known of this material, or makes it. One undo step.
   void chooseModel(const models::Model& model);
@@ -38,17 +41,13 @@ class DocumentController : public QObject {
 
   /// Writes the .gonio file. Returns false after failed().
   bool save(const QString& path, const nlohmann::json& view);
-  /// The edited material in a form; warns of what that cannot hold, with the measured error.
-  void exportMaterial(const QString& path, exports::MaterialForm form);
-  /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see materialsInSlots().
-  void exportExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
-                 const RenderMaterials& others = {});
-
   /// Pastes edits, carried over to the open material, in the place of those of their kinds, in one undo step. The
   /// factors that edits of curves need are found first, and the fits that edits of models need where none is in use.
   void paste(const editing::EditList& edits);
 
  Q_SIGNALS:
+  /// A document was read whose source is another file than when it was saved: it waits for openChangedSource().
+  void sourceChanged(const QString& text);
   /// What was read is about to take the place of what is open.
   void installing();
   /// `path` is empty for recovered work that was never saved.
@@ -58,7 +57,6 @@ class DocumentController : public QObject {
   /// The view that a .gonio file holds.
   void viewRestored(const nlohmann::json& view);
   void saved(const QString& path);
-  void exported(const QString& path);
   void failed(const QString& title, const QString& text);
   void warned(const QString& text);
   /// A cancelled fit has a best so far.
@@ -68,10 +66,12 @@ class DocumentController : public QObject {
   struct Opened {
     LoadedMaterialPtr material;
     std::optional<editing::EditDocument> stored;
-    std::string storedHash;
+    QString path, documentPath;
+    bool recovered = false;
   };
   void start(const QString& path, const QString& documentPath, bool recovered);
-  void install(const Opened& opened, const QString& path, const QString& documentPath, bool recovered);
+  void install(const Opened& opened);
+  void offerChangedSource(Opened opened);
   /// @param choices the conventions to keep, as fitting::fit() takes them.
   void runFit(const models::Model& model, std::function<void(const fitting::FitResult&)> done,
               const models::ParameterValues& choices = {});
@@ -89,6 +89,7 @@ class DocumentController : public QObject {
   Document& m_document;
   BackgroundTasks& m_tasks;
   QString m_opening;
+  std::shared_ptr<const Opened> m_changedSource;  ///< waits for an answer
   std::optional<fitting::FitResult> m_proposal;
 };
 

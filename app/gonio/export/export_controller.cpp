@@ -78,7 +78,7 @@ void ExportController::write(const ExportSubject& subject, const ExportRequest& 
   Q_EMIT lastChanged();
   const QString files = fileNames(*request.target, request.name, request.scene != nullptr);
   m_tasks.run<std::vector<std::string>>(
-      {tr("Exporting %1").arg(files), QStringLiteral("export-files:") + request.name},
+      {.title = tr("Exporting %1").arg(files), .file = true},
       [subject, request, trial](const TaskControl& control) {
         const std::filesystem::path name = request.name.toStdString();
         exports::checkTargets(request.target->paths(name, request.scene != nullptr),
@@ -93,7 +93,8 @@ void ExportController::write(const ExportSubject& subject, const ExportRequest& 
         Q_EMIT exported(files);
         for (const std::string& warning : warnings) Q_EMIT warned(QString::fromStdString(warning));
       },
-      [this, files](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(files), error); });
+      [this, files](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(files), error); },
+      [this, files] { Q_EMIT cancelled(files); });
 }
 
 void ExportController::repeat() {

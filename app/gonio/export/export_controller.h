@@ -71,6 +71,8 @@ class ExportController : public QObject {
   void exported(const QString& files);
   void failed(const QString& title, const QString& text);
   void warned(const QString& text);
+  /// The user stopped it: nothing was written.
+  void cancelled(const QString& files);
   /// canRepeat() may have changed.
   void lastChanged();
 

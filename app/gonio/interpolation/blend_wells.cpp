@@ -2,15 +2,21 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/interpolation/blend_wells.h"
 
+#include <QCoreApplication>
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <cstdlib>
+#include <utility>
 
 #include "app/gonio/document/material_files.h"
+#include "widgets/inputs/dialog_folder.h"
 #include "widgets/interpolation/blend_pad.h"
 #include "widgets/interpolation/blend_place.h"
 #include "widgets/interpolation/material_well.h"
 #include "widgets/interpolation/prepared_blend.h"
+#include "widgets/library/material_drag.h"
 
 namespace gonio::app {
 
@@ -24,6 +30,46 @@ BlendWells::BlendWells(const Document& document, BlendEnds& ends)
   for (int i = 0; i < widgets::mostBlended; ++i) connectWell(i);
   connect(m_swap, &QToolButton::clicked, this, [this] { m_ends.swap(0, 1); });
   connect(m_add, &QToolButton::clicked, &m_ends, &BlendEnds::addPlace);
+}
+
+widgets::MaterialWell* BlendWells::nearestWell(const QPointF& position) const {
+  const QPoint inside = widget()->mapFrom(this, position.toPoint());
+  const auto distance = [&](int place) { return std::abs(well(place).geometry().center().y() - inside.y()); };
+  int nearest = 0;
+  for (int place = 1; place < m_ends.count(); ++place)
+    if (distance(place) < distance(nearest)) nearest = place;
+  return &well(nearest);
+}
+
+void BlendWells::offerTo(widgets::MaterialWell* well, const QDropEvent& event) {
+  if (well == m_offered) return;
+  QDragLeaveEvent leave;
+  if (m_offered) QCoreApplication::sendEvent(m_offered, &leave);
+  m_offered = well;
+  if (!well) return;
+  QDragEnterEvent enter(well->rect().center(), event.possibleActions(), event.mimeData(), event.buttons(),
+                        event.modifiers());
+  QCoreApplication::sendEvent(well, &enter);
+}
+
+void BlendWells::dragEnterEvent(QDragEnterEvent* event) {
+  if (widgets::draggedMaterial(event->mimeData()).isEmpty()) return;
+  offerTo(nearestWell(event->position()), *event);
+  event->acceptProposedAction();
+}
+
+void BlendWells::dragMoveEvent(QDragMoveEvent* event) {
+  offerTo(nearestWell(event->position()), *event);
+  event->acceptProposedAction();
+}
+
+void BlendWells::dragLeaveEvent(QDragLeaveEvent* event) {
+  if (m_offered) QCoreApplication::sendEvent(std::exchange(m_offered, nullptr), event);
+}
+
+void BlendWells::dropEvent(QDropEvent* event) {
+  offerTo(nearestWell(event->position()), *event);
+  QCoreApplication::sendEvent(std::exchange(m_offered, nullptr), event);
 }
 
 void BlendWells::build() {
@@ -49,6 +95,7 @@ void BlendWells::build() {
   column->addStretch();
   setWidget(content);
   setWidgetResizable(true);
+  setAcceptDrops(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFixedWidth(wellEms * fontMetrics().height());
@@ -73,10 +120,12 @@ void BlendWells::connectWell(int place) {
 }
 
 void BlendWells::askForFile(int place) {
-  auto* dialog = new QFileDialog(this, tr("Material %1").arg(QChar(u'A' + place)), {}, materialFilter());
+  auto* dialog = new QFileDialog(this, tr("Material %1").arg(QChar(u'A' + place)),
+                                 widgets::dialogFolder(QStringLiteral("open")), materialFilter());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) {
+    widgets::rememberDialogFolder(QStringLiteral("open"), path);
     Q_EMIT touched();
     m_ends.read(place, path);
   });

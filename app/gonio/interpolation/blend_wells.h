@@ -29,7 +29,16 @@ class BlendWells : public QScrollArea {
   /// The user fills a place.
   void touched();
 
+ protected:
+  /// What is dropped beside a well goes into the nearest one.
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragMoveEvent(QDragMoveEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
  private:
+  void offerTo(widgets::MaterialWell* well, const QDropEvent& event);
+  widgets::MaterialWell* nearestWell(const QPointF& position) const;
   void build();
   void connectWell(int place);
   void showEnd(int place, double weight);
@@ -39,6 +48,7 @@ class BlendWells : public QScrollArea {
   BlendEnds& m_ends;
   std::vector<widgets::MaterialWell*> m_wells;
   QToolButton *m_swap, *m_add;
+  widgets::MaterialWell* m_offered = nullptr;  ///< that a drag beside it would go to
 };
 
 }  // namespace gonio::app

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 
 #include "app/gonio/document/material_files.h"
+#include "widgets/inputs/dialog_folder.h"
 #include "widgets/interpolation/material_well.h"
 
 namespace gonio::app {
@@ -94,10 +95,14 @@ void SceneNeighbours::clear(int place) {
 }
 
 void SceneNeighbours::askForFile(int place) {
-  auto* dialog = new QFileDialog(this, tr("Material %1").arg(letterOf(place)), {}, materialFilter());
+  auto* dialog = new QFileDialog(this, tr("Material %1").arg(letterOf(place)),
+                                 widgets::dialogFolder(QStringLiteral("open")), materialFilter());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) { read(place, path); });
+  connect(dialog, &QFileDialog::fileSelected, this, [this, place](const QString& path) {
+    widgets::rememberDialogFolder(QStringLiteral("open"), path);
+    read(place, path);
+  });
   dialog->open();
 }
 

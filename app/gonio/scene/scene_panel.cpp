@@ -11,6 +11,7 @@
 
 #include "core/metrics/image_metrics.h"
 #include "core/rendering/scene_file.h"
+#include "widgets/inputs/dialog_folder.h"
 #include "widgets/panels/effect_list.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -106,8 +107,10 @@ QWidget* ScenePanel::buildBottom() {
 }
 
 void ScenePanel::askForFile() {
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Open Scene"), {}, tr("Scenes and meshes (*.json *.obj);;All files (*)"));
+  const QString purpose = QStringLiteral("scene");
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open Scene"), widgets::dialogFolder(purpose),
+                                                    tr("Scenes and meshes (*.json *.obj);;All files (*)"));
+  widgets::rememberDialogFolder(purpose, path);
   if (!path.isEmpty()) open(path);
 }
 

@@ -12,12 +12,13 @@
 #include <algorithm>
 
 #include "app/gonio/study/study_view.h"
+#include "widgets/inputs/dialog_folder.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
 namespace {
-const QString showKey = QStringLiteral("study preview");
+const QString showKey = QStringLiteral("study preview"), plotPurpose = QStringLiteral("plot");
 }
 
 StudyPanel::StudyPanel(const Document& document, BackgroundTasks& tasks, QWidget* parent)
@@ -99,6 +100,9 @@ void StudyPanel::connectParts() {
   connect(m_run, &StudyRun::rowMeasured, this, &StudyPanel::refreshPlot);
   connect(m_run, &StudyRun::runningChanged, this, &StudyPanel::refresh);
   connect(m_run, &StudyRun::failed, this, &StudyPanel::failed);
+  // What is edited is what the user wants to see.
+  for (const auto signal : {&Document::editChanged, &Document::stateChanged})
+    connect(&m_document, signal, this, [this] { show(-1); });
 }
 
 void StudyPanel::show(int row) {
@@ -155,8 +159,10 @@ void StudyPanel::takeBest() {
 
 void StudyPanel::exportSvg() {
   const QString name = QString::fromStdString(m_run->title() + " accuracy.svg").replace('/', '-');
-  QString path = QFileDialog::getSaveFileName(this, tr("Export Plot"), name, tr("SVG file (*.svg)"));
+  QString path = QFileDialog::getSaveFileName(this, tr("Export Plot"), widgets::inDialogFolder(plotPurpose, name),
+                                              tr("SVG file (*.svg)"));
   if (path.isEmpty()) return;
+  widgets::rememberDialogFolder(plotPurpose, path);
   if (!path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive)) path += QStringLiteral(".svg");
   try {
     m_run->writeSvg(path, axes());

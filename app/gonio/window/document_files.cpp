@@ -4,112 +4,154 @@
 
 #include <QFileDialog>
 #include <QMessageBox>
-#include <QSettings>
+#include <QPushButton>
 
 #include "app/gonio/document/document_controller.h"
+#include "app/gonio/document/file_exports.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/document/recent_files.h"
 #include "app/gonio/window/view_state.h"
-#include "core/io/image_io.h"
+#include "core/editing/edit_words.h"
+#include "widgets/inputs/dialog_folder.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
 
 namespace {
 
-const QString openFolderKey = QStringLiteral("folders/open");
+const QString openPurpose = QStringLiteral("open"), exportPurpose = QStringLiteral("export");
 
 /// With the suffix when the user left it out.
 QString withSuffix(const QString& path, const QString& suffix) {
   return path.isEmpty() || path.endsWith(suffix, Qt::CaseInsensitive) ? path : path + suffix;
 }
 
+/// "gold-paint, rougher": what an exported file is called before anyone names it.
+QString proposedName(const Document& document) {
+  return QString::fromStdString(editing::editedName(document.name().toStdString(), document.edits()));
+}
+
 }  // namespace
 
-DocumentFiles::DocumentFiles(Document& document, DocumentController& controller, RecentFiles& recent,
-                             QSettings& settings, widgets::PreviewWidget& preview, QWidget* window)
-    : m_document(document),
-      m_controller(controller),
-      m_recent(recent),
-      m_settings(settings),
-      m_preview(preview),
+DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
+    : m_parts(parts),
       m_window(window),
       m_autosave(Autosave::defaultDataFolder(), [this]() -> std::optional<editing::EditDocument> {
-        if (!m_document.isModified()) return std::nullopt;
-        editing::EditDocument stored = m_document.toEditDocument();
-        stored.view = viewToJson(m_preview);
+        if (!m_parts.document.isModified()) return std::nullopt;
+        editing::EditDocument stored = m_parts.document.toEditDocument();
+        stored.view = viewToJson(m_parts.preview);
         return stored;
       }) {
-  connect(&m_document, &Document::materialReplaced, this, &DocumentFiles::updateAutosave);
-  connect(&m_controller, &DocumentController::opened, this, [this](const QString& path) {
+  connect(&m_parts.document, &Document::materialReplaced, this, &DocumentFiles::updateAutosave);
+  DocumentController* controller = &m_parts.controller;
+  connect(controller, &DocumentController::opened, this, [this](const QString& path) {
     updateAutosave();
-    if (!path.isEmpty()) m_recent.add(path);
+    if (!path.isEmpty()) m_parts.recent.add(path);
   });
-  connect(&m_controller, &DocumentController::recovered, this,
+  connect(controller, &DocumentController::recovered, this,
           [](const QString& autosavePath) { Autosave::forget(Autosave::defaultDataFolder(), autosavePath); });
-  connect(&m_controller, &DocumentController::saved, this, [this](const QString& path) {
+  connect(controller, &DocumentController::saved, this, [this](const QString& path) {
     m_autosave.setDocumentPath(path);
-    m_recent.add(path);
+    m_parts.recent.add(path);
   });
+  connect(controller, &DocumentController::sourceChanged, this, &DocumentFiles::askAboutChangedSource);
 }
 
 void DocumentFiles::updateAutosave() {
-  m_autosave.setDocumentPath(m_document.path());
+  m_autosave.setDocumentPath(m_parts.document.path());
   m_autosave.update();
 }
 
 void DocumentFiles::open(const QString& path) {
-  if (mayDiscard()) m_controller.open(path);
+  if (mayDiscard()) m_parts.controller.open(path);
 }
 
 void DocumentFiles::askAndOpen() {
   const QString path =
-      QFileDialog::getOpenFileName(m_window, tr("Open"), m_settings.value(openFolderKey).toString(), openFilter());
+      QFileDialog::getOpenFileName(m_window, tr("Open"), widgets::dialogFolder(openPurpose), openFilter());
   if (path.isEmpty()) return;
-  m_settings.setValue(openFolderKey, QFileInfo(path).absolutePath());
+  widgets::rememberDialogFolder(openPurpose, path);
   open(path);
 }
 
 bool DocumentFiles::mayDiscard() {
-  if (!m_document.isModified()) return true;
+  if (!m_parts.document.isModified()) return true;
   const auto answer =
-      QMessageBox::question(m_window, tr("Unsaved changes"), tr("Save changes to %1?").arg(m_document.name()),
+      QMessageBox::question(m_window, tr("Unsaved changes"), tr("Save changes to %1?").arg(m_parts.document.name()),
                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
 }
 
 bool DocumentFiles::close() {
-  if (!mayDiscard()) return false;
+  if (!mayDiscard() || !mayStopExports()) return false;
   m_autosave.discard();
   return true;
 }
 
+bool DocumentFiles::mayStopExports() {
+  if (!m_parts.tasks.isWritingFiles()) return true;
+  QMessageBox box(QMessageBox::Question, tr("Exports under way"), tr("Files are still being exported."),
+                  QMessageBox::Cancel, m_window);
+  box.setInformativeText(tr("If you close now, the files that are not complete are not written."));
+  QPushButton* stop = box.addButton(tr("Stop the Exports and Close"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == stop;
+}
+
+void DocumentFiles::askAboutChangedSource(const QString& text) {
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, tr("The measured file has changed"), text, QMessageBox::Cancel, m_window);
+  box->setTextFormat(Qt::PlainText);
+  box->setInformativeText(
+      tr("The edits were made on other values: applied to the file as it is now, they may count "
+         "twice or look different."));
+  const QPushButton* with = box->addButton(tr("Apply the &Edits"), QMessageBox::AcceptRole);
+  const QPushButton* without = box->addButton(tr("Open &Without Edits"), QMessageBox::AcceptRole);
+  box->setDefaultButton(QMessageBox::Cancel);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  connect(box, &QDialog::finished, this, [=, this] {
+    m_parts.controller.openChangedSource(box->clickedButton() == with      ? ChangedSource::withEdits
+                                         : box->clickedButton() == without ? ChangedSource::withoutEdits
+                                                                           : ChangedSource::cancel);
+  });
+  box->open();
+}
+
 bool DocumentFiles::save() {
-  if (m_document.path().isEmpty()) return saveAs();
-  return m_controller.save(m_document.path(), viewToJson(m_preview));
+  const QString path = m_parts.document.path();
+  return path.isEmpty() ? saveAs() : m_parts.controller.save(path, viewToJson(m_parts.preview));
 }
 
 bool DocumentFiles::saveAs() {
-  if (!m_document.material()) return false;
-  const QString suggested = m_document.path().isEmpty() ? m_document.name() + documentSuffix() : m_document.path();
+  const Document& document = m_parts.document;
+  if (!document.material()) return false;
+  const QString suggested = document.path().isEmpty()
+                                ? widgets::inDialogFolder(openPurpose, document.name() + documentSuffix())
+                                : document.path();
   QString path =
       QFileDialog::getSaveFileName(m_window, tr("Save"), suggested, tr("Gonio document (*%1)").arg(documentSuffix()));
   if (path.isEmpty()) return false;
   if (!isDocument(path)) path += documentSuffix();
-  return m_controller.save(path, viewToJson(m_preview));
+  widgets::rememberDialogFolder(openPurpose, path);
+  if (m_parts.exports.refuses(path)) return false;
+  return m_parts.controller.save(path, viewToJson(m_parts.preview));
 }
 
 void DocumentFiles::exportBrdf() {
-  if (!m_document.material()) return;
-  const std::vector<exports::MaterialForm> forms = exports::formsOf(*m_document.base());
+  const Document& document = m_parts.document;
+  if (!document.material()) return;
+  const std::vector<exports::MaterialForm> forms = exports::formsOf(*document.base());
   QStringList filters;
   for (const exports::MaterialForm form : forms) filters << formFilter(form);
   const auto suffixOf = [&](exports::MaterialForm form) { return formatSuffix(exports::formatOf(form)); };
   QString chosen = filters.front();
-  QString path = QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), m_document.name() + suffixOf(forms.front()),
-                                              filters.join(QStringLiteral(";;")), &chosen);
+  const QString suggested = widgets::inDialogFolder(exportPurpose, proposedName(document) + suffixOf(forms.front()));
+  const QString path =
+      QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), suggested, filters.join(QStringLiteral(";;")), &chosen);
   if (path.isEmpty()) return;
+  widgets::rememberDialogFolder(exportPurpose, path);
   exports::MaterialForm form = forms[std::size_t(std::max(qsizetype(0), filters.indexOf(chosen)))];
   // A typed suffix counts more than the list.
   for (const exports::MaterialForm other : forms)
@@ -117,31 +159,20 @@ void DocumentFiles::exportBrdf() {
       form = other;
       break;
     }
-  m_controller.exportMaterial(withSuffix(path, suffixOf(form)), form);
+  m_parts.exports.writeMaterial(withSuffix(path, suffixOf(form)), form);
 }
 
 void DocumentFiles::exportImage() {
-  const QString path =
-      QFileDialog::getSaveFileName(m_window, tr("Export Image"), m_document.name() + ".png",
-                                   tr("PNG (current view) (*.png);;OpenEXR, rendered in linear light (*.exr)"));
+  widgets::PreviewWidget& preview = m_parts.preview;
+  const QString path = QFileDialog::getSaveFileName(
+      m_window, tr("Export Image"), widgets::inDialogFolder(exportPurpose, proposedName(m_parts.document) + ".png"),
+      tr("PNG (current view) (*.png);;OpenEXR, rendered in linear light (*.exr)"));
   if (path.isEmpty()) return;
+  widgets::rememberDialogFolder(exportPurpose, path);
   if (path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive))
-    m_controller.exportExr(path, m_preview.scene(), m_preview.overrides(), m_preview.others());
+    m_parts.exports.renderExr(path, preview.scene(), preview.overrides(), preview.others());
   else
-    savePng(withSuffix(path, QStringLiteral(".png")));
-}
-
-void DocumentFiles::savePng(const QString& path) {
-  const QImage picture = m_preview.grabPicture().convertToFormat(QImage::Format_RGBA8888);
-  std::vector<unsigned char> bytes;
-  for (int y = 0; y < picture.height(); ++y)
-    bytes.insert(bytes.end(), picture.constScanLine(y), picture.constScanLine(y) + 4 * picture.width());
-  try {
-    io::writePng(bytes, picture.width(), picture.height(), path.toStdString());
-    Q_EMIT m_controller.exported(path);
-  } catch (const Error& error) {
-    Q_EMIT m_controller.failed(tr("Cannot export the picture"), QString::fromUtf8(error.what()));
-  }
+    m_parts.exports.writePng(withSuffix(path, QStringLiteral(".png")), preview.grabPicture());
 }
 
 void DocumentFiles::offerRecovery() {
@@ -154,7 +185,7 @@ void DocumentFiles::offerRecovery() {
                               QMessageBox::Yes | QMessageBox::Discard | QMessageBox::Cancel);
     if (answer == QMessageBox::Discard) Autosave::forget(folder, work.autosavePath);
     if (answer != QMessageBox::Yes) continue;
-    return m_controller.openRecovered(work.autosavePath, work.originalPath);
+    return m_parts.controller.openRecovered(work.autosavePath, work.originalPath);
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include "app/gonio/document/autosave.h"
 
-class QSettings;
 class QWidget;
 
 namespace gonio::widgets {
@@ -16,7 +15,9 @@ class PreviewWidget;
 namespace gonio::app {
 
 class Document;
+class BackgroundTasks;
 class DocumentController;
+class FileExports;
 class RecentFiles;
 
 /// The files of a document as the user meets them: opening, saving and exporting with their questions, the recent
@@ -25,12 +26,21 @@ class DocumentFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// @param window the parent of the dialogs. @param preview its view is saved.
-  DocumentFiles(Document& document, DocumentController& controller, RecentFiles& recent, QSettings& settings,
-                widgets::PreviewWidget& preview, QWidget* window);
+  /// What it works with; all of it outlives this object.
+  struct Parts {
+    Document& document;
+    DocumentController& controller;
+    FileExports& exports;
+    BackgroundTasks& tasks;
+    RecentFiles& recent;
+    widgets::PreviewWidget& preview;  ///< its view is saved
+  };
 
-  const Document& document() const { return m_document; }
-  RecentFiles& recent() { return m_recent; }
+  /// @param window the parent of the dialogs.
+  DocumentFiles(const Parts& parts, QWidget* window);
+
+  const Document& document() const { return m_parts.document; }
+  RecentFiles& recent() { return m_parts.recent; }
 
   /// Opens a file after asking what to do with unsaved changes.
   void open(const QString& path);
@@ -42,19 +52,17 @@ class DocumentFiles : public QObject {
   void exportImage();
   /// Offers work that an earlier run left behind.
   void offerRecovery();
-  /// Asks about unsaved changes and removes the copy of unsaved work. False when the document is to stay open.
+  /// Asks about unsaved changes and exports under way, and removes the copy of unsaved work. False when the document is
+  /// to stay open.
   bool close();
 
  private:
   bool mayDiscard();
-  void savePng(const QString& path);
+  bool mayStopExports();
+  void askAboutChangedSource(const QString& text);
   void updateAutosave();
 
-  Document& m_document;
-  DocumentController& m_controller;
-  RecentFiles& m_recent;
-  QSettings& m_settings;
-  widgets::PreviewWidget& m_preview;
+  Parts m_parts;
   QWidget* m_window;
   Autosave m_autosave;
 };

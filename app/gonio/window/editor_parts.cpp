@@ -43,6 +43,7 @@ LibraryController::LookMaker lookMaker() {
 EditorParts::EditorParts()
     : recentFiles(settings),
       controller(document, tasks),
+      exports(document, tasks),
       exporter(document, tasks),
       library(tasks, lookMaker()),
       preview(*new widgets::PreviewWidget),
@@ -76,6 +77,10 @@ void EditorParts::connectStandIns() {
   });
   QObject::connect(&study, &StudyPanel::subjectChanged, &comparison,
                    [this] { comparison.setStandIn(StandIn::representation, study.subject(), study.shownName()); });
+  QObject::connect(&comparison, &ComparisonController::standInDismissed, &comparison, [this](StandIn kind) {
+    if (kind == StandIn::representation) return study.show(-1);
+    interpolation.setShownInPreview(false);
+  });
   QObject::connect(&study, &StudyPanel::taken, &controller,
                    [this](const gonio::study::Representation& representation) { use(representation); });
   const RepresentationPanel* representation = inspector.representation();

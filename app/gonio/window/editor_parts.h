@@ -6,6 +6,7 @@
 
 #include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/document/document_controller.h"
+#include "app/gonio/document/file_exports.h"
 #include "app/gonio/document/recent_files.h"
 #include "app/gonio/export/export_controller.h"
 #include "app/gonio/library/library_controller.h"
@@ -46,6 +47,7 @@ struct EditorParts {
   BackgroundTasks tasks;
   Document document;
   DocumentController controller;
+  FileExports exports;
   ExportController exporter;
   LibraryController library;
   widgets::PreviewWidget& preview;

@@ -2,11 +2,19 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/environment_controller.h"
 
+#include <QFileInfo>
+#include <QSettings>
+
 #include "core/rendering/environment_file.h"
 #include "widgets/preview/gl/textures.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
+
+namespace {
+const QString recentKey = QStringLiteral("environments/recent");
+constexpr int mostRecent = 6;
+}  // namespace
 
 EnvironmentController::EnvironmentController(BackgroundTasks& tasks, widgets::PreviewWidget& preview, QObject* parent)
     : QObject(parent), m_tasks(tasks), m_preview(preview) {}
@@ -14,6 +22,25 @@ EnvironmentController::EnvironmentController(BackgroundTasks& tasks, widgets::Pr
 QString EnvironmentController::name() const {
   const auto& environment = m_preview.scene().environment;
   return environment ? QString::fromStdString(environment->name()) : QString();
+}
+
+void EnvironmentController::openScenesOwn() { m_preview.content().resetEnvironment(); }
+
+bool EnvironmentController::isScenesOwn() const { return !m_preview.content().isEnvironmentChosen(); }
+
+QStringList EnvironmentController::recent() const {
+  QStringList paths = QSettings().value(recentKey).toStringList();
+  paths.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
+  return paths;
+}
+
+void EnvironmentController::remember(const QString& path) {
+  if (!QFileInfo::exists(path)) return;  // bundled
+  QStringList paths = recent();
+  const QString whole = QFileInfo(path).absoluteFilePath();
+  paths.removeAll(whole);
+  paths.prepend(whole);
+  QSettings().setValue(recentKey, paths.mid(0, mostRecent));
 }
 
 void EnvironmentController::open(const QString& nameOrPath) {
@@ -25,7 +52,10 @@ void EnvironmentController::open(const QString& nameOrPath) {
         widgets::environmentTexels(environment);  // so that the preview need not wait for them
         return environment;
       },
-      [this](const std::shared_ptr<const EnvironmentMap>& environment) { m_preview.setEnvironment(environment); },
+      [this, nameOrPath](const std::shared_ptr<const EnvironmentMap>& environment) {
+        m_preview.setEnvironment(environment);
+        remember(nameOrPath);
+      },
       [this](const QString& error) { Q_EMIT failed(tr("Cannot read the environment"), error); });
 }
 

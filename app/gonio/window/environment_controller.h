@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 
 #include "app/gonio/document/background_task.h"
 
@@ -22,13 +23,20 @@ class EnvironmentController : public QObject {
   /// Reads a picture in the background and lights the preview with it; a bundled name ("studio", "sky") too; empty
   /// turns the environment off.
   void open(const QString& nameOrPath);
+  /// The light of the scene itself, in this scene and all that follow.
+  void openScenesOwn();
+  bool isScenesOwn() const;
   /// What open() takes for the environment in use; empty for the directional light.
   QString name() const;
+  /// Pictures that were opened before and still exist, the newest first; no bundled ones.
+  QStringList recent() const;
 
  Q_SIGNALS:
   void failed(const QString& title, const QString& text);
 
  private:
+  void remember(const QString& path);
+
   BackgroundTasks& m_tasks;
   widgets::PreviewWidget& m_preview;
 };

@@ -4,36 +4,63 @@
 
 #include <QActionGroup>
 #include <QFileDialog>
+#include <utility>
 
 #include "app/gonio/window/environment_controller.h"
+#include "widgets/inputs/dialog_folder.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
 
 LightMenu::LightMenu(EnvironmentController& environment, widgets::PreviewWidget& preview, QWidget* window)
-    : QMenu(tr("&Light"), window), m_environment(environment), m_preview(preview) {
-  auto* group = new QActionGroup(this);
-  add(tr("&Studio"), QStringLiteral("studio"), group);
-  add(tr("S&ky"), QStringLiteral("sky"), group);
-  add(tr("&Furnace"), QStringLiteral("furnace"), group);
-  add(tr("&Directional Light"), {}, group, QKeySequence(Qt::CTRL | Qt::Key_L));
-  addAction(tr("&Open Environment..."), this, &LightMenu::askForFile);
+    : QMenu(tr("&Light"), window), m_environment(environment), m_preview(preview), m_group(new QActionGroup(this)) {
+  addOwn();
+  add(tr("&Studio"), QStringLiteral("studio"));
+  add(tr("S&ky"), QStringLiteral("sky"));
+  add(tr("&Furnace"), QStringLiteral("furnace"));
+  add(tr("&Directional Light"), {}, QKeySequence(Qt::CTRL | Qt::Key_L));
+  addSeparator();
+  m_afterRecent = addAction(tr("&Open Environment..."), this, &LightMenu::askForFile);
   addSeparator();
   addBackground();
+  connect(this, &QMenu::aboutToShow, this, &LightMenu::showRecent);
 }
 
-void LightMenu::add(const QString& text, const QString& name, QActionGroup* group, const QKeySequence& key) {
-  QAction* action = group->addAction(addAction(text, key, this, [this, name] { m_environment.open(name); }));
+void LightMenu::add(const QString& text, const QString& name, const QKeySequence& key) {
+  QAction* action = m_group->addAction(addAction(text, key, this, [this, name] { m_environment.open(name); }));
   action->setCheckable(true);
-  connect(this, &QMenu::aboutToShow, this, [this, action, name] { action->setChecked(m_environment.name() == name); });
+  connect(this, &QMenu::aboutToShow, action,
+          [this, action, name] { action->setChecked(!m_environment.isScenesOwn() && m_environment.name() == name); });
+}
+
+void LightMenu::addOwn() {
+  QAction* own =
+      m_group->addAction(addAction(tr("As the S&cene"), &m_environment, &EnvironmentController::openScenesOwn));
+  own->setCheckable(true);
+  own->setToolTip(tr("Every scene has its own light. What is chosen below stays when the scene changes."));
+  connect(this, &QMenu::aboutToShow, own, [this, own] { own->setChecked(m_environment.isScenesOwn()); });
+}
+
+void LightMenu::showRecent() {
+  for (QAction* action : std::exchange(m_recent, {})) delete action;
+  const QStringList paths = m_environment.recent();
+  const QString current = m_environment.isScenesOwn() ? QString() : m_environment.name();
+  for (const QString& path : paths) {
+    QAction* action = new QAction(QString(path.section('/', -1)).replace('&', QStringLiteral("&&")), this);
+    action->setToolTip(path);
+    action->setCheckable(true);
+    action->setChecked(path == current);
+    connect(action, &QAction::triggered, this, [this, path] { m_environment.open(path); });
+    m_group->addAction(action);
+    insertAction(m_afterRecent, action);
+    m_recent << action;
+  }
+  setToolTipsVisible(true);
 }
 
 void LightMenu::addBackground() {
-  QAction* background = addAction(tr("Show &Background"), this, [this](bool shown) {
-    Scene scene = m_preview.scene();
-    scene.showEnvironment = shown;
-    m_preview.setScene(scene);
-  });
+  QAction* background =
+      addAction(tr("Show &Background"), this, [this](bool shown) { m_preview.content().setBackgroundShown(shown); });
   background->setCheckable(true);
   connect(this, &QMenu::aboutToShow, this, [this, background] {
     background->setChecked(m_preview.scene().showEnvironment);
@@ -42,8 +69,11 @@ void LightMenu::addBackground() {
 }
 
 void LightMenu::askForFile() {
-  const QString path = QFileDialog::getOpenFileName(parentWidget(), tr("Open Environment"), {},
-                                                    tr("Environments (*.hdr *.exr);;All files (*)"));
+  const QString purpose = QStringLiteral("environment");
+  const QString path =
+      QFileDialog::getOpenFileName(parentWidget(), tr("Open Environment"), widgets::dialogFolder(purpose),
+                                   tr("Environments (*.hdr *.exr);;All files (*)"));
+  widgets::rememberDialogFolder(purpose, path);
   if (!path.isEmpty()) m_environment.open(path);
 }
 

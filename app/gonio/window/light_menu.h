@@ -22,12 +22,17 @@ class LightMenu : public QMenu {
   LightMenu(EnvironmentController& environment, widgets::PreviewWidget& preview, QWidget* window);
 
  private:
-  void add(const QString& text, const QString& name, QActionGroup* group, const QKeySequence& key = {});
+  void add(const QString& text, const QString& name, const QKeySequence& key = {});
+  void addOwn();
+  void showRecent();
   void addBackground();
   void askForFile();
 
   EnvironmentController& m_environment;
   widgets::PreviewWidget& m_preview;
+  QActionGroup* m_group;
+  QList<QAction*> m_recent;
+  QAction* m_afterRecent = nullptr;
 };
 
 }  // namespace gonio::app

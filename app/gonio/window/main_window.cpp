@@ -31,6 +31,7 @@
 #include "app/gonio/window/light_menu.h"
 #include "app/gonio/window/material_menu.h"
 #include "app/gonio/window/status_line.h"
+#include "app/gonio/window/undo_keys.h"
 #include "app/gonio/window/view_menu.h"
 #include "widgets/library/library_view.h"
 #include "widgets/panels/message_bar.h"
@@ -45,7 +46,9 @@ constexpr QSize firstSize(1440, 900), smallestSize(960, 600);
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
-      m_files(m_parts.document, m_parts.controller, m_parts.recentFiles, m_parts.settings, m_parts.preview, this),
+      m_files(
+          {m_parts.document, m_parts.controller, m_parts.exports, m_parts.tasks, m_parts.recentFiles, m_parts.preview},
+          this),
       m_docks(new DockLayout(*this)),
       m_messages(new widgets::MessageBar) {
   setAttribute(Qt::WA_DeleteOnClose);
@@ -53,16 +56,17 @@ MainWindow::MainWindow(QWidget* parent)
   resize(firstSize);
   addCentre();
   addDocks();
-  new StatusLine(*statusBar(), m_parts.document, m_parts.tasks, m_parts.comparison, m_parts.preview);
+  m_status = new StatusLine(*statusBar(), m_parts.document, m_parts.tasks, m_parts.comparison, m_parts.preview);
   addMenus();
   connectDocument();
   connectMessages();
   connectRequests();
   new FlickerKey(this, [this](bool held) { m_parts.preview.setFlickering(held); });
-  new DropTarget(*this, {[this](const QString& path) { m_files.open(path); },
-                         [this](const QString& path) { m_parts.comparison.openReference(path); },
-                         [this](const QString& path) { m_parts.environment.open(path); },
-                         [this](const QString& path) { m_parts.scene.open(path); }});
+  new UndoKeys(this);
+  new DropTarget(m_parts.preview, {[this](const QString& path) { m_files.open(path); },
+                                   [this](const QString& path) { m_parts.comparison.openReference(path); },
+                                   [this](const QString& path) { m_parts.environment.open(path); },
+                                   [this](const QString& path) { m_parts.scene.open(path); }});
   m_docks->setDefault();
   m_docks->restore(m_parts.settings);
   m_parts.restoreSettings();
@@ -114,8 +118,8 @@ void MainWindow::addMenus() {
                                   m_docks->dock("history")->toggleViewAction(), this));
   auto* light = new LightMenu(p.environment, p.preview, this);
   menuBar()->addMenu(new ViewMenu(*m_docks, p.comparison, p.preview, light, p.settings, this));
-  menuBar()->addMenu(
-      new MaterialMenu({p.document, p.controller, p.tasks, *m_docks, p.ranking, p.interpolation, p.acquisition}, this));
+  menuBar()->addMenu(new MaterialMenu(
+      {p.document, p.controller, p.tasks, p.comparison, *m_docks, p.ranking, p.interpolation, p.acquisition}, this));
   menuBar()->addMenu(new AnalyseMenu(p.document, p.comparison, *m_docks, p.study, this));
   menuBar()->addMenu(new HelpMenu(this));
 }
@@ -124,18 +128,25 @@ void MainWindow::connectDocument() {
   connect(&m_parts.document, &Document::titleChanged, this, &MainWindow::showTitle);
   connect(&m_parts.document, &Document::materialChanged, m_messages, &QWidget::hide);
   connect(&m_parts.controller, &DocumentController::saved, this,
-          [this](const QString& path) { statusBar()->showMessage(tr("Saved %1").arg(path), 4000); });
-  connect(&m_parts.controller, &DocumentController::exported, this,
-          [this](const QString& path) { statusBar()->showMessage(tr("Wrote %1").arg(path), 6000); });
-  connect(&m_parts.exporter, &ExportController::exported, &m_parts.controller, &DocumentController::exported);
-  connect(&m_parts.plots, &PlotsPanel::exported, &m_parts.controller, &DocumentController::exported);
-  connect(&m_parts.study, &StudyPanel::exported, &m_parts.controller, &DocumentController::exported);
-  connect(&m_parts.acquisition, &AcquisitionPanel::exported, &m_parts.controller, &DocumentController::exported);
+          [this](const QString& path) { m_status->showNotice(tr("Saved %1").arg(path)); });
+  const auto written = [this](const QString& path) { m_status->showNotice(tr("Wrote %1").arg(path)); };
+  const auto cancelled = [this](const QString& path) {
+    m_status->showNotice(tr("Cancelled: %1 was not written").arg(path));
+  };
+  connect(&m_parts.exports, &FileExports::exported, this, written);
+  connect(&m_parts.exports, &FileExports::cancelled, this, cancelled);
+  connect(&m_parts.exporter, &ExportController::exported, this, written);
+  connect(&m_parts.exporter, &ExportController::cancelled, this, cancelled);
+  connect(&m_parts.plots, &PlotsPanel::exported, this, written);
+  connect(&m_parts.study, &StudyPanel::exported, this, written);
+  connect(&m_parts.acquisition, &AcquisitionPanel::exported, this, written);
 }
 
 void MainWindow::connectMessages() {
   connect(&m_parts.tasks, &BackgroundTasks::failed, this, &MainWindow::showFailure);
   connect(&m_parts.controller, &DocumentController::failed, this, &MainWindow::showFailure);
+  connect(&m_parts.exports, &FileExports::failed, this, &MainWindow::showFailure);
+  connect(&m_parts.exports, &FileExports::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.exporter, &ExportController::failed, this, &MainWindow::showFailure);
   connect(&m_parts.exporter, &ExportController::warned, m_messages, &widgets::MessageBar::showMessage);
   connect(&m_parts.environment, &EnvironmentController::failed, this, &MainWindow::showFailure);

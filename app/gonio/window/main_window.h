@@ -14,6 +14,7 @@ class MessageBar;
 namespace gonio::app {
 
 class DockLayout;
+class StatusLine;
 
 /// The editor's window: library left, preview in the middle, inspector right. It puts the parts of the editor in their
 /// places and into its menus; nothing that is in it knows it.
@@ -28,6 +29,7 @@ class MainWindow : public QMainWindow {
   EditorParts& parts() { return m_parts; }
   DocumentFiles& files() { return m_files; }
   DockLayout& docks() { return *m_docks; }
+  StatusLine& status() { return *m_status; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -46,6 +48,7 @@ class MainWindow : public QMainWindow {
   EditorParts m_parts;
   DocumentFiles m_files;
   DockLayout* m_docks;
+  StatusLine* m_status = nullptr;
   widgets::MessageBar* m_messages;
 };
 

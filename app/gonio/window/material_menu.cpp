@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
+#include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/window/dock_layout.h"
@@ -20,7 +21,7 @@ MaterialMenu::MaterialMenu(const Parts& parts, QWidget* window) : QMenu(tr("&Mat
                                  acquisition.startButton().setFocus();
                                });
   acquire->setToolTip(tr("Where to measure a material, and the whole material from a few measurements"));
-  addCancel(parts.tasks);
+  addCancel(parts);
 }
 
 void MaterialMenu::addFits(const Parts& parts) {
@@ -52,14 +53,20 @@ void MaterialMenu::addBlends(const Parts& parts) {
   keep->setToolTip(tr("The blend of the Interpolation dock becomes the open material; undo brings back what was open"));
 }
 
-void MaterialMenu::addCancel(BackgroundTasks& tasks) {
-  QAction* cancel = addAction(tr("&Cancel"), QKeySequence(Qt::Key_Escape), &tasks, &BackgroundTasks::cancelTopmost);
-  cancel->setToolTip(tr("Stops the newest work in progress"));
-  const auto update = [&tasks, cancel] {
+void MaterialMenu::addCancel(const Parts& parts) {
+  // What is shown instead of the material goes first: that loses no work.
+  QAction* cancel = addAction(tr("&Cancel"), QKeySequence(Qt::Key_Escape), this,
+                              [&tasks = parts.tasks, &comparison = parts.comparison] {
+                                if (comparison.standIn()) return comparison.dismissStandIn();
+                                tasks.cancelTopmost();
+                              });
+  cancel->setToolTip(tr("Shows the material again; then stops the newest work in progress"));
+  const auto update = [&tasks = parts.tasks, &comparison = parts.comparison, cancel] {
     const auto task = tasks.topmost();
-    cancel->setEnabled(task && !task->quiet);
+    cancel->setEnabled(comparison.standIn() || (task && !task->quiet));
   };
-  connect(&tasks, &BackgroundTasks::changed, this, update);
+  connect(&parts.tasks, &BackgroundTasks::changed, this, update);
+  connect(&parts.comparison, &ComparisonController::subjectsChanged, this, update);
   update();
 }
 

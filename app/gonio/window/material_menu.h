@@ -8,6 +8,7 @@ namespace gonio::app {
 
 class AcquisitionPanel;
 class BackgroundTasks;
+class ComparisonController;
 class DockLayout;
 class Document;
 class DocumentController;
@@ -23,6 +24,7 @@ class MaterialMenu : public QMenu {
     Document& document;
     DocumentController& controller;
     BackgroundTasks& tasks;
+    ComparisonController& comparison;
     DockLayout& docks;
     FitRankingPanel& ranking;
     InterpolationPanel& interpolation;
@@ -33,7 +35,7 @@ class MaterialMenu : public QMenu {
  private:
   void addFits(const Parts& parts);
   void addBlends(const Parts& parts);
-  void addCancel(BackgroundTasks& tasks);
+  void addCancel(const Parts& parts);
 };
 
 }  // namespace gonio::app

@@ -13,6 +13,10 @@
 
 namespace gonio::app {
 
+namespace {
+constexpr int noticeMilliseconds = 8000;
+}
+
 StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTasks& tasks,
                        const ComparisonController& comparison, const widgets::PreviewWidget& preview)
     : QObject(&bar),
@@ -27,6 +31,7 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTask
   bar.addWidget(m_progress, 1);
   connect(&m_tasks, &BackgroundTasks::changed, this, &StatusLine::showProgress);
   connect(m_progress, &widgets::ProgressStrip::cancelRequested, &m_tasks, &BackgroundTasks::cancelTopmost);
+  connect(m_progress, &widgets::ProgressStrip::entryCancelRequested, &m_tasks, [this](int id) { m_tasks.cancel(id); });
   QLabel* representation = addPermanent(bar, tr("What the preview shows"));
   const auto showRepresentation = [this, representation] { representation->setText(representationText()); };
   for (const auto signal : {&ComparisonController::subjectsChanged, &ComparisonController::comparisonChanged})
@@ -54,7 +59,14 @@ void StatusLine::showProgress() {
     m_progress->showProgress(task->title, task->share, !task->quiet);
   else
     m_progress->clear();
+  std::vector<widgets::ProgressStrip::Entry> entries;
+  for (const BackgroundTasks::Info& task : m_tasks.shown())
+    entries.push_back({task.id, task.waiting ? tr("%1, waiting").arg(task.title)
+                                             : tr("%1, %2 %").arg(task.title).arg(100 * task.share, 0, 'f', 0)});
+  m_progress->setEntries(entries);
 }
+
+void StatusLine::showNotice(const QString& text) { m_progress->showNotice(text, noticeMilliseconds); }
 
 QString StatusLine::representationText() const {
   const LoadedMaterialPtr& material = m_document.material();

@@ -26,6 +26,10 @@ class StatusLine : public QObject {
   StatusLine(QStatusBar& bar, const Document& document, BackgroundTasks& tasks, const ComparisonController& comparison,
              const widgets::PreviewWidget& preview);
 
+  /// What has been done, for some seconds: "Wrote chrome.bsdf".
+  void showNotice(const QString& text);
+  widgets::ProgressStrip& progress() { return *m_progress; }
+
  private:
   QLabel* addPermanent(QStatusBar& bar, const QString& toolTip);
   void showProgress();

@@ -56,9 +56,9 @@ void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view) {
                           number(view, "lightZ", before.z, -1, 1));
   if (glm::length(toLight) > 1e-3 && !scene.directionalLights.empty())
     scene.directionalLights.front().toLight = glm::normalize(toLight);
-  if (view.is_object() && view.contains("showEnvironment") && view["showEnvironment"].is_boolean())
-    scene.showEnvironment = view["showEnvironment"].get<bool>();
   preview.setScene(scene);
+  if (view.is_object() && view.contains("showEnvironment") && view["showEnvironment"].is_boolean())
+    preview.content().setBackgroundShown(view["showEnvironment"].get<bool>());
   preview.setExposure(number(view, "exposure", preview.exposure(), -20, 20));
   if (view.is_object() && view.contains("toneMap"))
     for (const ToneMap toneMap : {ToneMap::clamp, ToneMap::filmic})

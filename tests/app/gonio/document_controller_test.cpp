@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "app/gonio/document/edit_steps.h"
+#include "app/gonio/document/file_exports.h"
 #include "core/factorization/pdv_operations.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/app/gonio/patience.h"
@@ -25,29 +26,11 @@ struct Editor {
   Document document;
   BackgroundTasks tasks;
   DocumentController controller{document, tasks};
+  FileExports exports{document, tasks};
 };
 class DocumentControllerTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// A MERL file cannot hold an anisotropic edit: the message bar says what was written.
-  void exportOfAnAnisotropicEditTellsThatItIsAMean() {
-    const QTemporaryDir folder;
-    Editor editor;
-    editor.controller.open(material);
-    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document), patienceMilliseconds);
-    const models::Model& ward = models::findModel("ward-anisotropic");
-    editor.controller.chooseModel(ward);
-    QTRY_VERIFY_WITH_TIMEOUT(modelEdit(editor.document)->model == &ward, patienceMilliseconds);
-    QSignalSpy warned(&editor.controller, &DocumentController::warned);
-    QSignalSpy done(&editor.controller, &DocumentController::exported);
-    setParameter(editor.document, int(*ward.spec().find("roughness-x")), Rgb(0.03));
-    setParameter(editor.document, int(*ward.spec().find("roughness-y")), Rgb(0.4));
-    editor.controller.exportMaterial(folder.filePath("brushed.binary"), exports::MaterialForm::foldedTable);
-    QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
-    QCOMPARE(warned.count(), 1);
-    QVERIFY(warned.at(0).at(0).toString().contains("anisotropic"));
-  }
-
   /// The main job end to end: open, automatic fit, edit, save, open again, export, open the export.
   void openFitEditSaveOpenExport() {
     const QTemporaryDir folder;
@@ -77,8 +60,8 @@ class DocumentControllerTest : public QObject {
     QVERIFY(!again.document.isModified());
     QCOMPARE(again.document.name(), QStringLiteral("mine"));
 
-    QSignalSpy done(&again.controller, &DocumentController::exported);
-    again.controller.exportMaterial(exported, exports::MaterialForm::foldedTable);
+    QSignalSpy done(&again.exports, &FileExports::exported);
+    again.exports.writeMaterial(exported, exports::MaterialForm::foldedTable);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
     const LoadedMaterialPtr reopened = loadMaterial(exported.toStdString());
     const auto baked = editing::bakeEdits(editor.document.material()->table(), editor.document.edits());
@@ -118,8 +101,8 @@ class DocumentControllerTest : public QObject {
     QVERIFY(!back.keepDetail && again.document.edits()[0].enabled);
     QCOMPARE(again.document.edits()[0].strength, 0.75);
 
-    QSignalSpy done(&again.controller, &DocumentController::exported);
-    again.controller.exportMaterial(exported, exports::MaterialForm::foldedTable);
+    QSignalSpy done(&again.exports, &FileExports::exported);
+    again.exports.writeMaterial(exported, exports::MaterialForm::foldedTable);
     QTRY_COMPARE_WITH_TIMEOUT(done.count(), 1, patienceMilliseconds);
     const auto reopened = loadMaterial(exported.toStdString())->table();
     const TabulatedBrdf& measured = *editor.document.material()->table();
@@ -235,18 +218,31 @@ class DocumentControllerTest : public QObject {
     QCOMPARE(failed.count(), 0);
   }
 
-  void aChangedSourceIsTold() {
+  /// Edits of another file are not applied before the user says so; however the answer is, the document on the disk
+  /// stays as it is.
+  void aChangedSourceWaitsForTheUser() {
     const QTemporaryDir folder;
     const QString path = folder.filePath("old.gonio");
+    const models::Model& model = models::findModel("lambert");
     editing::EditDocument stored;
     stored.sourcePath = material.toStdString();
     stored.sourceSha256 = std::string(64, '0');
+    stored.edits = {{editing::DifferentialEdit{&model, {{Rgb(0.2)}}, {{Rgb(0.4)}}}}};
     editing::writeDocument(stored, path.toStdString());
-    Editor editor;
-    QSignalSpy warned(&editor.controller, &DocumentController::warned);
-    editor.controller.open(path);
-    QTRY_COMPARE_WITH_TIMEOUT(warned.count(), 1, patienceMilliseconds);
-    QVERIFY(warned[0][0].toString().contains("changed"));
+    for (const ChangedSource choice : {ChangedSource::withEdits, ChangedSource::withoutEdits, ChangedSource::cancel}) {
+      Editor editor;
+      QSignalSpy changed(&editor.controller, &DocumentController::sourceChanged);
+      editor.controller.open(path);
+      QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, patienceMilliseconds);
+      QVERIFY(changed[0][0].toString().contains("changed"));
+      QVERIFY(!editor.document.material());
+      editor.controller.openChangedSource(choice);
+      QCOMPARE(editor.document.material() != nullptr, choice != ChangedSource::cancel);
+      QCOMPARE(editor.document.isModified(), choice == ChangedSource::withEdits);
+      QCOMPARE(editor.document.path(), choice == ChangedSource::withEdits ? path : QString());
+      QCOMPARE(modelEdit(editor.document) != nullptr, choice == ChangedSource::withEdits);
+    }
+    QCOMPARE(editing::readDocument(path.toStdString()).sourceSha256, stored.sourceSha256);
   }
 
   void aFileThatNobodyReadsIsToldAndChangesNothing() {

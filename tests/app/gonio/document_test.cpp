@@ -115,7 +115,8 @@ class DocumentTest : public QObject {
             QVERIFY(sameBits(now.edited, one->edited) && sameBits(now.fitted, one->fitted));
           }
         QCOMPARE(m_document->state().selected, expected.selected);
-        QCOMPARE(m_document->isModified(), i != 0);
+        // As opened; everything reset; another model chosen, which changes nothing yet.
+        QCOMPARE(m_document->isModified(), i != 0 && i != 4 && i != 9);
       }
     }
   }

@@ -19,6 +19,7 @@
 #include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
+#include "widgets/inputs/number_field.h"
 #include "widgets/library/library_view.h"
 #include "widgets/parameters/parameter_panel.h"
 #include "widgets/preview/preview_overlay.h"
@@ -88,6 +89,39 @@ class MainWindowTest : public QObject {
     QVERIFY(!window->isWindowModified());
     QVERIFY(modelEdit(window->parts().document)->isIdentity());
     QTest::qWait(50);
+    delete window;
+  }
+
+  /// After a number was typed the focus is still in its field, which has keys of its own for undo and redo.
+  void undoAndRedoAfterTyping() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    QApplication::setActiveWindow(window);  // no window manager does it
+    Document& document = window->parts().document;
+    document.setMaterial(greyMaterial());
+    fitting::FitResult fit;
+    fit.model = &models::findModel("lambert");
+    fit.parameters = models::defaultParameters(fit.model->spec());
+    document.adoptFit(fit);
+    const Rgb before = modelEdit(document)->edited.values[0];
+    auto* field = window->parts().inspector.parameters()->findChild<widgets::NumberField*>();
+    QVERIFY(field);
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "0.625");
+    // While it is being typed, the field's own undo takes the typing back.
+    QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(field->text() != "0.625" && document.history().count() == 0);
+    field->selectAll();
+    QTest::keyClicks(field, "0.625");
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(modelEdit(document)->edited.values[0] != before);
+    const Rgb typed = modelEdit(document)->edited.values[0];
+    QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(modelEdit(document)->edited.values[0] == before);
+    QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(modelEdit(document)->edited.values[0] == typed);
     delete window;
   }
 

@@ -11,6 +11,7 @@
 
 #include "app/gonio/window/view_state.h"
 #include "core/models/registry.h"
+#include "core/rendering/environment_file.h"
 #include "core/rendering/scene_file.h"
 #include "tests/app/gonio/glossy_material.h"
 #include "tests/support/test_program.h"
@@ -50,6 +51,30 @@ class ScenePanelTest : public QObject {
     choose("bowl");
     QTRY_VERIFY(preview_->plan().simulates(Effect::selfShadowing));
     QVERIFY(shows("the bowl is not convex"));
+  }
+
+  /// The environment and the background that the user chose stay when the scene changes; until then, and after "As the
+  /// Scene", each scene has its own.
+  void theChosenLightStays() {
+    choose("sphere-point-light");
+    QTRY_COMPARE(preview_->scene().name, std::string("sphere-point-light"));
+    QVERIFY(!preview_->scene().environment);
+    const auto sky = openEnvironment("sky");
+    preview_->setEnvironment(sky);
+    preview_->content().setBackgroundShown(true);
+    preview_->setExposure(1.5);
+    choose("bowl");
+    QTRY_COMPARE(preview_->scene().name, std::string("bowl"));
+    QCOMPARE(preview_->scene().environment, sky);
+    QVERIFY(preview_->scene().showEnvironment && preview_->content().isEnvironmentChosen());
+    QCOMPARE(preview_->exposure(), 1.5);
+    preview_->content().resetEnvironment();
+    const Scene own = openScene("bowl");
+    QCOMPARE(preview_->scene().environment != nullptr, own.environment != nullptr);
+    QCOMPARE(preview_->scene().directionalLights.size(), own.directionalLights.size());
+    choose("sphere-point-light");
+    QTRY_COMPARE(preview_->scene().name, std::string("sphere-point-light"));
+    QVERIFY(!preview_->scene().environment);
   }
 
   /// The switch forces, the row tells it, and back by the plan nothing is left of it.

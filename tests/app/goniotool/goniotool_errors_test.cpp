@@ -55,6 +55,31 @@ class GoniotoolErrorsTest : public QObject {
     QVERIFY(result.out.isEmpty());
   }
 
+  /// An output never replaces a file that the command reads, under whatever name it is given, nor the file that a
+  /// document edits; with --force it does.
+  void anInputIsNeverReplaced() {
+    const QString own = folder_.writeTable("own.binary", "ggx", plastic), document = folder_.path("own.gonio");
+    const QByteArray before = bytesOf(own);
+    const QString link = folder_.path("link.binary");
+    QVERIFY(QFile::link(own, link));
+    const ToolResult edited = runTool({"edit", own, "--model", "ggx", "--control", "roughness=2", "--out", document});
+    QCOMPARE(edited.code, 0);
+    const QByteArray written = bytesOf(document);
+    for (const QStringList& arguments :
+         {QStringList{"convert", own, own}, QStringList{"convert", own, link}, QStringList{"convert", document, own},
+          QStringList{"edit", own, "--model", "ggx", "--control", "roughness=2", "--out", own},
+          QStringList{"edit", document, "--model", "ggx", "--control", "roughness=2", "--out", document},
+          QStringList{"fit", own, "--model", "ggx", "--out", own}, QStringList{"render", own, "--out", own},
+          QStringList{"interpolate", own, plastic_, "--out", own}}) {
+      const ToolResult result = runTool(arguments);
+      QVERIFY2(result.code == 1 && result.error.count('\n') == 1, qPrintable(arguments.join(' ') + result.error));
+      QVERIFY2(result.error.contains("the command reads this file"), qPrintable(result.error));
+      QVERIFY(bytesOf(own) == before && bytesOf(document) == written);
+    }
+    QCOMPARE(runTool({"convert", document, own, "--force"}).code, 0);
+    QVERIFY(bytesOf(own) != before);
+  }
+
   void failuresAreOneLine_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QString>("names");

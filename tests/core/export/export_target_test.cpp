@@ -68,7 +68,7 @@ class ExportTargetTest : public QObject {
     const models::Model& model = models::findModel("lambert");
     const models::ParameterValues from{{Rgb(0.2)}}, to{{Rgb(0.4)}};
     const editing::EditList edits{{.content = editing::DifferentialEdit{&model, from, to}}};
-    QCOMPARE(exports::proposedName("chrome", edits), std::string("chrome_edited"));
+    QCOMPARE(exports::proposedName("chrome", edits), std::string("chrome_lighter"));
   }
 };
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+
+#include "app/gonio/document/background_task.h"
+#include "app/gonio/document/document.h"
+#include "app/gonio/document/material_export.h"
+#include "core/rendering/effect_plan.h"
+
+namespace gonio::app {
+
+/// Writes the document's material and pictures of it to files in the background, one after the other. The files that
+/// the document is about are never replaced.
+class FileExports : public QObject {
+  Q_OBJECT
+
+ public:
+  FileExports(Document& document, BackgroundTasks& tasks, QObject* parent = nullptr);
+
+  /// Whether a file is one that the document is about; then failed() has said so.
+  bool refuses(const QString& path);
+  /// The edited material in a form; warns of what that cannot hold, with the measured error.
+  void writeMaterial(const QString& path, exports::MaterialForm form);
+  /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see materialsInSlots().
+  void renderExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
+                 const RenderMaterials& others = {});
+  /// A picture as it is: 8 bits a channel.
+  void writePng(const QString& path, const QImage& picture);
+
+ Q_SIGNALS:
+  void exported(const QString& path);
+  void failed(const QString& title, const QString& text);
+  void warned(const QString& text);
+  /// The user stopped it: nothing was written.
+  void cancelled(const QString& path);
+
+ private:
+  template <class Result>
+  void run(const QString& title, const QString& path, std::function<Result(const TaskControl&)> work,
+           std::function<void(const Result&)> done);
+
+  Document& m_document;
+  BackgroundTasks& m_tasks;
+};
+
+}  // namespace gonio::app
