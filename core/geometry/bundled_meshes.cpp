@@ -3,8 +3,11 @@
 #include "core/geometry/bundled_meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <mutex>
+#include <utility>
 
 #include "core/support/error.h"
 #include "core/support/number_text.h"
@@ -55,6 +58,25 @@ void append(MeshArrays& arrays, const MeshArrays& added) {
   const auto first = std::uint32_t(arrays.positions.size());
   arrays.positions.insert(arrays.positions.end(), added.positions.begin(), added.positions.end());
   for (const TriangleIndices& t : added.triangles) arrays.triangles.push_back(t + first);
+}
+
+/// A cloth over a ball: `along` in [0, 1] from its middle to the hem, `angle` about +y. It lies on the ball at the top
+/// and falls from its equator on, in folds that grow toward the hem.
+Direction clothPoint(double along, double angle, bool inside) {
+  constexpr double ball = 0.55, length = 1.9, folds = 9, deepest = 0.3, thickness = 0.012;
+  constexpr double onBall = ball * pi / 2;
+  const double s = along * length;
+  const double hanging = std::max(0.0, s - onBall);
+  double radius = ball * std::sin(std::min(s, onBall) / ball);
+  const double height = ball * std::cos(std::min(s, onBall) / ball) - 0.93 * hanging;
+  const double share = std::min(1.0, std::max(0.0, s - 0.5 * onBall) / (length - 0.5 * onBall));
+  const double wave = std::cos(folds * angle + 0.7 * std::sin(2 * angle));
+  radius += deepest * share * share * (0.55 + 0.45 * wave) + 0.08 * share * std::cos(3 * angle + 1);
+  const double out = inside ? -thickness : 0;
+  // From y in [height at the hem, ball] to [-1, ..].
+  const double lowest = -0.93 * (length - onBall);
+  return {(radius + out * std::min(1.0, s / onBall)) * std::sin(angle), height + out - lowest - 1 + thickness,
+          (radius + out * std::min(1.0, s / onBall)) * std::cos(angle)};
 }
 
 /// Turns +y to `axis` (unit), then moves the origin to `centre`.
@@ -201,20 +223,60 @@ TriangleMesh shaderBallMesh() {
   return TriangleMesh(std::move(arrays));
 }
 
+TriangleMesh cylinderMesh() {
+  constexpr double radius = 0.75, rim = 0.08;
+  Profile profile{{0, -1}};
+  arc(profile, {radius - rim, rim - 1}, rim, 180, 90, 12);
+  arc(profile, {radius - rim, 1 - rim}, rim, 90, 0, 12);
+  profile.push_back({0, 1});
+  return revolvedMesh(profile, 128);
+}
+
+TriangleMesh clothMesh() {
+  constexpr int segments = 208, rings = 68;
+  MeshArrays arrays;
+  // The outside from the top to the hem, then the inside back up.
+  const auto ringOf = [&](int ring) { return ring <= rings ? ring : 2 * rings + 1 - ring; };
+  const int last = 2 * rings + 1;
+  for (int ring = 0; ring <= last; ++ring) {
+    const bool inside = ring > rings;
+    const double along = double(ringOf(ring)) / rings;
+    const bool onAxis = ring == 0 || ring == last;
+    for (int i = 0; i < (onAxis ? 1 : segments); ++i)
+      arrays.positions.push_back(clothPoint(along, 2 * pi * i / segments, inside));
+  }
+  const auto vertex = [&](int ring, int i) {
+    if (ring == 0) return 0u;
+    return 1u + std::uint32_t(ring - 1) * segments + (ring == last ? 0u : std::uint32_t(i % segments));
+  };
+  for (int ring = 0; ring < last; ++ring)
+    for (int i = 0; i < segments; ++i) {
+      const std::uint32_t a = vertex(ring, i), b = vertex(ring, i + 1);
+      const std::uint32_t c = vertex(ring + 1, i + 1), d = vertex(ring + 1, i);
+      if (a != b) arrays.triangles.emplace_back(a, c, b);
+      if (c != d) arrays.triangles.emplace_back(a, d, c);
+    }
+  return TriangleMesh(std::move(arrays));
+}
+
 std::shared_ptr<const TriangleMesh> bundledMesh(const std::string& name) {
-  if (name == "shader-ball") {
-    static const auto mesh = std::make_shared<const TriangleMesh>(shaderBallMesh());
-    return mesh;
+  using Make = TriangleMesh (*)();
+  using Mesh = std::shared_ptr<const TriangleMesh>;
+  static constexpr std::array<std::pair<const char*, Make>, 5> meshes{{{"shader-ball", shaderBallMesh},
+                                                                       {"torus", torusMesh},
+                                                                       {"bowl", bowlMesh},
+                                                                       {"cylinder", cylinderMesh},
+                                                                       {"cloth", clothMesh}}};
+  static std::array<Mesh, meshes.size()> made;
+  static std::array<std::once_flag, meshes.size()> flags;
+  std::string names;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    names += (names.empty() ? "" : ", ") + std::string(meshes[i].first);
+    if (name != meshes[i].first) continue;
+    std::call_once(flags[i], [i] { made[i] = std::make_shared<const TriangleMesh>(meshes[i].second()); });
+    return made[i];
   }
-  if (name == "torus") {
-    static const auto mesh = std::make_shared<const TriangleMesh>(torusMesh());
-    return mesh;
-  }
-  if (name == "bowl") {
-    static const auto mesh = std::make_shared<const TriangleMesh>(bowlMesh());
-    return mesh;
-  }
-  throw Error("there is no bundled mesh named '" + name + "'; there are shader-ball, torus, bowl");
+  throw Error("there is no bundled mesh named '" + name + "'; there are " + names);
 }
 
 }  // namespace gonio

@@ -27,7 +27,12 @@ TriangleMesh bowlMesh();
 /// on a waisted stand. It has parts of every curvature, shadows itself and sees itself.
 TriangleMesh shaderBallMesh();
 
-/// Made once: "shader-ball", "torus", "bowl".
+/// A solid cylinder about +y with rounded rims.
+TriangleMesh cylinderMesh();
+/// A thin cloth that hangs in folds over a ball: sheen, silhouettes and soft creases.
+TriangleMesh clothMesh();
+
+/// Made once: "shader-ball", "torus", "bowl", "cylinder", "cloth".
 /// @throws Error that lists the names.
 std::shared_ptr<const TriangleMesh> bundledMesh(const std::string& name);
 

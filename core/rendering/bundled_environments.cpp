@@ -100,8 +100,38 @@ Rgb skyRadiance(const Direction& w) {
   return glm::mix(ground, sky, smoothRise(-0.012, 0.012, w.y));
 }
 
+/// A low sun behind thin haze: warm from one side, cool from the other, with soft shadows.
+Rgb sunsetRadiance(const Direction& w) {
+  static const Direction sun = glm::normalize(Direction{-0.86, 0.17, 0.48});
+  static const double sunRadius = radians(2.2), sunEdge = radians(1.2);
+  constexpr double sunRadiance = 420;
+  const double angle = 2 * std::atan2(glm::length(w - sun), glm::length(w + sun));
+  const double height = std::max(0.0, w.y);
+  Rgb sky = glm::mix(Rgb(0.16, 0.20, 0.42), Rgb(0.62, 0.42, 0.36), std::exp(-4.5 * height));
+  sky += Rgb(1.0, 0.50, 0.20) * (1.6 * std::exp(-angle / radians(12)) + 0.7 * std::exp(-angle / radians(45)));
+  sky += Rgb(1.0, 0.62, 0.30) * sunRadiance * (1 - smoothRise(sunRadius - sunEdge, sunRadius + sunEdge, angle));
+  const Rgb ground = glm::mix(Rgb(0.07, 0.06, 0.06), Rgb(0.30, 0.21, 0.16), std::exp(5 * std::min(0.0, w.y)));
+  return glm::mix(ground, sky, smoothRise(-0.012, 0.012, w.y));
+}
+
+/// A dim room with a tall window of four panes in front on the left and a warm lamp behind on the right.
+Rgb windowRadiance(const Direction& w) {
+  static const double across = 0.30, upward = 0.40, bar = 0.03;
+  const Rgb wall = glm::mix(Rgb(0.055, 0.050, 0.045), Rgb(0.11, 0.105, 0.10), smoothRise(-0.6, 0.9, w.y));
+  const Rgb floor = glm::mix(Rgb(0.05, 0.035, 0.025), Rgb(0.13, 0.095, 0.065), smoothRise(-1, -0.15, w.y));
+  Rgb sum = glm::mix(floor, wall, smoothRise(-0.12, -0.06, w.y));
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0}) {
+      const Direction middle{-0.72, 0.34, 0.72}, right{0.707, 0, 0.707}, up{0, 1, 0};
+      const Direction pane = middle + x * (across / 2 + bar) * right + y * (upward / 2 + bar) * up;
+      sum += SoftBox{pane, across / 2, upward / 2, 0.01, 0.01, 0.1, Rgb(13.5, 15.5, 18.5)}(w);
+    }
+  sum += SoftBox{{0.80, 0.42, -0.45}, 0.13, 0.15, 0.1, 0.12, 0.6, Rgb(11.0, 6.8, 3.2)}(w);
+  return sum;
+}
+
 /// A white Lambert sphere comes out about mid-bright (its visible half 0.5 on average) at exposure 0.
-constexpr double studioScale = 0.68, skyScale = 0.5;
+constexpr double studioScale = 0.68, skyScale = 0.5, sunsetScale = 1.15, windowScale = 0.46;
 
 }  // namespace
 
@@ -120,11 +150,23 @@ std::shared_ptr<const EnvironmentMap> furnaceEnvironment() {
   return map;
 }
 
+std::shared_ptr<const EnvironmentMap> sunsetEnvironment() {
+  static const auto map = paint("sunset", 4, [](const Direction& w) { return sunsetScale * sunsetRadiance(w); });
+  return map;
+}
+
+std::shared_ptr<const EnvironmentMap> windowEnvironment() {
+  static const auto map = paint("window", 2, [](const Direction& w) { return windowScale * windowRadiance(w); });
+  return map;
+}
+
 std::shared_ptr<const EnvironmentMap> bundledEnvironment(const std::string& name) {
   if (name == "studio") return studioEnvironment();
   if (name == "sky") return skyEnvironment();
+  if (name == "sunset") return sunsetEnvironment();
+  if (name == "window") return windowEnvironment();
   if (name == "furnace") return furnaceEnvironment();
-  throw Error("there is no bundled environment named '" + name + "'; there are studio, sky, furnace");
+  throw Error("there is no bundled environment named '" + name + "'; there are studio, sky, sunset, window, furnace");
 }
 
 }  // namespace gonio

@@ -83,12 +83,15 @@ class EnvironmentRotation {
   double c_, s_;
 };
 
-/// Made by the project itself, 512 x 256: a photo studio with soft boxes, and a clear sky with a sun.
+/// Made by the project itself, 512 x 256: a photo studio with soft boxes, a clear sky with a sun, a low warm sun in
+/// haze, and a dim room with a window and a lamp.
 std::shared_ptr<const EnvironmentMap> studioEnvironment();
 std::shared_ptr<const EnvironmentMap> skyEnvironment();
+std::shared_ptr<const EnvironmentMap> sunsetEnvironment();
+std::shared_ptr<const EnvironmentMap> windowEnvironment();
 /// Constant white radiance of 1: the furnace.
 std::shared_ptr<const EnvironmentMap> furnaceEnvironment();
-/// By name: "studio", "sky", "furnace".
+/// By name: "studio", "sky", "sunset", "window", "furnace".
 /// @throws Error that lists the names.
 std::shared_ptr<const EnvironmentMap> bundledEnvironment(const std::string& name);
 

@@ -16,6 +16,7 @@ uniform float exposure;   // stops
 uniform bool filmic;
 uniform vec3 backgroundCentre;  // display sRGB
 uniform vec3 backgroundEdge;
+uniform bool checker;
 #ifdef COMPARE
 uniform sampler2D otherAccumulation;
 uniform float otherSamples;
@@ -33,7 +34,15 @@ vec3 toSrgb(vec3 c) {
   return mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));
 }
 
-vec3 background(vec2 at) { return mix(backgroundCentre, backgroundEdge, smoothstep(0.2, 0.75, length(at - 0.5))); }
+const float checkerPixels = 16.0;
+
+vec3 background(vec2 at) {
+  if (checker) {
+    vec2 square = floor(gl_FragCoord.xy / checkerPixels);
+    return vec3(mod(square.x + square.y, 2.0) < 0.5 ? 0.36 : 0.26);
+  }
+  return mix(backgroundCentre, backgroundEdge, smoothstep(0.2, 0.75, length(at - 0.5)));
+}
 
 // `mean` is premultiplied radiance with the coverage in alpha.
 vec3 toDisplay(vec4 mean, vec2 at) {

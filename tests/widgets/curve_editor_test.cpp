@@ -46,6 +46,17 @@ class CurveEditorTest : public QObject {
     m_editor->setFocus();
   }
 
+  /// What was said of a point of other curves goes with them.
+  void otherCurvesHaveNoReadout() {
+    QTest::mouseClick(m_editor.get(), Qt::LeftButton, {}, at(1));
+    QVERIFY(!m_editor->accessibleDescription().isEmpty());
+    ChannelCurves others = curves();
+    for (auto& curve : others)
+      for (double& value : curve) value *= 0.5;
+    m_editor->setCurves(nodes(), others, others);
+    QVERIFY(m_editor->accessibleDescription().isEmpty());
+  }
+
   /// The dragged point lies under the mouse, the channels keep their proportions, one interaction frames it.
   void aDragPullsTheLinkedCurves() {
     QSignalSpy started(m_editor.get(), &CurveEditor::interactionStarted);

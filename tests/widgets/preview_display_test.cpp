@@ -60,6 +60,14 @@ class PreviewDisplayTest : public QObject {
     QVERIFY(distance(bright.pixelColor(side / 2, side / 2), dark.pixelColor(side / 2, side / 2)) > 20);
   }
 
+  /// Squares of 16 pixels where nothing is, and the picture as before where it covers them.
+  void theCheckerLiesBehindThePicture() {
+    const QImage plain = alone(*bright_), checker = alone(*bright_, {.checker = true});
+    QVERIFY(checker.pixelColor(1, 1) != checker.pixelColor(17, 1));
+    QCOMPARE(checker.pixelColor(1, 1), checker.pixelColor(14, 1));
+    QCOMPARE(checker.pixelColor(side / 2, side / 2), plain.pixelColor(side / 2, side / 2));
+  }
+
   void twoUpShowsBothWhole() {
     const QImage both = show({.mode = CompareMode::twoUp});
     const QImage bright = show({}), dark = alone(*dark_);
@@ -134,10 +142,10 @@ class PreviewDisplayTest : public QObject {
     display_->present({side, side}, {}, comparison, range, first, second);
     return target.toImage();
   }
-  QImage alone(const widgets::PreviewRenderer& picture) {
+  QImage alone(const widgets::PreviewRenderer& picture, const widgets::DisplaySettings& settings = {}) {
     QOpenGLFramebufferObject target(side, side);
     target.bind();
-    display_->present({side, side}, {}, picture);
+    display_->present({side, side}, settings, picture);
     return target.toImage();
   }
 

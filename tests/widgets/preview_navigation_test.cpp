@@ -79,6 +79,28 @@ class PreviewNavigationTest : public QObject {
     const OrbitCamera back = zoomed(zoomed(OrbitCamera{}, 1), -1);
     QVERIFY(std::abs(back.distance - OrbitCamera{}.distance) < 1e-12);
   }
+
+  /// A point at the target's depth follows the hand when it pans, and stays under the pointer when it zooms there.
+  void whatIsGraspedStaysUnderTheHand() {
+    const auto placeOf = [](const OrbitCamera& camera, const Direction& point) {
+      const CameraFrame frame = cameraFrame(camera);
+      const Direction away = point - frame.eye;
+      const double depth = frame.orthographic ? 1 : glm::dot(away, frame.forward);
+      return glm::dvec2(glm::dot(away, frame.right), glm::dot(away, frame.up)) / (depth * frame.halfExtent);
+    };
+    for (const double fieldOfView : {0.0, 0.55}) {
+      const OrbitCamera camera{.yaw = 0.7, .pitch = -0.3, .fieldOfView = fieldOfView, .target = {0.1, -0.2, 0.3}};
+      const CameraFrame frame = cameraFrame(camera);
+      const Direction point = camera.target + 0.3 * frame.right - 0.2 * frame.up;
+      const glm::dvec2 before = placeOf(camera, point);
+      QVERIFY(glm::distance(placeOf(panned(camera, 0.4, -0.1), point), before + glm::dvec2(0.4, -0.1)) < 1e-12);
+      for (const double steps : {-2.0, 3.0})
+        QVERIFY(glm::distance(placeOf(zoomed(camera, steps, before.x, before.y), point), before) < 1e-12);
+    }
+    OrbitCamera far;
+    for (int i = 0; i < 1000; ++i) far = panned(far, 1, 1);
+    QVERIFY(glm::length(far.target) < 20);
+  }
 };
 
 GONIO_TEST(PreviewNavigationTest)

@@ -2,9 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/preview_input.h"
 
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 
 #include "widgets/preview/preview_navigation.h"
 
@@ -32,9 +35,22 @@ bool PreviewInput::eventFilter(QObject*, QEvent* event) {
       move(*static_cast<QMouseEvent*>(event));
       return true;
     case QEvent::Wheel: {
-      const double steps = static_cast<QWheelEvent*>(event)->angleDelta().y() / 120.0;
-      m_content.setView(zoomed(m_content.scene().camera, steps), m_content.scene().environmentRotation);
+      const auto* wheel = static_cast<QWheelEvent*>(event);
+      const PicturePosition at = picturePosition(wheel->position());
+      const double wide = std::max(1.0, at.aspect), high = std::max(1.0, 1 / at.aspect);
+      m_content.setView(zoomed(m_content.scene().camera, wheel->angleDelta().y() / 120.0, at.x * wide, at.y * high),
+                        m_content.scene().environmentRotation);
       event->accept();
+      return true;
+    }
+    case QEvent::MouseButtonRelease:
+      release(*static_cast<QMouseEvent*>(event));
+      return true;
+    case QEvent::ContextMenu: {
+      const auto* menu = static_cast<QContextMenuEvent*>(event);
+      // That of the mouse comes at the press: a drag may follow.
+      if (menu->reason() == QContextMenuEvent::Keyboard)
+        Q_EMIT menuRequested(m_viewport.mapToGlobal(m_viewport.rect().center()));
       return true;
     }
     case QEvent::KeyPress:
@@ -83,19 +99,41 @@ bool PreviewInput::pick(const QMouseEvent& event) {
 
 void PreviewInput::press(const QMouseEvent& event) {
   m_lastPosition = event.position();
+  m_moved = false;
   if (pick(event)) return;
-  if (event.button() == Qt::LeftButton && hasMovableLight(m_content.scene())) dragLight(event.position());
+  if (event.button() == Qt::LeftButton && !(event.modifiers() & Qt::ShiftModifier) &&
+      hasMovableLight(m_content.scene()))
+    dragLight(event.position());
+}
+
+void PreviewInput::release(const QMouseEvent& event) {
+  if (event.button() == Qt::RightButton && !m_moved) Q_EMIT menuRequested(event.globalPosition().toPoint());
+}
+
+QPointF PreviewInput::inHalfSides(const QPointF& pixels) const {
+  const bool halved = m_content.isComparing() && m_content.comparison().mode == CompareMode::twoUp;
+  const double half = std::min(m_viewport.width() / (halved ? 2.0 : 1.0), double(m_viewport.height())) / 2;
+  return {pixels.x() / half, -pixels.y() / half};
 }
 
 void PreviewInput::move(const QMouseEvent& event) {
   const QPointF delta = event.position() - m_lastPosition;
+  // A click is allowed to tremble.
+  if (!m_moved && event.buttons() == Qt::RightButton && delta.manhattanLength() < QApplication::startDragDistance() / 2)
+    return;
+  m_moved = true;
   m_lastPosition = event.position();
   if (pick(event)) return;
   const Scene& scene = m_content.scene();
+  const bool shift = event.modifiers() & Qt::ShiftModifier;
+  if (event.buttons() & Qt::MiddleButton || (event.buttons() & Qt::LeftButton && shift)) {
+    const QPointF way = inHalfSides(delta);
+    return m_content.setView(panned(scene.camera, way.x(), way.y()), scene.environmentRotation);
+  }
   if (event.buttons() & Qt::LeftButton && hasMovableLight(scene)) return dragLight(event.position());
-  if (event.buttons() & Qt::RightButton && event.modifiers() & Qt::ShiftModifier)
+  if (event.buttons() & Qt::RightButton && shift)
     m_content.setView(scene.camera, scene.environmentRotation + environmentTurn(delta.x()));
-  else if (event.buttons() & (Qt::LeftButton | Qt::MiddleButton | Qt::RightButton))
+  else if (event.buttons() & (Qt::LeftButton | Qt::RightButton))
     m_content.setView(orbited(scene.camera, delta.x(), delta.y()), scene.environmentRotation);
 }
 
@@ -109,6 +147,11 @@ void PreviewInput::dragLight(const QPointF& position) {
 bool PreviewInput::key(const QKeyEvent& event) {
   const double step = event.modifiers() & Qt::ShiftModifier ? 2 : 20;  // pixels of a drag
   OrbitCamera camera = m_content.scene().camera;
+  const auto moved = [&](double dx, double dy) {
+    if (!(event.modifiers() & Qt::ControlModifier)) return orbited(camera, dx, dy);
+    const QPointF way = inHalfSides({dx, dy});
+    return panned(camera, way.x(), way.y());
+  };
   switch (event.key()) {
     case Qt::Key_F:
       frameObject();
@@ -117,16 +160,16 @@ bool PreviewInput::key(const QKeyEvent& event) {
       resetView();
       return true;
     case Qt::Key_Left:
-      camera = orbited(camera, -step, 0);
+      camera = moved(-step, 0);
       break;
     case Qt::Key_Right:
-      camera = orbited(camera, step, 0);
+      camera = moved(step, 0);
       break;
     case Qt::Key_Up:
-      camera = orbited(camera, 0, -step);
+      camera = moved(0, -step);
       break;
     case Qt::Key_Down:
-      camera = orbited(camera, 0, step);
+      camera = moved(0, step);
       break;
     case Qt::Key_Plus:
       camera = zoomed(camera, 1);

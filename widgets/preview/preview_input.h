@@ -13,9 +13,10 @@ class QWheelEvent;
 
 namespace gonio::widgets {
 
-/// What the hand does to the preview. Left drag orbits (with one distant light alone: moves the light), middle or right
-/// drag orbits always, wheel zooms, Shift + right drag turns the environment, Ctrl + left (or left alone while picking)
-/// picks the angle of the viewer at a point; arrows, plus, and minus do it by keys, F frames, R resets the view.
+/// What the hand does to the preview. Left drag orbits (with one distant light alone: moves the light), right drag
+/// orbits always, middle or Shift + left drag pans, the wheel zooms to the pointer, Shift + right drag turns the
+/// environment, Ctrl + left (or left alone while picking) picks the angle of the viewer at a point, a right click asks
+/// for a menu. By keys: arrows orbit, with Ctrl they pan, plus and minus zoom, F frames, R resets the view.
 class PreviewInput : public QObject {
   Q_OBJECT
 
@@ -31,6 +32,8 @@ class PreviewInput : public QObject {
  Q_SIGNALS:
   /// The user points at the sphere where the viewer stands at this polar angle (rad, [0, pi/2]).
   void polarAnglePicked(double theta);
+  /// By a click with the right button, or by the menu key. @param place global
+  void menuRequested(const QPoint& place);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -40,8 +43,11 @@ class PreviewInput : public QObject {
     double x, y, aspect;  ///< x, y in [-1, 1], y up
   };
   PicturePosition picturePosition(const QPointF& position) const;
+  /// The place, or a distance, in halves of the picture's smaller side, y up.
+  QPointF inHalfSides(const QPointF& pixels) const;
   void press(const QMouseEvent& event);
   void move(const QMouseEvent& event);
+  void release(const QMouseEvent& event);
   bool key(const QKeyEvent& event);
   bool pick(const QMouseEvent& event);
   void dragLight(const QPointF& position);
@@ -50,6 +56,7 @@ class PreviewInput : public QObject {
   QWidget& m_viewport;
   bool m_picking = false;
   QPointF m_lastPosition;
+  bool m_moved = false;  ///< since a button was pressed
 };
 
 }  // namespace gonio::widgets

@@ -12,7 +12,7 @@ namespace gonio::widgets {
 namespace {
 constexpr double orbitPerPixel = 0.008;  // rad
 constexpr double maxPitch = 1.5;         // rad: short of the pole, where yaw loses its meaning
-constexpr double nearestDistance = 1.6, farthestDistance = 12;
+constexpr double nearestDistance = 1.2, farthestDistance = 40, farthestTarget = 10;
 constexpr double zoomPerStep = 1.12;
 }  // namespace
 
@@ -23,10 +23,22 @@ OrbitCamera orbited(const OrbitCamera& camera, double dx, double dy) {
   return result;
 }
 
-OrbitCamera zoomed(const OrbitCamera& camera, double steps) {
+OrbitCamera panned(const OrbitCamera& camera, double x, double y) {
+  const CameraFrame frame = cameraFrame(camera);
+  const double atTarget = frame.halfExtent * (frame.orthographic ? 1 : camera.distance);
+  OrbitCamera result = camera;
+  result.target -= atTarget * (x * frame.right + y * frame.up);
+  for (int axis = 0; axis < 3; ++axis)
+    result.target[axis] = std::clamp(result.target[axis], -farthestTarget, farthestTarget);
+  return result;
+}
+
+OrbitCamera zoomed(const OrbitCamera& camera, double steps, double x, double y) {
   OrbitCamera result = camera;
   result.distance = std::clamp(camera.distance * std::pow(zoomPerStep, -steps), nearestDistance, farthestDistance);
-  return result;
+  if (cameraFrame(camera).orthographic) return result;
+  const double ratio = camera.distance / result.distance;
+  return panned(result, x * (1 - ratio), y * (1 - ratio));
 }
 
 double environmentTurn(double dx) { return orbitPerPixel * dx; }

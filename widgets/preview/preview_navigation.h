@@ -13,8 +13,13 @@ namespace gonio::widgets {
 /// The camera after a drag by (dx, dy) pixels, y down: the sphere follows the hand.
 OrbitCamera orbited(const OrbitCamera& camera, double dx, double dy);
 
-/// The camera after `steps` notches of the wheel; positive moves nearer.
-OrbitCamera zoomed(const OrbitCamera& camera, double steps);
+/// The camera after it was shifted so that what lies at the target's depth moves by (x, y) in the picture (whose
+/// smaller half side is 1, y up). The target stays within reach of the objects.
+OrbitCamera panned(const OrbitCamera& camera, double x, double y);
+
+/// The camera after `steps` notches of the wheel; positive moves nearer. What lies at the target's depth at (x, y) in
+/// the picture (as in panned()) stays there.
+OrbitCamera zoomed(const OrbitCamera& camera, double steps, double x = 0, double y = 0);
 
 /// Turn of the environment for a drag by dx pixels, rad.
 double environmentTurn(double dx);

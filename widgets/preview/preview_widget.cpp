@@ -68,14 +68,28 @@ void PreviewWidget::setFlickering(bool flickering) {
   requestPicture();
 }
 
-void PreviewWidget::setExposure(double stops) {
-  m_settings.exposure = stops;
+void PreviewWidget::setDisplay(const DisplaySettings& settings) {
+  m_settings = settings;
   requestPicture();
+  Q_EMIT displayChanged();
+}
+
+void PreviewWidget::setExposure(double stops) {
+  DisplaySettings settings = m_settings;
+  settings.exposure = stops;
+  setDisplay(settings);
 }
 
 void PreviewWidget::setToneMap(ToneMap toneMap) {
-  m_settings.toneMap = toneMap;
-  requestPicture();
+  DisplaySettings settings = m_settings;
+  settings.toneMap = toneMap;
+  setDisplay(settings);
+}
+
+void PreviewWidget::setChecker(bool checker) {
+  DisplaySettings settings = m_settings;
+  settings.checker = checker;
+  setDisplay(settings);
 }
 
 void PreviewWidget::setOverlayVisible(bool visible) { m_overlay->setStatusWanted(visible); }

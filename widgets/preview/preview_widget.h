@@ -60,6 +60,8 @@ class PreviewWidget : public QOpenGLWidget {
   double exposure() const { return m_settings.exposure; }
   void setToneMap(ToneMap toneMap);
   ToneMap toneMap() const { return m_settings.toneMap; }
+  void setChecker(bool checker);
+  bool hasChecker() const { return m_settings.checker; }
   void setOverlayVisible(bool visible);
   bool overlayVisible() const;
   /// In a comparison: shows the second subject while it is on.
@@ -79,6 +81,8 @@ class PreviewWidget : public QOpenGLWidget {
 
  Q_SIGNALS:
   void sceneChanged(const gonio::Scene& scene);
+  /// Exposure, tone map or what is behind the picture.
+  void displayChanged();
   void planChanged(const gonio::EffectPlan& plan);
   void frameRendered(double milliseconds, int samplesPerPixel);
   void failed(const QString& message);
@@ -93,6 +97,7 @@ class PreviewWidget : public QOpenGLWidget {
 
  private:
   void connectContent();
+  void setDisplay(const DisplaySettings& settings);
   void requestPicture();
   void adopt(const PictureState& state);
   void showOverlay();

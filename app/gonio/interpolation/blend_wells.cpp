@@ -33,7 +33,7 @@ BlendWells::BlendWells(const Document& document, BlendEnds& ends)
 }
 
 widgets::MaterialWell* BlendWells::nearestWell(const QPointF& position) const {
-  const QPoint inside = widget()->mapFrom(this, position.toPoint());
+  const QPoint inside = widget()->mapFrom(viewport(), position.toPoint());
   const auto distance = [&](int place) { return std::abs(well(place).geometry().center().y() - inside.y()); };
   int nearest = 0;
   for (int place = 1; place < m_ends.count(); ++place)
@@ -95,7 +95,7 @@ void BlendWells::build() {
   column->addStretch();
   setWidget(content);
   setWidgetResizable(true);
-  setAcceptDrops(true);
+  viewport()->setAcceptDrops(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFixedWidth(wellEms * fontMetrics().height());

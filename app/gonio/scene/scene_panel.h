@@ -29,6 +29,8 @@ class ScenePanel : public QWidget {
 
   /// A scene of the project, a scene file or a mesh: read in the background, shown, then `shown` is called.
   void open(const QString& nameOrPath, std::function<void()> shown = {});
+  /// The same of a file that the user chooses.
+  void askForFile();
   widgets::EffectList& effects() const { return *m_effects; }
   QComboBox& scenes() const { return *m_scenes; }
   QPushButton& measureButton() const { return *m_measure; }
@@ -43,7 +45,6 @@ class ScenePanel : public QWidget {
  private:
   QWidget* buildTop();
   QWidget* buildBottom();
-  void askForFile();
   void show(const Scene& scene);
   void showScene(const Scene& scene);
   void refresh();

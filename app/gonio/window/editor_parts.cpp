@@ -16,6 +16,7 @@
 #include "app/gonio/library/thumbnail.h"
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
+#include "app/gonio/scene/view_strip.h"
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/study/study_panel.h"
 #include "app/gonio/window/view_state.h"
@@ -59,6 +60,7 @@ EditorParts::EditorParts()
       interpolation(*new InterpolationPanel(document, tasks)),
       study(*new StudyPanel(document, tasks)),
       scene(*new ScenePanel(preview, document, tasks)),
+      viewStrip(*new ViewStrip(preview, scene, environment, tasks)),
       acquisition(*new AcquisitionPanel(document, tasks)) {
   preview.setToneMap(ToneMap::filmic);
   connectStandIns();

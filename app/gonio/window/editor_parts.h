@@ -30,6 +30,7 @@ class InterpolationPanel;
 class PlotsPanel;
 class ScenePanel;
 class StudyPanel;
+class ViewStrip;
 
 /// The parts of one window: its document, the controllers and the panels, made in this order and connected to each
 /// other. The window that they are put into owns the widgets; it outlives this object.
@@ -63,6 +64,7 @@ struct EditorParts {
   InterpolationPanel& interpolation;
   StudyPanel& study;
   ScenePanel& scene;
+  ViewStrip& viewStrip;
   AcquisitionPanel& acquisition;
 
  private:

@@ -21,12 +21,14 @@ class LightMenu : public QMenu {
  public:
   LightMenu(EnvironmentController& environment, widgets::PreviewWidget& preview, QWidget* window);
 
+  /// Lights the preview with a picture that the user chooses.
+  void askForFile();
+
  private:
   void add(const QString& text, const QString& name, const QKeySequence& key = {});
   void addOwn();
   void showRecent();
   void addBackground();
-  void askForFile();
 
   EnvironmentController& m_environment;
   widgets::PreviewWidget& m_preview;

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/main_window.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenuBar>
@@ -20,6 +22,7 @@
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
+#include "app/gonio/scene/view_strip.h"
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/study/study_panel.h"
 #include "app/gonio/window/analyse_menu.h"
@@ -83,6 +86,7 @@ void MainWindow::addCentre() {
   layout->addWidget(m_messages);
   layout->addWidget(&m_parts.comparisonBar);
   layout->addWidget(&m_parts.preview, 1);
+  layout->addWidget(&m_parts.viewStrip);
   setCentralWidget(centre);
 }
 
@@ -117,11 +121,26 @@ void MainWindow::addMenus() {
   menuBar()->addMenu(new EditMenu(p.document, p.controller, p.inspector, p.settings,
                                   m_docks->dock("history")->toggleViewAction(), this));
   auto* light = new LightMenu(p.environment, p.preview, this);
-  menuBar()->addMenu(new ViewMenu(*m_docks, p.comparison, p.preview, light, p.settings, this));
+  auto* view = new ViewMenu(*m_docks, p.comparison, p.preview, light, p.settings, this);
+  menuBar()->addMenu(view);
   menuBar()->addMenu(new MaterialMenu(
       {p.document, p.controller, p.tasks, p.comparison, *m_docks, p.ranking, p.interpolation, p.acquisition}, this));
   menuBar()->addMenu(new AnalyseMenu(p.document, p.comparison, *m_docks, p.study, this));
   menuBar()->addMenu(new HelpMenu(this));
+  connect(&p.viewStrip, &ViewStrip::sceneFileWanted, &p.scene, &ScenePanel::askForFile);
+  connect(&p.viewStrip, &ViewStrip::environmentFileWanted, light, &LightMenu::askForFile);
+  connect(&p.preview.input(), &widgets::PreviewInput::menuRequested, this, [this, view](const QPoint& place) {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    view->addPictureActionsTo(*menu);
+    menu->addSeparator();
+    menu->addAction(tr("Compare On or Off"), &m_parts.comparison, &ComparisonController::toggle);
+    menu->addAction(tr("Copy Picture"), this,
+                    [this] { QApplication::clipboard()->setImage(m_parts.preview.grabPicture()); });
+    menu->addAction(tr("Export Image..."), &m_files, &DocumentFiles::exportImage)
+        ->setEnabled(m_parts.document.material() != nullptr);
+    menu->popup(place);
+  });
 }
 
 void MainWindow::connectDocument() {

@@ -27,6 +27,7 @@ ViewMenu::ViewMenu(DockLayout& docks, ComparisonController& comparison, widgets:
   addPicture();
   addToneMap(addMenu(tr("&Tone Map")));
   addMenu(light);
+  m_pictureActions << light->menuAction();
   addSeparator();
   addTheme(addMenu(tr("T&heme")), settings);
   addWindow();
@@ -61,14 +62,19 @@ void ViewMenu::addPicture() {
   overlay->setCheckable(true);
   connect(this, &QMenu::aboutToShow, this, [this, overlay] { overlay->setChecked(m_preview.overlayVisible()); });
   connect(overlay, &QAction::triggered, this, [this] { m_preview.setOverlayVisible(!m_preview.overlayVisible()); });
-  addAction(tr("&Frame Sphere"), &m_preview, &widgets::PreviewWidget::frameObject);
-  addAction(tr("&Reset View"), &m_preview, &widgets::PreviewWidget::resetView);
+  m_pictureActions << addAction(tr("&Frame Object (F)"), &m_preview, &widgets::PreviewWidget::frameObject);
+  m_pictureActions << addAction(tr("&Reset View (R)"), &m_preview, &widgets::PreviewWidget::resetView) << overlay;
   addSeparator();
   addAction(tr("&Brighter"), QKeySequence(Qt::CTRL | Qt::Key_BracketRight), this,
             [this] { changeExposure(m_preview.exposure() + exposureStep); });
   addAction(tr("&Darker"), QKeySequence(Qt::CTRL | Qt::Key_BracketLeft), this,
             [this] { changeExposure(m_preview.exposure() - exposureStep); });
   addAction(tr("Reset &Exposure"), QKeySequence(Qt::CTRL | Qt::Key_Backslash), this, [this] { changeExposure(0); });
+}
+
+void ViewMenu::addPictureActionsTo(QMenu& menu) {
+  Q_EMIT aboutToShow();  // the marks of the actions
+  menu.addActions(m_pictureActions);
 }
 
 void ViewMenu::changeExposure(double stops) { m_preview.setExposure(std::clamp(stops, darkest, brightest)); }

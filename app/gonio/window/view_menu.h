@@ -24,6 +24,9 @@ class ViewMenu : public QMenu {
   ViewMenu(DockLayout& docks, ComparisonController& comparison, widgets::PreviewWidget& preview, QMenu* light,
            QSettings& settings, QWidget* window);
 
+  /// What concerns the picture alone, for a menu at the pointer.
+  void addPictureActionsTo(QMenu& menu);
+
  private:
   void addLayouts(QMenu* menu, ComparisonController& comparison);
   void addDocks();
@@ -35,6 +38,7 @@ class ViewMenu : public QMenu {
 
   DockLayout& m_docks;
   widgets::PreviewWidget& m_preview;
+  QList<QAction*> m_pictureActions;
 };
 
 }  // namespace gonio::app

@@ -33,6 +33,9 @@ nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
           {"pitch", scene.camera.pitch},
           {"distance", scene.camera.distance},
           {"fieldOfView", scene.camera.fieldOfView},
+          {"targetX", scene.camera.target.x},
+          {"targetY", scene.camera.target.y},
+          {"targetZ", scene.camera.target.z},
           {"lightX", toLight.x},
           {"lightY", toLight.y},
           {"lightZ", toLight.z},
@@ -50,6 +53,10 @@ void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view) {
   scene.camera.pitch = number(view, "pitch", scene.camera.pitch, -steepest, steepest);
   scene.camera.distance = number(view, "distance", scene.camera.distance, 1.05, farthest);
   scene.camera.fieldOfView = number(view, "fieldOfView", scene.camera.fieldOfView, 0, 2.5);
+  OrbitCamera& camera = scene.camera;
+  camera.target = {number(view, "targetX", camera.target.x, -farthest, farthest),
+                   number(view, "targetY", camera.target.y, -farthest, farthest),
+                   number(view, "targetZ", camera.target.z, -farthest, farthest)};
   scene.environmentRotation = number(view, "environmentRotation", scene.environmentRotation, -100, 100);
   const Direction before = lightOf(scene);
   const Direction toLight(number(view, "lightX", before.x, -1, 1), number(view, "lightY", before.y, -1, 1),

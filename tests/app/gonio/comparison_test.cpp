@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_banner.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -127,6 +129,27 @@ class ComparisonTest : public QObject {
     editor.comparison.setSides(ComparedSubject::measured, ComparedSubject::fit);
     editor.comparison.setStandIn(StandIn::blend, other, "blend");
     QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::measured, ComparedSubject::fit}));
+  }
+
+  /// The preview says that something else than the material is shown, and a press on the button asks to end it.
+  void aBannerEndsAStandIn() {
+    Editor editor;
+    const widgets::PreviewBanner& banner = *editor.preview.overlay()->banner();
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    QVERIFY(banner.isHidden());
+    const widgets::PreviewSubject other = widgets::measuredSubject(lambertMaterial("other", 0.2)->table());
+    editor.comparison.setStandIn(StandIn::representation, other, "PDV, 3 terms");
+    QVERIFY(!banner.isHidden());
+    QCOMPARE(banner.text(), QString("Showing PDV, 3 terms instead of grey"));
+    std::vector<StandIn> dismissed;
+    connect(&editor.comparison, &ComparisonController::standInDismissed, this,
+            [&](StandIn kind) { dismissed.push_back(kind); });
+    banner.button()->click();
+    QVERIFY(dismissed == std::vector{StandIn::representation});
+    editor.comparison.setStandIn(StandIn::representation, {}, {});
+    QVERIFY(banner.isHidden());
+    editor.comparison.dismissStandIn();
+    QCOMPARE(dismissed.size(), std::size_t(1));
   }
 
   /// A material that nobody measured is not called so.

@@ -141,6 +141,26 @@ class InterpolationPanelTest : public QObject {
     QVERIFY(!editor.panel.wells().well(0).content().failed);
   }
 
+  /// Beside the wells, too: the nearest one takes it, and says so while it is dragged there.
+  void aDropBesideAWellGoesIntoTheNearest() {
+    Editor editor;
+    const std::unique_ptr<QMimeData> data(widgets::toDrag("library:sgd/nickel"));
+    BlendWells& wells = editor.panel.wells();
+    const widgets::MaterialWell& second = wells.well(1);
+    const QPoint below = second.mapTo(wells.viewport(), QPoint(5, second.height() + 12));
+    QVERIFY(!second.geometry().contains(below));
+    const QPoint above = wells.well(0).mapTo(wells.viewport(), QPoint(5, -2));
+    QDragEnterEvent enter(above, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QVERIFY(QApplication::sendEvent(wells.viewport(), &enter) && enter.isAccepted());
+    QDragMoveEvent move(below, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(wells.viewport(), &move);
+    QDropEvent drop(below, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(wells.viewport(), &drop);
+    QVERIFY(!editor.panel.ends().isReading(0) && editor.panel.ends().isReading(1));
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().at(1), patienceMilliseconds);
+    QCOMPARE(editor.panel.ends().at(1)->name, QStringLiteral("nickel"));
+  }
+
   /// Library materials are taken into the first empty place; a hidden panel leaves the preview alone.
   void materialsFromTheLibrary() {
     Editor editor;

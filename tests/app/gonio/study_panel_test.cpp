@@ -105,6 +105,18 @@ class StudyPanelTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return model.missing().empty(); }, patienceMilliseconds));
   }
 
+  /// A slider that moves shows what it does: what was shown instead goes.
+  void anEditShowsTheMaterialAgain() {
+    Editor editor;
+    editor.document.setMaterial(material("grey", 0.3));
+    QVERIFY(editor.measure());
+    editor.panel.show(ggxFit);
+    QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject(), patienceMilliseconds);
+    const models::Model& model = models::findModel("lambert");
+    editor.document.replaceEdits({{editing::DifferentialEdit{&model, {{Rgb(0.3)}}, {{Rgb(0.5)}}}}}, "Brighter");
+    QVERIFY(!editor.panel.subject());
+  }
+
   void sortsByEachColumn() {
     Editor editor;
     editor.document.setMaterial(material("grey", 0.3));

@@ -21,7 +21,7 @@ class BundledEnvironmentsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void namesAndSizes() {
-    for (const std::string name : {"studio", "sky", "furnace"}) {
+    for (const std::string name : {"studio", "sky", "sunset", "window", "furnace"}) {
       const auto map = bundledEnvironment(name);
       QCOMPARE(map->name(), name);
       QCOMPARE(map->image().width, 512);
@@ -33,7 +33,7 @@ class BundledEnvironmentsTest : public QObject {
 
   /// Exposure 0 suits: the visible half of a white matte sphere is about mid-bright.
   void whiteMatteSpheresAreMidBright() {
-    for (const std::string name : {"studio", "sky"}) {
+    for (const std::string name : {"studio", "sky", "sunset", "window"}) {
       const Scene scene = sphereScene(bundledEnvironment(name));
       RenderOptions options;
       options.width = options.height = 32;

@@ -56,6 +56,7 @@ void PreviewDisplay::setSettings(QOpenGLShaderProgram& program, const QSize& vie
   program.setUniformValue("filmic", settings.toneMap == ToneMap::filmic);
   program.setUniformValue("backgroundCentre", toVector(settings.backgroundCentre));
   program.setUniformValue("backgroundEdge", toVector(settings.backgroundEdge));
+  program.setUniformValue("checker", settings.checker);
 }
 
 void PreviewDisplay::present(const QSize& viewport, const DisplaySettings& settings, const PreviewRenderer& picture) {

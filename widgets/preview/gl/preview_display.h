@@ -15,6 +15,7 @@ struct DisplaySettings {
   double exposure = 0;  ///< stops
   ToneMap toneMap = ToneMap::filmic;
   QColor backgroundCentre{58, 58, 60}, backgroundEdge{34, 34, 36};
+  bool checker = false;  ///< grey squares instead, which show where the picture lets light through
 };
 
 /// Puts accumulated pictures on the screen, alone or against each other. The shader holds what the mode calls for.

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/scene/view_strip.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QImage>
+#include <QLabel>
+#include <QStandardItemModel>
+#include <algorithm>
+
+#include "app/gonio/document/background_task.h"
+#include "app/gonio/library/sphere_picture.h"
+#include "app/gonio/scene/scene_panel.h"
+#include "app/gonio/window/environment_controller.h"
+#include "core/rendering/environment_file.h"
+#include "core/rendering/scene_file.h"
+#include "widgets/inputs/number_field.h"
+#include "widgets/inputs/parameter_slider.h"
+#include "widgets/preview/preview_widget.h"
+
+namespace gonio::app {
+
+namespace {
+
+constexpr double mostStops = 5, hardStops = 10;
+constexpr QSize iconSize(48, 24);
+/// What a list holds beside names: the scene's own light, no environment, a file.
+const QString own = QStringLiteral("own"), directional = QStringLiteral("directional"), file = QStringLiteral("file");
+enum Background { plain, checker, environment };
+
+/// "Shader ball" of "shader-ball".
+QString titleOf(const std::string& name) {
+  QString title = QString::fromStdString(name);
+  title.replace('-', ' ').replace(0, 1, title.at(0).toUpper());
+  return title;
+}
+
+QImage pictureOf(const EnvironmentMap& map) {
+  Image small(iconSize.width(), iconSize.height());
+  for (int y = 0; y < small.height; ++y)
+    for (int x = 0; x < small.width; ++x)
+      small.at(x, y) = map.image().at(x * map.image().width / small.width, y * map.image().height / small.height);
+  std::ranges::fill(small.alpha, 1.0f);
+  return displayedImage(small);
+}
+
+}  // namespace
+
+ViewStrip::ViewStrip(widgets::PreviewWidget& preview, ScenePanel& scene, EnvironmentController& environment,
+                     BackgroundTasks& tasks, QWidget* parent)
+    : QWidget(parent),
+      m_preview(preview),
+      m_scene(scene),
+      m_environment(environment),
+      m_tasks(tasks),
+      m_shapes(new QComboBox),
+      m_lights(new QComboBox),
+      m_backgrounds(new QComboBox),
+      m_slider(new widgets::ParameterSlider),
+      m_exposure(new widgets::NumberField) {
+  build();
+  connectParts();
+  drawLights();
+  refresh();
+}
+
+void ViewStrip::build() {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(6, 2, 6, 2);
+  const auto add = [&](const QString& text, QWidget* part) {
+    auto* label = new QLabel(text);
+    label->setBuddy(part);
+    layout->addWidget(label);
+    layout->addWidget(part);
+  };
+  for (const std::string& name : bundledSceneNames()) m_shapes->addItem(titleOf(name), QString::fromStdString(name));
+  m_shapes->addItem(tr("Mesh or scene..."), file);
+  m_shapes->setToolTip(tr("What shows the material"));
+  m_lights->setToolTip(
+      tr("What lights it. A choice stays when the scene changes. Shift and a drag with the right button "
+         "turn it."));
+  m_lights->setIconSize(iconSize);
+  m_backgrounds->addItem(tr("Plain"));
+  m_backgrounds->addItem(tr("Checker"));
+  m_backgrounds->addItem(tr("Environment"));
+  m_backgrounds->setToolTip(tr("What is seen behind it"));
+  m_slider->setRange(-mostStops, mostStops, models::ParameterScale::linear);
+  m_slider->setReference(0);
+  m_slider->setToolTip(tr("Exposure in stops; double-click for 0 (Ctrl+[, Ctrl+], Ctrl+\\)"));
+  m_slider->setAccessibleName(tr("Exposure"));
+  m_exposure->setRange(-hardStops, hardStops);
+  m_exposure->setUnit(tr("EV"));
+  m_exposure->setStep(0.5);
+  m_exposure->setAccessibleName(tr("Exposure in stops"));
+  for (QComboBox* box : {m_shapes, m_lights, m_backgrounds}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(7);
+  }
+  add(tr("S&hape"), m_shapes);
+  add(tr("&Light"), m_lights);
+  add(tr("&Behind"), m_backgrounds);
+  add(tr("E&xposure"), m_slider);
+  layout->addWidget(m_exposure);
+  m_slider->setMinimumWidth(fontMetrics().height() * 4);
+}
+
+void ViewStrip::connectParts() {
+  connect(m_shapes, &QComboBox::activated, this, [this](int index) {
+    const QString name = m_shapes->itemData(index).toString();
+    refresh();  // until the scene is there, the list shows the one that is
+    if (name == file) return Q_EMIT sceneFileWanted();
+    m_scene.open(name);
+  });
+  connect(m_lights, &QComboBox::activated, this, &ViewStrip::chooseLight);
+  connect(m_backgrounds, &QComboBox::activated, this, &ViewStrip::chooseBackground);
+  connect(m_slider, &widgets::ParameterSlider::numberEdited, &m_preview, &widgets::PreviewWidget::setExposure);
+  connect(m_slider, &widgets::ParameterSlider::resetRequested, this, [this] { m_preview.setExposure(0); });
+  connect(m_exposure, &widgets::NumberField::valueEdited, &m_preview, &widgets::PreviewWidget::setExposure);
+  connect(&m_preview, &widgets::PreviewWidget::sceneChanged, this, &ViewStrip::refresh);
+  connect(&m_preview, &widgets::PreviewWidget::displayChanged, this, &ViewStrip::refresh);
+}
+
+void ViewStrip::fillLights() {
+  QStringList wanted{own};
+  for (const std::string& name : bundledEnvironmentNames()) wanted << QString::fromStdString(name);
+  wanted << directional;
+  const QStringList recent = m_environment.recent();
+  wanted << recent;
+  const QString current = m_environment.name();
+  if (!current.isEmpty() && !wanted.contains(current)) wanted << current;
+  wanted << file;
+  QStringList present;
+  for (int i = 0; i < m_lights->count(); ++i) present << m_lights->itemData(i).toString();
+  if (present == wanted) return;
+  QHash<QString, QIcon> icons;
+  for (int i = 0; i < m_lights->count(); ++i) icons[present[i]] = m_lights->itemIcon(i);
+  m_lights->clear();
+  for (const QString& name : wanted) {
+    const QString text = name == own           ? tr("As the scene")
+                         : name == directional ? tr("Directional")
+                         : name == file        ? tr("Picture (HDR, EXR)...")
+                         : name.contains('/')  ? name.section('/', -1)
+                                               : titleOf(name.toStdString());
+    m_lights->addItem(icons.value(name), text, name);
+    if (name.contains('/')) m_lights->setItemData(m_lights->count() - 1, name, Qt::ToolTipRole);
+  }
+}
+
+void ViewStrip::drawLights() {
+  for (const std::string& name : bundledEnvironmentNames()) {
+    const QString id = QString::fromStdString(name);
+    m_tasks.run<QImage>(
+        {.title = tr("Drawing %1").arg(id), .key = QStringLiteral("environment icon ") + id, .quiet = true},
+        [name](const TaskControl&) { return pictureOf(*openEnvironment(name)); },
+        [this, id](const QImage& picture) { setLightIcon(id, picture); });
+  }
+}
+
+void ViewStrip::setLightIcon(const QString& name, const QImage& picture) {
+  const int index = m_lights->findData(name);
+  if (index >= 0) m_lights->setItemIcon(index, QIcon(QPixmap::fromImage(picture)));
+}
+
+void ViewStrip::refresh() {
+  const Scene& scene = m_preview.scene();
+  const QString source = QString::fromStdString(scene.source);
+  if (!source.isEmpty() && m_shapes->findData(source) < 0)
+    m_shapes->insertItem(m_shapes->count() - 1, source.section('/', -1), source);
+  m_shapes->setCurrentIndex(m_shapes->findData(source));
+  fillLights();
+  const QString current = m_environment.name();
+  m_lights->setCurrentIndex(m_lights->findData(m_environment.isScenesOwn() ? own
+                                               : current.isEmpty()         ? directional
+                                                                           : current));
+  m_backgrounds->setCurrentIndex(scene.environment && scene.showEnvironment ? environment
+                                 : m_preview.hasChecker()                   ? checker
+                                                                            : plain);
+  qobject_cast<QStandardItemModel*>(m_backgrounds->model())
+      ->item(environment)
+      ->setEnabled(scene.environment != nullptr);
+  m_slider->setNumber(m_preview.exposure());
+  m_slider->setModified(m_preview.exposure() != 0);
+  if (m_exposure->value() != m_preview.exposure()) m_exposure->setValue(m_preview.exposure());
+}
+
+void ViewStrip::chooseLight(int index) {
+  const QString name = m_lights->itemData(index).toString();
+  refresh();
+  if (name == file) return Q_EMIT environmentFileWanted();
+  if (name == own) return m_environment.openScenesOwn();
+  m_environment.open(name == directional ? QString() : name);
+}
+
+void ViewStrip::chooseBackground(int index) {
+  m_preview.setChecker(index == checker);
+  m_preview.content().setBackgroundShown(index == environment);
+}
+
+}  // namespace gonio::app
+
+#include "moc_view_strip.cpp"

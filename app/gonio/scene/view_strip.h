@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QImage;
+
+namespace gonio::widgets {
+class NumberField;
+class ParameterSlider;
+class PreviewWidget;
+}  // namespace gonio::widgets
+
+namespace gonio::app {
+
+class BackgroundTasks;
+class EnvironmentController;
+class ScenePanel;
+
+/// The strip below the preview: the shape that shows the material, its light, what is behind it, and the exposure.
+class ViewStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  ViewStrip(widgets::PreviewWidget& preview, ScenePanel& scene, EnvironmentController& environment,
+            BackgroundTasks& tasks, QWidget* parent = nullptr);
+
+  QComboBox& shapes() const { return *m_shapes; }
+  QComboBox& lights() const { return *m_lights; }
+  QComboBox& backgrounds() const { return *m_backgrounds; }
+  widgets::NumberField& exposure() const { return *m_exposure; }
+
+ Q_SIGNALS:
+  /// The user wants to choose a file.
+  void sceneFileWanted();
+  void environmentFileWanted();
+
+ private:
+  void build();
+  void connectParts();
+  void fillLights();
+  /// Small pictures of the bundled environments, made in the background.
+  void drawLights();
+  void setLightIcon(const QString& name, const QImage& picture);
+  void refresh();
+  void chooseLight(int index);
+  void chooseBackground(int index);
+
+  widgets::PreviewWidget& m_preview;
+  ScenePanel& m_scene;
+  EnvironmentController& m_environment;
+  BackgroundTasks& m_tasks;
+  QComboBox *m_shapes, *m_lights, *m_backgrounds;
+  widgets::ParameterSlider* m_slider;
+  widgets::NumberField* m_exposure;
+};
+
+}  // namespace gonio::app
