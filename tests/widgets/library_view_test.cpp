@@ -6,8 +6,10 @@
 #include <QListView>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 
 #include "tests/support/test_program.h"
+#include "widgets/library/library_chips.h"
 #include "widgets/library/library_model.h"
 
 namespace library_view_test {
@@ -21,6 +23,15 @@ LibraryLook look(double hue, double roughness) {
   image.fill(Qt::gray);
   return {image, hue, roughness};
 }
+/// Of the materials that are shown, in order.
+QStringList idsOf(const LibraryView& view) {
+  QStringList ids;
+  for (int row = 0; row < view.list()->model()->rowCount(); ++row)
+    if (const QModelIndex index = view.list()->model()->index(row, 0); index.flags() & Qt::ItemIsEnabled)
+      ids << index.data(LibraryModel::IdRole).toString();
+  return ids;
+}
+
 class LibraryViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -68,6 +79,73 @@ class LibraryViewTest : public QObject {
     view.selectItem("a");
     QTest::keyClick(view.list(), Qt::Key_Return);
     QCOMPARE(opened[1][0].toString(), QStringLiteral("a"));
+  }
+
+  /// Words in any order, each the beginning of a word of the name, the kind, the badge or the source.
+  void searchByWords() {
+    LibraryModel model;
+    LibraryView view(&model);
+    model.setItems({{"a", "grease-covered-steel", "", "near-measured", "MERL", "Metal"},
+                    {"b", "red-metallic-paint", "", "near-measured", "MERL", "Paint"},
+                    {"c", "blue_metallic paint2", "", "measured", "RGL", "Paint"},
+                    {"d", "Red Fabric", "", "published fit", "SGD", "Fabric"}});
+    const std::pair<const char*, QStringList> searches[] = {{"red", {"d", "b"}},
+                                                            {"paint red metal", {"b"}},
+                                                            {"metallic-paint", {"c", "b"}},
+                                                            {"measured rgl", {"c"}},
+                                                            {"fabric published", {"d"}},
+                                                            {"near metal", {"a", "b"}},
+                                                            {"METAL", {"c", "a", "b"}},
+                                                            {"overed", {}},
+                                                            {"  ", {"c", "a", "d", "b"}},
+                                                            {"red blue", {}}};
+    for (const auto& [text, ids] : searches) {
+      view.search()->setText(text);
+      QCOMPARE(idsOf(view), ids);
+    }
+  }
+
+  /// Of several buttons of one sort any, of two sorts both; turned off, everything is shown again.
+  void chipsChooseWhatIsShown() {
+    LibraryModel model;
+    LibraryView view(&model);
+    model.setItems({{"a", "gold", "", "measured", "RGL", "Metal"},
+                    {"b", "chrome", "", "near-measured", "MERL", "Metal"},
+                    {"c", "felt", "", "measured", "RGL", "Fabric"},
+                    {"d", "oak", "", "near-measured", "MERL", "Wood"}});
+    view.setChipsShown(true);
+    LibraryChips& chips = view.chips();
+    chips.chip("Metal")->setChecked(true);
+    QCOMPARE(idsOf(view), QStringList({"b", "a"}));
+    chips.chip("Fabric")->setChecked(true);
+    QCOMPARE(idsOf(view), QStringList({"b", "c", "a"}));
+    chips.chip("measured")->setChecked(true);
+    QCOMPARE(idsOf(view), QStringList({"c", "a"}));
+    view.search()->setText("go");
+    QCOMPARE(idsOf(view), QStringList{"a"});
+    view.setChipsShown(false);
+    view.search()->clear();
+    QCOMPARE(idsOf(view).size(), 4);
+    // Another library has other buttons, and none of them is pressed.
+    model.setItems({{"e", "file", "", "", "", ""}});
+    QVERIFY(!chips.chip("Metal") && chips.chip("Favourites"));
+    QCOMPARE(idsOf(view), QStringList{"e"});
+  }
+
+  void favouritesByKeyboard() {
+    LibraryModel model;
+    LibraryView view(&model);
+    model.setItems(threeMaterials());
+    QSignalSpy changed(&view, &LibraryView::favouritesChanged);
+    view.selectItem("b");
+    QTest::keyClick(view.list(), Qt::Key_Asterisk);
+    QCOMPARE(changed[0][0].toStringList(), QStringList{"b"});
+    view.setChipsShown(true);
+    view.chips().chip("Favourites")->setChecked(true);
+    QCOMPARE(idsOf(view), QStringList{"b"});
+    QTest::keyClick(view.list(), Qt::Key_Asterisk);
+    QCOMPARE(changed[1][0].toStringList(), QStringList());
+    QVERIFY(idsOf(view).isEmpty());
   }
 
   /// Groups in the order of their first materials (by source) or of the alphabet (by kind), each below its heading.

@@ -5,7 +5,9 @@
 #include <QListView>
 #include <QPainter>
 #include <QPixmapCache>
+#include <cmath>
 
+#include "core/math/types.h"
 #include "widgets/library/library_model.h"
 
 namespace gonio::widgets {
@@ -70,6 +72,21 @@ void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRe
   painter.drawText(pill, Qt::AlignCenter, text);
 }
 
+/// A star in the upper right corner of the picture.
+void paintStar(QPainter& painter, const QStyleOptionViewItem& option, const QRect& picture) {
+  const double radius = option.fontMetrics.height() * 0.45;
+  const QPointF middle(picture.right() - radius - margin, picture.top() + radius + margin);
+  QPolygonF star;
+  constexpr double inner = 0.42;
+  for (int i = 0; i < 10; ++i) {
+    const double angle = i * pi / 5, reach = radius * (i % 2 ? inner : 1);
+    star << middle + reach * QPointF(std::sin(angle), -std::cos(angle));
+  }
+  painter.setPen(QPen(option.palette.color(QPalette::Base), 1.5));
+  painter.setBrush(QColor(235, 170, 30));
+  painter.drawPolygon(star);
+}
+
 }  // namespace
 
 QSize LibraryDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
@@ -123,6 +140,7 @@ void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& o
   painter->setFont(option.font);
   painter->drawText(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, breakable(index.data().toString()));
   paintBadge(*painter, option, picture, index.data(LibraryModel::BadgeRole).toString());
+  if (index.data(LibraryModel::FavouriteRole).toBool()) paintStar(*painter, option, picture);
 }
 
 }  // namespace gonio::widgets

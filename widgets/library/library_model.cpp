@@ -74,6 +74,17 @@ void LibraryModel::setFailure(const QString& id, const QString& reason) {
   Q_EMIT dataChanged(index(row), index(row));
 }
 
+void LibraryModel::setFavourites(const QStringList& ids) {
+  m_favourites = ids;
+  if (!m_entries.empty()) Q_EMIT dataChanged(index(0), index(int(m_entries.size()) - 1), {FavouriteRole});
+}
+
+void LibraryModel::setFavourite(const QString& id, bool favourite) {
+  m_favourites.removeAll(id);
+  if (favourite) m_favourites << id;
+  if (const int row = find(id); row >= 0) Q_EMIT dataChanged(index(row), index(row), {FavouriteRole});
+}
+
 QStringList LibraryModel::pending() const {
   QStringList ids;
   for (const Entry& entry : m_entries)
@@ -120,6 +131,8 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return entry.look ? entry.look->roughness : 1e9;
     case FailureRole:
       return entry.failure;
+    case FavouriteRole:
+      return m_favourites.contains(entry.item.id);
     case BadgeRole:
       return entry.item.badge;
     default:

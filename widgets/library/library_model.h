@@ -34,7 +34,7 @@ class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  enum Role { IdRole = Qt::UserRole, HueRole, RoughnessRole, FailureRole, BadgeRole, HeadingRole };
+  enum Role { IdRole = Qt::UserRole, HueRole, RoughnessRole, FailureRole, BadgeRole, HeadingRole, FavouriteRole };
 
   using QAbstractListModel::QAbstractListModel;
 
@@ -42,6 +42,10 @@ class LibraryModel : public QAbstractListModel {
   void setLook(const QString& id, const LibraryLook& look);
   /// Why a material has no picture; shown in its tool tip.
   void setFailure(const QString& id, const QString& reason);
+  /// Ids that the user marked, of any library.
+  void setFavourites(const QStringList& ids);
+  const QStringList& favourites() const { return m_favourites; }
+  void setFavourite(const QString& id, bool favourite);
   /// Ids without a look and without a failure, in order.
   QStringList pending() const;
 
@@ -74,6 +78,7 @@ class LibraryModel : public QAbstractListModel {
 
   std::vector<Entry> m_entries;
   std::vector<Heading> m_headings;
+  QStringList m_favourites;
 };
 
 }  // namespace gonio::widgets

@@ -2,11 +2,23 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/library/library_order.h"
 
+#include <QRegularExpression>
+#include <algorithm>
+
 namespace gonio::widgets {
+
+namespace {
+
+/// "red", "metallic", "paint2" of "Red-metallic_paint2".
+QStringList wordsOf(const QString& text) {
+  static const QRegularExpression between(QStringLiteral("[^\\p{L}\\p{N}]+"));
+  return text.toLower().split(between, Qt::SkipEmptyParts);
+}
+
+}  // namespace
 
 LibraryOrder::LibraryOrder(LibraryModel* model, QObject* parent) : QSortFilterProxyModel(parent), m_model(model) {
   setSourceModel(model);
-  setFilterCaseSensitivity(Qt::CaseInsensitive);
   setSortCaseSensitivity(Qt::CaseInsensitive);
 }
 
@@ -15,10 +27,30 @@ void LibraryOrder::setGrouping(LibraryGrouping grouping) {
   invalidate();
 }
 
+void LibraryOrder::setSearch(const QString& text) {
+  m_words = wordsOf(text);
+  invalidateFilter();
+}
+
+void LibraryOrder::setFilter(const LibraryFilter& filter) {
+  if (filter == m_filter) return;
+  m_filter = filter;
+  invalidateFilter();
+}
+
 bool LibraryOrder::matches(int row) const {
-  const QRegularExpression search = filterRegularExpression();
-  return m_model->index(row).data().toString().contains(search) ||
-         m_model->group(row, LibraryGrouping::kind).contains(search);
+  const QModelIndex index = m_model->index(row);
+  const QString badge = index.data(LibraryModel::BadgeRole).toString();
+  const QString kind = m_model->group(row, LibraryGrouping::kind);
+  if (m_filter.favourites && !index.data(LibraryModel::FavouriteRole).toBool()) return false;
+  if (!m_filter.badges.isEmpty() && !m_filter.badges.contains(badge)) return false;
+  if (!m_filter.kinds.isEmpty() && !m_filter.kinds.contains(kind)) return false;
+  if (m_words.isEmpty()) return true;
+  const QStringList own =
+      wordsOf(index.data().toString() + ' ' + kind + ' ' + badge + ' ' + m_model->group(row, LibraryGrouping::source));
+  return std::ranges::all_of(m_words, [&](const QString& word) {
+    return std::ranges::any_of(own, [&](const QString& one) { return one.startsWith(word); });
+  });
 }
 
 bool LibraryOrder::filterAcceptsRow(int row, const QModelIndex&) const {

@@ -8,6 +8,13 @@
 
 namespace gonio::widgets {
 
+/// What is shown of a library: of a list that is empty anything.
+struct LibraryFilter {
+  QStringList badges, kinds;
+  bool favourites = false;
+  bool operator==(const LibraryFilter&) const = default;
+};
+
 /// The materials that match a search, in groups below their headings, sorted inside each group.
 class LibraryOrder : public QSortFilterProxyModel {
   Q_OBJECT
@@ -16,9 +23,12 @@ class LibraryOrder : public QSortFilterProxyModel {
   LibraryOrder(LibraryModel* model, QObject* parent);
 
   void setGrouping(LibraryGrouping grouping);
+  /// Words in any order: each must be the beginning of a word of the name, the kind, the badge or the source.
+  void setSearch(const QString& text);
+  void setFilter(const LibraryFilter& filter);
 
  protected:
-  /// A heading where one of its materials matches; a material by its name or its kind.
+  /// A heading where one of its materials matches.
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
   bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
@@ -27,6 +37,8 @@ class LibraryOrder : public QSortFilterProxyModel {
 
   LibraryModel* m_model;
   LibraryGrouping m_grouping = LibraryGrouping::none;
+  QStringList m_words;
+  LibraryFilter m_filter;
 };
 
 }  // namespace gonio::widgets

@@ -12,9 +12,11 @@
 #include <QMenu>
 #include <QScrollBar>
 #include <QSlider>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "widgets/inputs/icons.h"
+#include "widgets/library/library_chips.h"
 #include "widgets/library/library_delegate.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/library_order.h"
@@ -33,6 +35,8 @@ LibraryView::LibraryView(LibraryModel* model, QWidget* parent)
       m_delegate(new LibraryDelegate(this)),
       m_title(new QLabel(this)),
       m_search(new QLineEdit(this)),
+      m_chips(new LibraryChips(*model, this)),
+      m_filter(new QToolButton(this)),
       m_group(new QComboBox(this)),
       m_sort(new QComboBox(this)),
       m_list(new QListView(this)),
@@ -44,14 +48,18 @@ LibraryView::LibraryView(LibraryModel* model, QWidget* parent)
 
   auto* top = new QHBoxLayout;
   top->addWidget(m_search, 1);
-  top->addWidget(m_group);
-  top->addWidget(m_sort);
+  top->addWidget(m_filter);
+  auto* order = new QHBoxLayout;
+  order->addWidget(m_group, 1);
+  order->addWidget(m_sort, 1);
   auto* bottom = new QHBoxLayout;
   bottom->addWidget(m_title, 1);
   bottom->addWidget(m_size);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addLayout(top);
+  layout->addWidget(m_chips);
+  layout->addLayout(order);
   layout->addWidget(m_list, 1);
   layout->addLayout(bottom);
   setTileSize(defaultTile);
@@ -65,10 +73,18 @@ void LibraryView::buildControls() {
   m_search->addAction(glyphIcon(Glyph::search), QLineEdit::LeadingPosition);
   m_search->installEventFilter(this);
   connect(m_search, &QLineEdit::textChanged, this, [this](const QString& text) {
-    m_proxy->setFilterFixedString(text);
+    m_proxy->setSearch(text);
     updateEmptyState();
     m_visibleTimer.start();
   });
+  m_search->setToolTip(tr("Words in any order: of the name, the kind, the source"));
+  m_filter->setText(tr("Filter"));
+  m_filter->setCheckable(true);
+  m_filter->setFocusPolicy(Qt::StrongFocus);
+  m_filter->setToolTip(tr("Shows buttons for kinds, origins and favourites; off: shows all materials"));
+  connect(m_filter, &QToolButton::toggled, this, &LibraryView::setChipsShown);
+  connect(m_chips, &LibraryChips::filterChanged, this, &LibraryView::filterChanged);
+  m_chips->hide();
   m_group->addItems({tr("No groups"), tr("By source"), tr("By kind")});
   m_group->setAccessibleName(tr("Group by"));
   m_group->setToolTip(tr("Groups the materials by where they come from, or by what they are"));
@@ -121,6 +137,26 @@ void LibraryView::connectList() {
   });
 }
 
+void LibraryView::setChipsShown(bool shown) {
+  m_filter->setChecked(shown);
+  m_chips->setVisible(shown);
+  if (!shown) m_chips->clear();
+}
+
+bool LibraryView::chipsShown() const { return m_filter->isChecked(); }
+
+void LibraryView::filterChanged() {
+  m_proxy->setFilter(m_chips->filter());
+  updateEmptyState();
+  m_visibleTimer.start();
+}
+
+void LibraryView::toggleFavourite(const QModelIndex& index) {
+  if (!(index.flags() & Qt::ItemIsEnabled)) return;
+  m_model->setFavourite(index.data(LibraryModel::IdRole).toString(), !index.data(LibraryModel::FavouriteRole).toBool());
+  Q_EMIT favouritesChanged(m_model->favourites());
+}
+
 void LibraryView::openIndex(const QModelIndex& index) {
   if (index.isValid()) Q_EMIT openRequested(index.data(LibraryModel::IdRole).toString());
 }
@@ -144,6 +180,11 @@ void LibraryView::showMenu(const QPoint& position) {
                   [this, id] { Q_EMIT referenceRequested(id); });
   menu->addAction(tr("&Interpolate with This"), QKeySequence(Qt::SHIFT | Qt::Key_Return), this,
                   [this, id] { Q_EMIT interpolationRequested(id); });
+  menu->addSeparator();
+  QAction* favourite = menu->addAction(tr("&Favourite"), QKeySequence(Qt::Key_Asterisk), this,
+                                       [this, id = QPersistentModelIndex(index)] { toggleFavourite(id); });
+  favourite->setCheckable(true);
+  favourite->setChecked(index.data(LibraryModel::FavouriteRole).toBool());
   menu->popup(m_list->viewport()->mapToGlobal(position));
 }
 
@@ -153,6 +194,10 @@ bool LibraryView::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();
   const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+  if (watched == m_list && key == Qt::Key_Asterisk) {
+    toggleFavourite(m_list->currentIndex());
+    return true;
+  }
   if (watched == m_list && enter) {
     const QModelIndex index = m_list->currentIndex();
     const auto modifiers = static_cast<QKeyEvent*>(event)->modifiers();
@@ -185,7 +230,9 @@ void LibraryView::setEmptyText(const QString& text) {
 }
 
 void LibraryView::updateEmptyState() {
-  m_empty->setText(m_model->rowCount() == 0 ? m_emptyText : tr("No material matches \"%1\".").arg(m_search->text()));
+  m_empty->setText(m_model->rowCount() == 0     ? m_emptyText
+                   : m_search->text().isEmpty() ? tr("No material is of the chosen kinds.")
+                                                : tr("No material matches \"%1\".").arg(m_search->text()));
   m_empty->setVisible(m_proxy->rowCount() == 0);
 }
 

@@ -10,9 +10,11 @@ class QLabel;
 class QLineEdit;
 class QListView;
 class QSlider;
+class QToolButton;
 
 namespace gonio::widgets {
 
+class LibraryChips;
 class LibraryDelegate;
 class LibraryModel;
 class LibraryOrder;
@@ -38,6 +40,10 @@ class LibraryView : public QWidget {
   int grouping() const;
   void selectItem(const QString& id);
   QStringList visibleIds() const;
+  /// Whether the buttons that choose what is shown are in sight.
+  void setChipsShown(bool shown);
+  bool chipsShown() const;
+  LibraryChips& chips() const { return *m_chips; }
 
   QListView* list() const { return m_list; }
   QLineEdit* search() const { return m_search; }
@@ -49,6 +55,7 @@ class LibraryView : public QWidget {
   /// As one of the materials to interpolate between: Shift + Enter, or the context menu.
   void interpolationRequested(const QString& id);
   void visibleIdsChanged(const QStringList& ids);
+  void favouritesChanged(const QStringList& ids);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -63,12 +70,16 @@ class LibraryView : public QWidget {
   /// The first material, behind a heading.
   QModelIndex firstMaterial() const;
   void showMenu(const QPoint& position);
+  void toggleFavourite(const QModelIndex& index);
+  void filterChanged();
 
   LibraryModel* m_model;
   LibraryOrder* m_proxy;
   LibraryDelegate* m_delegate;
   QLabel* m_title;
   QLineEdit* m_search;
+  LibraryChips* m_chips;
+  QToolButton* m_filter;
   QComboBox* m_group;
   QComboBox* m_sort;
   QListView* m_list;

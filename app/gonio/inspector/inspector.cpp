@@ -18,6 +18,7 @@
 #include "app/gonio/inspector/table_error_monitor.h"
 #include "app/gonio/inspector/wavelength_panel.h"
 #include "widgets/inputs/collapsible_section.h"
+#include "widgets/inputs/parameter_slider.h"
 #include "widgets/panels/edit_stack.h"
 #include "widgets/panels/fact_list.h"
 #include "widgets/panels/model_panel.h"
@@ -248,6 +249,14 @@ QString Inspector::energyText(int edit) const {
   return tr("Albedo %1, at %2\u00b0 %3")
       .arg(change(before.headOn, after.headOn), QString::number(degrees(editing::grazingView)),
            change(before.grazing, after.grazing));
+}
+
+void Inspector::reveal(QWidget& row) {
+  for (widgets::CollapsibleSection* section : m_sections)
+    if (section->isAncestorOf(&row)) section->setExpanded(true);
+  QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);  // the section takes its place
+  ensureWidgetVisible(&row);
+  if (auto* slider = row.findChild<widgets::ParameterSlider*>()) slider->setFocus(Qt::OtherFocusReason);
 }
 
 void Inspector::unfoldRepresentation() { m_sections[representationKey]->setExpanded(true); }

@@ -41,6 +41,8 @@ class Inspector : public QScrollArea {
   WavelengthPanel* wavelength() const { return m_wavelength; }
   /// Unfolds its section.
   void unfoldRepresentation();
+  /// Unfolds the section of a row of its panels, scrolls there and gives the row the focus.
+  void reveal(QWidget& row);
   /// Whether what is measured in the background tells of the present state.
   bool isSettled() const;
   void saveState(QSettings& settings) const;

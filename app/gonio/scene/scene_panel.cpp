@@ -30,6 +30,11 @@ RenderMaterials materialsOf(const widgets::PreviewWidget& preview) {
 
 }  // namespace
 
+QString sceneTitle(const std::string& name) {
+  QString title = QString::fromStdString(name);
+  return title.replace('-', ' ').replace(0, 1, title.at(0).toUpper());
+}
+
 ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, BackgroundTasks& tasks, QWidget* parent)
     : QWidget(parent),
       m_preview(preview),
@@ -68,12 +73,7 @@ QWidget* ScenePanel::buildTop() {
   auto* top = new QWidget;
   auto* layout = new QHBoxLayout(top);
   layout->setContentsMargins(0, 0, 0, 0);
-  for (const std::string& name : bundledSceneNames()) {
-    const QString id = QString::fromStdString(name);
-    QString title = id;
-    title.replace('-', ' ').replace(0, 1, id.at(0).toUpper());
-    m_scenes->addItem(title, id);
-  }
+  for (const std::string& name : bundledSceneNames()) m_scenes->addItem(sceneTitle(name), QString::fromStdString(name));
   m_scenes->setAccessibleName(tr("Scene"));
   m_scenes->setToolTip(tr("What the preview shows"));
   auto* label = new QLabel(tr("&Scene"));

@@ -19,6 +19,9 @@ class PreviewWidget;
 
 namespace gonio::app {
 
+/// What a bundled scene or environment is called: "Shader ball" of "shader-ball".
+QString sceneTitle(const std::string& name);
+
 /// The Scene dock: which scene the preview shows, the plan of its effects with a switch for each, what each was
 /// measured to cost, and how far the preview's picture is from a converged one.
 class ScenePanel : public QWidget {

@@ -29,13 +29,6 @@ constexpr QSize iconSize(48, 24);
 const QString own = QStringLiteral("own"), directional = QStringLiteral("directional"), file = QStringLiteral("file");
 enum Background { plain, checker, environment };
 
-/// "Shader ball" of "shader-ball".
-QString titleOf(const std::string& name) {
-  QString title = QString::fromStdString(name);
-  title.replace('-', ' ').replace(0, 1, title.at(0).toUpper());
-  return title;
-}
-
 QImage pictureOf(const EnvironmentMap& map) {
   Image small(iconSize.width(), iconSize.height());
   for (int y = 0; y < small.height; ++y)
@@ -74,7 +67,7 @@ void ViewStrip::build() {
     layout->addWidget(label);
     layout->addWidget(part);
   };
-  for (const std::string& name : bundledSceneNames()) m_shapes->addItem(titleOf(name), QString::fromStdString(name));
+  for (const std::string& name : bundledSceneNames()) m_shapes->addItem(sceneTitle(name), QString::fromStdString(name));
   m_shapes->addItem(tr("Mesh or scene..."), file);
   m_shapes->setToolTip(tr("What shows the material"));
   m_lights->setToolTip(
@@ -141,7 +134,7 @@ void ViewStrip::fillLights() {
                          : name == directional ? tr("Directional")
                          : name == file        ? tr("Picture (HDR, EXR)...")
                          : name.contains('/')  ? name.section('/', -1)
-                                               : titleOf(name.toStdString());
+                                               : sceneTitle(name.toStdString());
     m_lights->addItem(icons.value(name), text, name);
     if (name.contains('/')) m_lights->setItemData(m_lights->count() - 1, name, Qt::ToolTipRole);
   }

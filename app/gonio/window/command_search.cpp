@@ -12,6 +12,7 @@
 #include <QPointer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <iterator>
 
 namespace gonio::app {
 
@@ -30,11 +31,22 @@ void collect(const QMenu* menu, const QString& prefix, QList<NamedAction>& found
   }
 }
 
-/// Whether every word of the query occurs in the text.
-bool matches(const QString& text, const QString& query) {
-  const QStringList words = query.split(' ', Qt::SkipEmptyParts);
-  return std::all_of(words.begin(), words.end(),
-                     [&](const QString& w) { return text.contains(w, Qt::CaseInsensitive); });
+bool hasAll(const QString& text, const QStringList& words) {
+  return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+
+SearchEntry entryOf(const NamedAction& named) {
+  const QPointer<QAction> action = named.action;
+  // A tooltip that only repeats the text adds nothing.
+  return {.text = named.path,
+          .keywords = named.action->toolTip(),
+          .run =
+              [action] {
+                if (action) action->trigger();
+              },
+          .shortcut = named.action->shortcut().toString(QKeySequence::NativeText),
+          .enabled = named.action->isEnabled(),
+          .isCommand = true};
 }
 
 }  // namespace
@@ -48,14 +60,13 @@ QList<NamedAction> allActions(const QWidget* window) {
   return found;
 }
 
-CommandSearch::CommandSearch(QWidget* window)
-    : QDialog(window, Qt::Popup),
-      m_actions(allActions(window)),
-      m_text(new QLineEdit(this)),
-      m_list(new QListWidget(this)) {
-  m_text->setPlaceholderText(tr("Search every command"));
-  m_text->setAccessibleName(tr("Search every command"));
-  m_list->setAccessibleName(tr("Commands"));
+CommandSearch::CommandSearch(QWidget* window, std::vector<SearchEntry> others)
+    : QDialog(window, Qt::Popup), m_text(new QLineEdit(this)), m_list(new QListWidget(this)) {
+  for (const NamedAction& named : allActions(window)) m_entries.push_back(entryOf(named));
+  std::ranges::move(others, std::back_inserter(m_entries));
+  m_text->setPlaceholderText(tr("Search commands, materials, parameters, scenes"));
+  m_text->setAccessibleName(tr("Search commands, materials, parameters, scenes"));
+  m_list->setAccessibleName(tr("Found"));
   m_list->setFocusPolicy(Qt::NoFocus);
   m_text->installEventFilter(this);
   auto* layout = new QVBoxLayout(this);
@@ -72,16 +83,31 @@ CommandSearch::CommandSearch(QWidget* window)
   m_text->setFocus();  // a popup takes no focus by itself
 }
 
+void CommandSearch::add(int entry) {
+  const SearchEntry& one = m_entries[std::size_t(entry)];
+  auto* item =
+      new QListWidgetItem(one.shortcut.isEmpty() ? one.text : one.text + QStringLiteral("    ") + one.shortcut);
+  item->setData(Qt::UserRole, entry);
+  if (!one.enabled) item->setFlags(Qt::NoItemFlags);
+  m_list->addItem(item);
+}
+
 void CommandSearch::filter(const QString& text) {
   m_list->clear();
-  for (int i = 0; i < m_actions.size(); ++i) {
-    const NamedAction& named = m_actions[i];
-    if (!matches(named.path, text)) continue;
-    const QString shortcut = named.action->shortcut().toString(QKeySequence::NativeText);
-    auto* item = new QListWidgetItem(shortcut.isEmpty() ? named.path : named.path + QStringLiteral("    ") + shortcut);
-    item->setData(Qt::UserRole, i);
-    if (!named.action->isEnabled()) item->setFlags(Qt::NoItemFlags);
-    m_list->addItem(item);
+  const QStringList words = text.split(' ', Qt::SkipEmptyParts);
+  std::vector<int> byKeywords;
+  for (int i = 0; i < int(m_entries.size()); ++i) {
+    const SearchEntry& entry = m_entries[std::size_t(i)];
+    if (words.isEmpty() ? entry.isCommand : hasAll(entry.text, words))
+      add(i);
+    else if (!words.isEmpty() && hasAll(entry.text + ' ' + entry.keywords, words))
+      byKeywords.push_back(i);
+  }
+  for (const int entry : byKeywords) add(entry);
+  if (m_list->count() == 0) {
+    auto* none = new QListWidgetItem(tr("Nothing is called \"%1\".").arg(text));
+    none->setFlags(Qt::NoItemFlags);
+    m_list->addItem(none);
   }
   m_list->setCurrentRow(0);
 }
@@ -104,9 +130,9 @@ bool CommandSearch::eventFilter(QObject* watched, QEvent* event) {
 void CommandSearch::runCurrent() {
   const QListWidgetItem* item = m_list->currentItem();
   if (!item || !(item->flags() & Qt::ItemIsEnabled)) return;
-  const QPointer<QAction> action = m_actions[item->data(Qt::UserRole).toInt()].action;
+  const std::function<void()> run = m_entries[std::size_t(item->data(Qt::UserRole).toInt())].run;
   accept();
-  if (action) action->trigger();
+  run();
 }
 
 }  // namespace gonio::app

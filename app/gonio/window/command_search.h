@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QDialog>
+#include <functional>
+#include <vector>
 
 class QAction;
 class QLineEdit;
@@ -17,21 +19,36 @@ struct NamedAction {
 };
 QList<NamedAction> allActions(const QWidget* window);
 
-/// Finds an action by typing parts of its name, and runs it.
+/// Something that a search finds and does.
+struct SearchEntry {
+  QString text;      ///< "Library > chrome"
+  QString keywords;  ///< other words that find it
+  std::function<void()> run;
+  QString shortcut = {};
+  bool enabled = true;
+  bool isCommand = false;  ///< listed also before anything is typed
+};
+
+/// Finds commands, and whatever else it is given, by typing parts of names in any order, and runs them. What has all
+/// the words in its text comes before what has them in its keywords.
 class CommandSearch : public QDialog {
   Q_OBJECT
 
  public:
-  explicit CommandSearch(QWidget* window);
+  /// @param others beside the window's actions.
+  explicit CommandSearch(QWidget* window, std::vector<SearchEntry> others = {});
+
+  QListWidget* list() const { return m_list; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void filter(const QString& text);
+  void add(int entry);
   void runCurrent();
 
-  QList<NamedAction> m_actions;
+  std::vector<SearchEntry> m_entries;
   QLineEdit* m_text;
   QListWidget* m_list;
 };

@@ -31,7 +31,8 @@ namespace {
 
 const QString libraryKey = QStringLiteral("library/folder"), tileKey = QStringLiteral("library/tileSize");
 const QString sortKey = QStringLiteral("library/sort"), groupKey = QStringLiteral("library/grouping"),
-              overlayKey = QStringLiteral("preview/overlay");
+              overlayKey = QStringLiteral("preview/overlay"), chipsKey = QStringLiteral("library/filter"),
+              favouritesKey = QStringLiteral("library/favourites");
 
 LibraryController::LookMaker lookMaker() {
   return [folder = thumbnailCacheFolder()](const QString& id, const TaskControl& control) {
@@ -109,6 +110,8 @@ void EditorParts::use(const gonio::study::Representation& representation) {
 void EditorParts::connectLibrary() {
   QObject::connect(&library, &LibraryController::titleChanged, &libraryView, &widgets::LibraryView::setTitle);
   QObject::connect(&libraryView, &widgets::LibraryView::visibleIdsChanged, &library, &LibraryController::setVisible);
+  QObject::connect(&libraryView, &widgets::LibraryView::favouritesChanged, &libraryView,
+                   [this](const QStringList& ids) { settings.setValue(favouritesKey, ids); });
   QObject::connect(&libraryView, &widgets::LibraryView::referenceRequested, &comparison,
                    &ComparisonController::openReference);
   QObject::connect(&controller, &DocumentController::opened, &libraryView, [this] {
@@ -166,6 +169,8 @@ void EditorParts::restoreSettings() {
   libraryView.setTileSize(settings.value(tileKey, libraryView.tileSize()).toInt());
   libraryView.setSortMode(settings.value(sortKey, 0).toInt());
   libraryView.setGrouping(settings.value(groupKey, int(widgets::LibraryGrouping::source)).toInt());
+  libraryView.setChipsShown(settings.value(chipsKey, false).toBool());
+  library.model().setFavourites(settings.value(favouritesKey).toStringList());
   preview.setOverlayVisible(settings.value(overlayKey, true).toBool());
   const QString folder = settings.value(libraryKey).toString();
   if (folder.isEmpty() || !QFileInfo::exists(folder))
@@ -180,6 +185,7 @@ void EditorParts::saveSettings() {
   settings.setValue(tileKey, libraryView.tileSize());
   settings.setValue(sortKey, libraryView.sortMode());
   settings.setValue(groupKey, libraryView.grouping());
+  settings.setValue(chipsKey, libraryView.chipsShown());
   settings.setValue(overlayKey, preview.overlayVisible());
   settings.setValue(libraryKey, library.folder());
 }

@@ -2,14 +2,14 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/help_menu.h"
 
-#include "app/gonio/window/command_search.h"
 #include "app/gonio/window/help_pages.h"
 
 namespace gonio::app {
 
-HelpMenu::HelpMenu(QWidget* window) : QMenu(tr("&Help"), window) {
-  addAction(tr("&Search Commands..."), QKeySequence(Qt::CTRL | Qt::Key_K), this, [window] {
-    auto* search = new CommandSearch(window);
+HelpMenu::HelpMenu(QWidget* window, const std::function<std::vector<SearchEntry>()>& others)
+    : QMenu(tr("&Help"), window) {
+  addAction(tr("&Search..."), QKeySequence(Qt::CTRL | Qt::Key_K), this, [window, others] {
+    auto* search = new CommandSearch(window, others());
     search->setAttribute(Qt::WA_DeleteOnClose);
     search->show();
   });

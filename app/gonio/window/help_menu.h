@@ -4,6 +4,8 @@
 
 #include <QMenu>
 
+#include "app/gonio/window/command_search.h"
+
 namespace gonio::app {
 
 /// The Help menu and the command search.
@@ -11,8 +13,8 @@ class HelpMenu : public QMenu {
   Q_OBJECT
 
  public:
-  /// @param window whose actions are searched and listed.
-  explicit HelpMenu(QWidget* window);
+  /// @param window whose actions are searched and listed. @param others what else the search finds at this moment.
+  HelpMenu(QWidget* window, const std::function<std::vector<SearchEntry>()>& others);
 };
 
 }  // namespace gonio::app

@@ -33,6 +33,7 @@
 #include "app/gonio/window/help_menu.h"
 #include "app/gonio/window/light_menu.h"
 #include "app/gonio/window/material_menu.h"
+#include "app/gonio/window/search_entries.h"
 #include "app/gonio/window/status_line.h"
 #include "app/gonio/window/undo_keys.h"
 #include "app/gonio/window/view_menu.h"
@@ -126,7 +127,7 @@ void MainWindow::addMenus() {
   menuBar()->addMenu(new MaterialMenu(
       {p.document, p.controller, p.tasks, p.comparison, *m_docks, p.ranking, p.interpolation, p.acquisition}, this));
   menuBar()->addMenu(new AnalyseMenu(p.document, p.comparison, *m_docks, p.study, this));
-  menuBar()->addMenu(new HelpMenu(this));
+  menuBar()->addMenu(new HelpMenu(this, [this] { return searchEntries(m_parts, m_files); }));
   connect(&p.viewStrip, &ViewStrip::sceneFileWanted, &p.scene, &ScenePanel::askForFile);
   connect(&p.viewStrip, &ViewStrip::environmentFileWanted, light, &LightMenu::askForFile);
   connect(&p.preview.input(), &widgets::PreviewInput::menuRequested, this, [this, view](const QPoint& place) {

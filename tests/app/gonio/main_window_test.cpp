@@ -15,6 +15,7 @@
 #include "app/gonio/window/command_search.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/help_pages.h"
+#include "app/gonio/window/search_entries.h"
 #include "core/models/model.h"
 #include "tests/app/gonio/document_edits.h"
 #include "tests/support/test_program.h"
@@ -139,6 +140,38 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
+  /// By any word: parameters, materials, scenes, lights; a word that is nowhere is said to be nowhere.
+  void searchFindsWhatIsMeant() {
+    auto* window = new MainWindow;
+    window->show();
+    Document& document = window->parts().document;
+    document.setMaterial(greyMaterial());
+    fitting::FitResult fit;
+    fit.model = &defaultModel();
+    fit.parameters = models::defaultParameters(fit.model->spec());
+    document.adoptFit(fit);
+    const auto found = [&](const QString& text) {
+      CommandSearch search(window, searchEntries(window->parts(), window->files()));
+      search.findChild<QLineEdit*>()->setText(text);
+      QStringList texts;
+      for (int i = 0; i < search.list()->count(); ++i) texts << search.list()->item(i)->text();
+      return texts;
+    };
+    QVERIFY(found("rough").contains("Controls > Roughness") && found("rough").contains("GGX > Roughness"));
+    QVERIFY(found("gold paint").contains("Library > gold-paint (near-measured)"));
+    QVERIFY(found("shader ball").contains("Shape > Shader ball"));
+    QVERIFY(found("hdri").contains("Light > Sunset"));
+    QVERIFY(found("undo").first().startsWith("Edit > "));
+    QCOMPARE(found("xyzzy"), QStringList{"Nothing is called \"xyzzy\"."});
+    // What is found is done.
+    auto& search = *new CommandSearch(window, searchEntries(window->parts(), window->files()));
+    auto* text = search.findChild<QLineEdit*>();
+    QTest::keyClicks(text, "shape cylinder");
+    QTest::keyClick(text, Qt::Key_Return);
+    QTRY_COMPARE(window->parts().preview.scene().name, std::string("cylinder"));
+    delete window;
+  }
+
   /// The four layouts show what their work needs; the first is the usual one.
   void layouts() {
     auto* window = new MainWindow;
@@ -193,10 +226,10 @@ class MainWindowTest : public QObject {
     controls.training().box().setCurrentIndex(4);
     QCOMPARE(controls.training().box().currentText(), "Materials shown in the library");
     QCOMPARE(controls.planSettings().training.ids.size(), window->parts().library.model().materialCount());
-    window->parts().libraryView.search()->setText("paper_");
+    window->parts().libraryView.search()->setText("paint blue");
     const QStringList ids = controls.planSettings().training.ids;
     QVERIFY(!ids.isEmpty() && ids.size() < window->parts().library.model().materialCount());
-    for (const QString& id : ids) QVERIFY2(id.startsWith("library:") && id.contains("paper_"), qPrintable(id));
+    for (const QString& id : ids) QVERIFY2(id.startsWith("library:") && id.contains("blue"), qPrintable(id));
     delete window;
   }
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "app/gonio/window/command_search.h"
+
+namespace gonio::app {
+
+class DocumentFiles;
+struct EditorParts;
+
+/// What the search finds beside the commands: the materials of the library, the sliders, the scenes and the lights, as
+/// they are now.
+std::vector<SearchEntry> searchEntries(EditorParts& parts, DocumentFiles& files);
+
+}  // namespace gonio::app
