@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "core/support/error.h"
@@ -15,6 +16,19 @@ class FormatMismatch : public Error {
   using Error::Error;
   FormatMismatch(const std::string& found, const std::string& expected)
       : Error("found " + found + "; expected " + expected) {}
+
+  /// Of a file that has the format but ends too early.
+  static FormatMismatch truncated(const std::string& found, const std::string& expected, std::uint64_t bytes,
+                                  std::uint64_t wholeBytes) {
+    FormatMismatch mismatch(found, expected);
+    mismatch.verdict_ = "the file is truncated: " + std::to_string(bytes) + " bytes of " + std::to_string(wholeBytes);
+    return mismatch;
+  }
+  /// In a few words, where the file is of this format all the same; else empty.
+  const std::string& verdict() const { return verdict_; }
+
+ private:
+  std::string verdict_;
 };
 
 }  // namespace gonio::io

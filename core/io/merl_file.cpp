@@ -99,9 +99,13 @@ HalfDifferenceGrid readMerlHeader(const ByteSource& source) {
     throw FormatMismatch("axis counts " + gridName(counts), "axis counts of at most " + std::to_string(maxAxisCount));
   const std::uint64_t cells = std::uint64_t(counts[0]) * std::uint64_t(counts[1]) * std::uint64_t(counts[2]);
   const std::uint64_t dataBytes = source.size() - merlHeaderBytes;
-  if (dataBytes % 24 != 0 || dataBytes / 24 != cells)
-    throw FormatMismatch("axis counts " + gridName(counts) + " and " + std::to_string(source.size()) + " bytes",
-                         "12 + 24 x " + std::to_string(cells) + " bytes for these counts");
+  const std::uint64_t wholeBytes = 24 * cells;
+  if (dataBytes != wholeBytes) {
+    const std::string found = "axis counts " + gridName(counts) + " and " + std::to_string(source.size()) + " bytes";
+    const std::string expected = "12 + 24 x " + std::to_string(cells) + " bytes for these counts";
+    if (dataBytes > wholeBytes) throw FormatMismatch(found, expected);
+    throw FormatMismatch::truncated(found, expected, source.size(), merlHeaderBytes + wholeBytes);
+  }
   if (cells > maxCells) throw FormatMismatch(std::to_string(cells) + " cells", "at most " + std::to_string(maxCells));
   HalfDifferenceGrid grid{counts[0], counts[1], counts[2], true};
   grid.reciprocal = !isWholeCircle(grid);

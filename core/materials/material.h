@@ -39,7 +39,8 @@ struct Material {
 };
 
 /// Reads any supported file, found by its content, or a bundled material by "library:sgd/NAME" or "library:rgl/NAME".
-/// @throws Error naming the file; one that could not be read states what each format found.
+/// @throws Error naming the file and in its first line what is wrong with it; of one that could not be read the lines
+/// after it state what each format found.
 /// @throws Cancelled.
 Material readMaterial(const std::filesystem::path& path, const TaskControl& control = {});
 /// The same of bytes; the material has no name and no path, an error names no file.

@@ -227,16 +227,19 @@ const MaterialFormat* formatOfFile(const std::filesystem::path& path) {
 bool isMaterialFile(const std::filesystem::path& path) { return formatBySuffix(path) || formatOfFile(path); }
 
 const MaterialFormat& sniffFormat(const io::ByteSource& source) {
-  std::string refusals;
+  if (source.size() == 0) throw Error("the file is empty, expected a material");
+  std::string refusals, verdict;
   for (const MaterialFormat& format : formats) {
     try {
       format.sniff(source);
       return format;
     } catch (const io::FormatMismatch& mismatch) {
       refusals += "\n  " + std::string(format.name) + ": " + mismatch.what();
+      if (!mismatch.verdict().empty()) verdict = mismatch.verdict() + " (" + std::string(format.name) + ")";
     }
   }
-  throw Error("this file could not be read:" + refusals);
+  throw Error((verdict.empty() ? "this file could not be read: no format that Gonio knows fits it" : verdict) +
+              refusals);
 }
 
 const MaterialFormat& writableFormat(const std::filesystem::path& path) {

@@ -39,6 +39,28 @@ class ControlPanelTest : public QObject {
     QVERIFY(!panel.row(ArtistControl::roughness) && !panel.bodyRow());
   }
 
+  /// What a control does appears below it when the hand leaves the slider: under the hand no row moves.
+  void rowsKeepTheirPlacesWhileASliderIsDragged() {
+    ControlPanel panel;
+    editing::DifferentialEdit edit = editOf(models::ggx());
+    panel.setEdit(&edit);
+    panel.resize(300, 500);
+    panel.show();
+    ParameterRow* roughness = panel.row(ArtistControl::roughness);
+    const int before = panel.row(ArtistControl::contrast)->mapTo(&panel, QPoint()).y();
+    const auto place = [&] {
+      QApplication::processEvents();
+      return panel.row(ArtistControl::contrast)->mapTo(&panel, QPoint()).y();
+    };
+    Q_EMIT roughness->editingStarted();
+    edit.controls.values[std::size_t(ArtistControl::roughness)] = Rgb(2);
+    panel.setEdit(&edit);
+    QCOMPARE(place(), before);
+    QVERIFY(!panel.changesText(ArtistControl::roughness).isEmpty());
+    Q_EMIT roughness->editingFinished();
+    QVERIFY(place() > before);
+  }
+
   void whatTheModelDoesNotHaveIsGreyAndSaysSo() {
     ControlPanel panel;
     const editing::DifferentialEdit edit = editOf(models::ggx());

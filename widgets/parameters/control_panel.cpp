@@ -66,6 +66,7 @@ void ControlPanel::showEmpty(const QString& text) {
 
 void ControlPanel::build(const models::ModelSpec& spec) {
   m_spec = &spec;
+  m_editing = false;
   m_controls.clear();
   m_body = nullptr;
   delete m_content;
@@ -83,8 +84,15 @@ void ControlPanel::build(const models::ModelSpec& spec) {
 ParameterRow* ControlPanel::addRow(const models::ParameterSpec& spec) {
   auto* row = new ParameterRow(spec, m_content);
   m_content->layout()->addWidget(row);
-  connect(row, &ParameterRow::editingStarted, this, &ControlPanel::editingStarted);
-  connect(row, &ParameterRow::editingFinished, this, &ControlPanel::editingFinished);
+  connect(row, &ParameterRow::editingStarted, this, [this] {
+    m_editing = true;
+    Q_EMIT editingStarted();
+  });
+  connect(row, &ParameterRow::editingFinished, this, [this] {
+    m_editing = false;
+    placeChanges();
+    Q_EMIT editingFinished();
+  });
   return row;
 }
 
@@ -121,8 +129,14 @@ void ControlPanel::showChanges(const editing::DifferentialEdit& edit) {
   for (std::size_t i = 0; i < m_controls.size(); ++i) {
     const QString text = widgets::changesText(ArtistControl(i), edit);
     m_controls[i].changes->setText(text);
-    m_controls[i].changes->setVisible(!text.isEmpty());
   }
+  placeChanges();
+}
+
+/// Lines come and go only when the hand has left the slider: rows keep their places under it.
+void ControlPanel::placeChanges() {
+  if (m_editing) return;
+  for (const Control& control : m_controls) control.changes->setVisible(!control.changes->text().isEmpty());
 }
 
 ParameterRow* ControlPanel::row(ArtistControl control) const {

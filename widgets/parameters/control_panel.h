@@ -51,6 +51,7 @@ class ControlPanel : public QWidget {
   void addBody();
   ParameterRow* addRow(const models::ParameterSpec& spec);
   void showChanges(const editing::DifferentialEdit& edit);
+  void placeChanges();
 
   struct Control {
     ParameterRow* row = nullptr;
@@ -64,6 +65,7 @@ class ControlPanel : public QWidget {
   ParameterRow* m_body = nullptr;
   std::optional<models::ParameterSpec> m_bodySpec;  ///< of the model, under the name that it has here
   int m_bodyParameter = -1;
+  bool m_editing = false;  ///< a row is under the hand
 };
 
 /// "Flakes, roughness 0.1 -> 0.2; Coat, roughness 0.03 -> 0.06", with arrows; empty where nothing changes.

@@ -32,10 +32,12 @@ namespace gonio::app {
 using editing::DifferentialEdit;
 
 namespace {
-/// Folded at first: the one computes while it is seen, the other lists everything that the controls change.
+/// Folded at first: one computes while it is seen, one lists everything that the controls change, one states facts.
 const QString representationKey = QStringLiteral("inspector/representation"),
-              parametersKey = QStringLiteral("inspector/parameters");
-bool isFoldedAtFirst(const QString& key) { return key == representationKey || key == parametersKey; }
+              parametersKey = QStringLiteral("inspector/parameters"), sourceKey = QStringLiteral("inspector/source");
+bool isFoldedAtFirst(const QString& key) {
+  return key == representationKey || key == parametersKey || key == sourceKey;
+}
 constexpr int preferredEms = 28;
 }  // namespace
 
@@ -73,18 +75,18 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
   sourceRows->addWidget(m_source);
   sourceRows->addWidget(new DirectionOrder(document));
   sourceRows->addWidget(m_wavelength);
-  addSection(QStringLiteral("inspector/source"), tr("Source"), source);
   auto* model = new QWidget;
   auto* modelRows = new QVBoxLayout(model);
   modelRows->setContentsMargins(0, 0, 0, 0);
   modelRows->addWidget(m_model);
   modelRows->addWidget(new CompositionChoice(document));
   addSection(QStringLiteral("inspector/model"), tr("Model"), model);
-  addSection(QStringLiteral("inspector/edits"), tr("Edits"), m_edits);
   addSection(QStringLiteral("inspector/controls"), tr("Controls"), m_controls);
   addSection(parametersKey, tr("All parameters"), m_parameters);
+  addSection(QStringLiteral("inspector/edits"), tr("Edits"), m_edits);
   addSection(QStringLiteral("inspector/plausibility"), tr("Plausibility"), m_plausibility);
   addSection(representationKey, tr("Representation"), m_representation);
+  addSection(sourceKey, tr("Source"), source);
   layout->addStretch();
   setWidget(content);
   setWidgetResizable(true);

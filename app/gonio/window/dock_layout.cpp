@@ -17,11 +17,12 @@ const QString geometryKey = QStringLiteral("window/geometry"), layoutKey = QStri
 }  // namespace
 
 DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window) {
-  m_window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks |
-                          QMainWindow::GroupedDragging);
+  // No grouped dragging: Qt 6.4 keeps groups of floating docks that it deletes too early.
+  m_window.setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
 }
 
-QDockWidget* DockLayout::add(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area) {
+QDockWidget* DockLayout::add(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area,
+                             int lines) {
   auto* dock = new QDockWidget(title, &m_window);
   dock->setObjectName(name);
   dock->setWidget(content);
@@ -33,10 +34,25 @@ QDockWidget* DockLayout::add(const QString& title, const QString& name, QWidget*
     dock->hide();
   }
   m_docks << dock;
+  m_places.push_back({area, lines});
   return dock;
 }
 
-void DockLayout::setDefault() { m_default = m_window.saveState(layoutVersion); }
+void DockLayout::setDefault() {
+  for (std::size_t i = 0; i < m_places.size(); ++i) m_places[i].shown = !m_docks[qsizetype(i)]->isHidden();
+  resizeSides();
+}
+
+void DockLayout::resizeSides() {
+  QList<QDockWidget*> docks;
+  QList<int> widths;
+  for (std::size_t i = 0; i < m_places.size(); ++i) {
+    if (m_places[i].lines == 0) continue;
+    docks << m_docks[qsizetype(i)];
+    widths << m_places[i].lines * m_window.fontMetrics().height();
+  }
+  m_window.resizeDocks(docks, widths, Qt::Horizontal);
+}
 
 QDockWidget* DockLayout::dock(const QString& name) const {
   const auto found = std::ranges::find(m_docks, name, &QObject::objectName);
@@ -76,8 +92,22 @@ void DockLayout::showWorkspace(Workspace workspace) {
 }
 
 void DockLayout::reset() {
-  for (QDockWidget* dock : m_docks) dock->setFloating(false);
-  m_window.restoreState(m_default, layoutVersion);
+  // By calls: restoring stored bytes over docks that float or lie behind one another crashes in Qt 6.4.
+  for (QDockWidget* dock : m_docks) {
+    dock->setFloating(false);
+    m_window.removeDockWidget(dock);
+  }
+  QDockWidget* bottom = nullptr;
+  for (std::size_t i = 0; i < m_places.size(); ++i) {
+    QDockWidget* dock = m_docks[qsizetype(i)];
+    m_window.addDockWidget(m_places[i].area, dock);
+    if (m_places[i].area == Qt::BottomDockWidgetArea) {
+      if (bottom) m_window.tabifyDockWidget(bottom, dock);
+      bottom = dock;
+    }
+  }
+  for (std::size_t i = 0; i < m_places.size(); ++i) m_docks[qsizetype(i)]->setVisible(m_places[i].shown);
+  resizeSides();
 }
 
 void DockLayout::restore(const QSettings& settings) {

@@ -4,6 +4,7 @@
 
 #include <QList>
 #include <QObject>
+#include <vector>
 
 class QDockWidget;
 class QMainWindow;
@@ -21,7 +22,8 @@ class DockLayout : public QObject {
   explicit DockLayout(QMainWindow& window);
 
   /// Docks at the bottom lie behind one another, and are hidden at first.
-  QDockWidget* add(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
+  /// @param lines its width at a side, in heights of a line; 0: as its content asks.
+  QDockWidget* add(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area, int lines = 0);
   /// After the last add(): what reset() goes back to.
   void setDefault();
   const QList<QDockWidget*>& docks() const { return m_docks; }
@@ -36,9 +38,16 @@ class DockLayout : public QObject {
   void save(QSettings& settings) const;
 
  private:
+  void resizeSides();
+
   QMainWindow& m_window;
   QList<QDockWidget*> m_docks;
-  QByteArray m_default;
+  struct Place {
+    Qt::DockWidgetArea area;
+    int lines;  ///< its width
+    bool shown = true;
+  };
+  std::vector<Place> m_places;  ///< of m_docks
 };
 
 }  // namespace gonio::app

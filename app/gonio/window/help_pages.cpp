@@ -30,9 +30,11 @@ QString row(const QString& left, const QString& right) {
 /// What the mouse and single widgets do: nothing that an action could tell.
 QString gestures() {
   return row(HelpPagesText::tr("Drag in the preview"), HelpPagesText::tr("orbit (directional light: move the light)")) +
-         row(HelpPagesText::tr("Wheel in the preview"), HelpPagesText::tr("zoom")) +
+         row(HelpPagesText::tr("Right drag in the preview"), HelpPagesText::tr("orbit; a click: a menu")) +
+         row(HelpPagesText::tr("Middle drag, Shift + drag in the preview"), HelpPagesText::tr("pan")) +
+         row(HelpPagesText::tr("Wheel in the preview"), HelpPagesText::tr("zoom to the pointer")) +
          row(HelpPagesText::tr("Shift + right drag in the preview"), HelpPagesText::tr("turn the environment")) +
-         row(HelpPagesText::tr("F, R in the preview"), HelpPagesText::tr("frame the sphere, reset the view")) +
+         row(HelpPagesText::tr("F, R in the preview"), HelpPagesText::tr("frame the object, reset the view")) +
          row(HelpPagesText::tr("Shift, Ctrl while dragging a slider"), HelpPagesText::tr("a tenth as far, snap")) +
          row(HelpPagesText::tr("Double-click on a label or slider"), HelpPagesText::tr("reset the parameter")) +
          row(HelpPagesText::tr("Arrow keys, Page Up, Page Down"), HelpPagesText::tr("step a slider or a number")) +

@@ -46,7 +46,8 @@ namespace gonio::app {
 
 namespace {
 constexpr QSize firstSize(1440, 900), smallestSize(960, 600);
-}
+constexpr int libraryLines = 27, inspectorLines = 28;
+}  // namespace
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
@@ -92,8 +93,8 @@ void MainWindow::addCentre() {
 }
 
 void MainWindow::addDocks() {
-  QDockWidget* library = m_docks->add(tr("Library"), "library", &m_parts.libraryView, Qt::LeftDockWidgetArea);
-  QDockWidget* inspector = m_docks->add(tr("Inspector"), "inspector", &m_parts.inspector, Qt::RightDockWidgetArea);
+  m_docks->add(tr("Library"), "library", &m_parts.libraryView, Qt::LeftDockWidgetArea, libraryLines);
+  m_docks->add(tr("Inspector"), "inspector", &m_parts.inspector, Qt::RightDockWidgetArea, inspectorLines);
   auto* history = new QUndoView(&m_parts.document.history());
   history->setEmptyLabel(tr("Opened"));
   history->setAccessibleName(tr("History"));
@@ -108,8 +109,6 @@ void MainWindow::addDocks() {
       {tr("Scene"), "scene", m_parts.scene},
       {tr("Acquisition"), "acquisition", m_parts.acquisition}};
   for (const auto& [title, name, panel] : bottom) m_docks->add(title, name, &panel, Qt::BottomDockWidgetArea);
-  const int em = fontMetrics().height();
-  resizeDocks({library, inspector}, {em * 27, em * 28}, Qt::Horizontal);
   m_parts.libraryView.setEmptyText(tr("There are no materials in this folder (%1).\nFile > Bundled Library shows the "
                                       "materials that come with Gonio.")
                                        .arg(materialFilePatterns().join(' ')));
@@ -213,7 +212,9 @@ void MainWindow::chooseMaterial(const QString& title, const std::function<void(c
 
 void MainWindow::showFailure(const QString& title, const QString& text) {
   auto* box = new QMessageBox(QMessageBox::Warning, title, title, QMessageBox::Ok, this);
-  box->setInformativeText(text);
+  // What is wrong first; what each reader found is folded away.
+  box->setInformativeText(text.section('\n', 0, 0));
+  if (text.contains('\n')) box->setDetailedText(text.section('\n', 1));
   box->setTextFormat(Qt::PlainText);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->open();

@@ -153,6 +153,25 @@ class MaterialFormatsTest : public QObject {
              error.c_str());
   }
 
+  /// What is wrong comes first, in one line.
+  void theFirstLineSaysWhatIsWrong() {
+    const auto firstLine = [&](const std::filesystem::path& path) {
+      const std::string error = errorOf([&] { materials::readMaterial(path); });
+      return error.substr(0, error.find('\n'));
+    };
+    const auto empty = writeFile("materials/empty.binary", {});
+    QCOMPARE(firstLine(empty), empty.string() + ": the file is empty, expected a material");
+    Bytes table = fileOf(FormatId::merl);
+    const std::size_t whole = table.size();
+    table.resize(whole - 100);
+    const auto shortened = writeFile("materials/short.binary", table);
+    QCOMPARE(firstLine(shortened), shortened.string() + ": the file is truncated: " + std::to_string(whole - 100) +
+                                       " bytes of " + std::to_string(whole) + " (MERL)");
+    table.resize(whole + 100);
+    const auto longer = writeFile("materials/long.binary", table);
+    QVERIFY(contains(firstLine(longer), "no format that Gonio knows fits it"));
+  }
+
   /// Three formats share the suffix .bsdf; training sets take measured files by what they are.
   void sharedSuffixIsDecidedByTheContent() {
     for (const FormatId id : {FormatId::rgl, FormatId::zemax, FormatId::lightTools}) {
