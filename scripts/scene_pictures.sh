@@ -23,6 +23,6 @@ paint=library:sgd/gold-metallic-paint
 for scene in sphere sphere-distant-light sphere-on-plane sphere-under-lamp sphere-point-light; do picture $scene $paint; done
 picture two-spheres $paint library:sgd/blue-metallic-paint2
 picture row $paint library:sgd/red-fabric library:sgd/chrome
-for scene in shader-ball bowl torus; do picture $scene $paint; done
+for scene in shader-ball cloth cylinder plane bowl torus; do picture $scene $paint; done
 # shellcheck disable=SC2086
-montage $pictures -tile 5x2 -geometry +4+4 -background '#303030' -depth 8 "$out"
+montage $pictures -tile 5x3 -geometry +4+4 -background '#303030' -depth 8 "$out"

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QMenu>
+#include <QScrollBar>
 #include <QSettings>
 #include <QVBoxLayout>
 
@@ -103,6 +104,11 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
 }
 
 QSize Inspector::sizeHint() const { return {fontMetrics().height() * preferredEms, fontMetrics().height() * 40}; }
+
+QSize Inspector::minimumSizeHint() const {
+  const int content = widget()->minimumSizeHint().width();
+  return {content + verticalScrollBar()->sizeHint().width(), fontMetrics().height() * 8};
+}
 
 bool Inspector::isSettled() const {
   return m_monitor->isCurrent() && m_tableError->isSettled() && m_wavelength->isSettled() &&

@@ -49,6 +49,8 @@ class Inspector : public QScrollArea {
   void restoreState(const QSettings& settings);
 
   QSize sizeHint() const override;
+  /// As wide as the widest row needs: nothing scrolls sideways.
+  QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
   /// Another edit of factor curves is wanted: the factor curves make it.

@@ -88,7 +88,8 @@ void ViewStrip::build() {
   m_exposure->setAccessibleName(tr("Exposure in stops"));
   for (QComboBox* box : {m_shapes, m_lights, m_backgrounds}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(7);
+    box->setMinimumContentsLength(4);
+    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
   add(tr("S&hape"), m_shapes);
   add(tr("&Light"), m_lights);

@@ -11,12 +11,16 @@ namespace gonio::app {
 
 namespace {
 /// Raised when docks change in a way that makes a stored layout wrong.
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 constexpr int bottomDockLines = 22, acquisitionDockLines = 30;
+/// That a side dock gets at first, percent of the window.
+constexpr int mostOfWidth = 26;
 const QString geometryKey = QStringLiteral("window/geometry"), layoutKey = QStringLiteral("window/layout");
 }  // namespace
 
 DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window) {
+  // The inspector keeps its whole height beside the docks at the bottom.
+  m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   // No grouped dragging: Qt 6.4 keeps groups of floating docks that it deletes too early.
   m_window.setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
 }
@@ -49,7 +53,7 @@ void DockLayout::resizeSides() {
   for (std::size_t i = 0; i < m_places.size(); ++i) {
     if (m_places[i].lines == 0) continue;
     docks << m_docks[qsizetype(i)];
-    widths << m_places[i].lines * m_window.fontMetrics().height();
+    widths << std::min(m_places[i].lines * m_window.fontMetrics().height(), m_window.width() * mostOfWidth / 100);
   }
   m_window.resizeDocks(docks, widths, Qt::Horizontal);
 }

@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QScreen>
 #include <QStatusBar>
 #include <QUndoView>
 #include <QVBoxLayout>
@@ -58,7 +59,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_messages(new widgets::MessageBar) {
   setAttribute(Qt::WA_DeleteOnClose);
   setMinimumSize(smallestSize);
-  resize(firstSize);
+  resize(firstSize.boundedTo(screen()->availableSize()));
   addCentre();
   addDocks();
   m_status = new StatusLine(*statusBar(), m_parts.document, m_parts.tasks, m_parts.comparison, m_parts.preview);

@@ -27,8 +27,13 @@ bool UndoKeys::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return false;
   const auto* key = static_cast<const QKeyEvent*>(event);
   const bool undo = key->matches(QKeySequence::Undo), redo = key->matches(QKeySequence::Redo);
-  const QLineEdit* field = undo || redo ? fieldOf(watched) : nullptr;
+  const bool endOfLine = key->modifiers() == Qt::ControlModifier && key->key() == Qt::Key_E;
+  const QLineEdit* field = undo || redo || endOfLine ? fieldOf(watched) : nullptr;
   if (!field || field->window() != m_window) return false;
+  if (endOfLine) {
+    event->ignore();
+    return true;
+  }
   if (undo ? field->isUndoAvailable() : field->isRedoAvailable()) return false;
   event->ignore();
   return true;
