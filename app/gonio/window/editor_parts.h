@@ -10,7 +10,7 @@
 #include "app/gonio/document/recent_files.h"
 #include "app/gonio/export/export_controller.h"
 #include "app/gonio/library/library_controller.h"
-#include "app/gonio/window/environment_controller.h"
+#include "app/gonio/scene/environment_controller.h"
 #include "core/study/representation.h"
 
 namespace gonio::widgets {

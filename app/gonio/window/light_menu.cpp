@@ -6,7 +6,7 @@
 #include <QFileDialog>
 #include <utility>
 
-#include "app/gonio/window/environment_controller.h"
+#include "app/gonio/scene/environment_controller.h"
 #include "widgets/inputs/dialog_folder.h"
 #include "widgets/preview/preview_widget.h"
 

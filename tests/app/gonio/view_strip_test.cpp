@@ -9,8 +9,8 @@
 #include <QTest>
 #include <memory>
 
+#include "app/gonio/scene/environment_controller.h"
 #include "app/gonio/scene/scene_panel.h"
-#include "app/gonio/window/environment_controller.h"
 #include "core/io/image_io.h"
 #include "tests/support/test_program.h"
 #include "widgets/inputs/number_field.h"

@@ -93,9 +93,10 @@ class GoniotoolStudyTest : public QObject {
     fails({plastic_, "--representations", "components"}, 2, "--components-from");
     fails({folder_.path("absent.binary")}, 1, "absent.binary");
     QCOMPARE(runTool({"study", plastic_}).code, 2);
-    const ToolResult file = runTool({"study", plastic_, "--out", plastic_});
+    folder_.writeText("taken.txt", "a file");
+    const ToolResult file = runTool({"study", plastic_, "--out", folder_.path("taken.txt")});
     QCOMPARE(file.code, 1);
-    QVERIFY(file.error.contains("plastic.binary: cannot be made a folder"));
+    QVERIFY(file.error.contains("taken.txt: cannot be made a folder"));
   }
 
   void zEveryKeyIsDocumented() {

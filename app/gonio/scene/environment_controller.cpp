@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/gonio/window/environment_controller.h"
+#include "app/gonio/scene/environment_controller.h"
 
 #include <QFileInfo>
 #include <QSettings>
