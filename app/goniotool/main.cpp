@@ -42,9 +42,7 @@ int work(const tool::Tool& tool, const CLI::App& command) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int parseAndWork(int argc, char** argv) {
   CLI::App app(
       "Measured materials (BRDFs) without a window: read, check, convert, fit, edit, factor, encode, blend, plan\n"
       "measurements and reconstruct from them, export, render, compare, study.",
@@ -74,4 +72,15 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : wrongUsage;
   }
   return work(tool, *app.get_subcommands().front());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parseAndWork(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "goniotool: %s\n", error.what());
+    return failed;
+  }
 }

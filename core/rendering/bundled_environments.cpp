@@ -25,7 +25,8 @@ std::shared_ptr<const EnvironmentMap> paint(const std::string& name, int perAxis
       for (int x = 0; x < mapWidth; ++x) {
         Rgb sum(0);
         for (int i = 0; i < perAxis * perAxis; ++i) {
-          const double u = x + (i % perAxis + 0.5) / perAxis, v = y + (i / perAxis + 0.5) / perAxis;
+          const int column = i % perAxis, row = i / perAxis;
+          const double u = x + (column + 0.5) / perAxis, v = y + (row + 0.5) / perAxis;
           sum += radiance(EnvironmentMap::directionAt(u / mapWidth, v / mapHeight));
         }
         image.at(x, y) = glm::vec3(sum / double(perAxis * perAxis));

@@ -119,7 +119,7 @@ QPointF PreviewInput::inHalfSides(const QPointF& pixels) const {
 void PreviewInput::move(const QMouseEvent& event) {
   const QPointF delta = event.position() - m_lastPosition;
   // A click is allowed to tremble.
-  if (!m_moved && event.buttons() == Qt::RightButton && delta.manhattanLength() < QApplication::startDragDistance() / 2)
+  if (!m_moved && event.buttons() == Qt::RightButton && 2 * delta.manhattanLength() < QApplication::startDragDistance())
     return;
   m_moved = true;
   m_lastPosition = event.position();

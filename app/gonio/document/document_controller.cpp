@@ -115,13 +115,14 @@ void DocumentController::offerChangedSource(Opened opened) {
 void DocumentController::openChangedSource(ChangedSource choice) {
   const std::shared_ptr<const Opened> changed = std::exchange(m_changedSource, nullptr);
   if (!changed || choice == ChangedSource::cancel) return;
-  Opened opened = *changed;
   if (choice == ChangedSource::withoutEdits) {
-    opened.stored->edits.clear();
-    opened.documentPath.clear();  // saving must not replace the document by one without edits
+    // As if the measured file had been opened: saving replaces no document, and a recovered copy stays where it is.
+    const std::string& source = changed->material->material.source.path.native();
+    return install(
+        {.material = changed->material, .stored = {}, .path = QString::fromStdString(source), .documentPath = {}});
   }
-  install(opened);
-  if (choice == ChangedSource::withEdits) m_document.markUnsaved();
+  install(*changed);
+  m_document.markUnsaved();
 }
 
 void DocumentController::dropTasks() {

@@ -114,7 +114,7 @@ void ScenePanel::askForFile() {
   if (!path.isEmpty()) open(path);
 }
 
-void ScenePanel::open(const QString& nameOrPath, std::function<void()> shown) {
+void ScenePanel::open(const QString& nameOrPath, const std::function<void()>& shown) {
   m_tasks.run<Scene>(
       {tr("Reading the scene %1").arg(nameOrPath.section('/', -1)), QStringLiteral("scene")},
       [nameOrPath](const TaskControl&) { return openScene(nameOrPath.toStdString(), 1 + SceneNeighbours::count); },

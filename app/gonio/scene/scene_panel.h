@@ -31,7 +31,7 @@ class ScenePanel : public QWidget {
   ScenePanel(widgets::PreviewWidget& preview, Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
   /// A scene of the project, a scene file or a mesh: read in the background, shown, then `shown` is called.
-  void open(const QString& nameOrPath, std::function<void()> shown = {});
+  void open(const QString& nameOrPath, const std::function<void()>& shown = {});
   /// The same of a file that the user chooses.
   void askForFile();
   widgets::EffectList& effects() const { return *m_effects; }
