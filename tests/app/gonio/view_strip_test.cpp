@@ -25,7 +25,9 @@ class ViewStripTest : public QObject {
 
  private Q_SLOTS:
   void init() {
-    QSettings().clear();
+    // Its own recent environments, beside tests that run at the same time.
+    settings_ = std::make_unique<QTemporaryDir>();
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_->path());
     preview_ = std::make_unique<widgets::PreviewWidget>();
     tasks_ = std::make_unique<BackgroundTasks>();
     document_ = std::make_unique<Document>();
@@ -117,6 +119,7 @@ class ViewStripTest : public QObject {
     Q_EMIT box.activated(index);
   }
 
+  std::unique_ptr<QTemporaryDir> settings_;
   std::unique_ptr<widgets::PreviewWidget> preview_;
   std::unique_ptr<BackgroundTasks> tasks_;
   std::unique_ptr<Document> document_;
