@@ -30,7 +30,7 @@ void MaterialEstimator::cancel() {
 
 void MaterialEstimator::start(const PreviewSubject& subject) {
   m_busy = true;
-  m_watcher.setFuture(QtConcurrent::run([subject] {
+  m_watcher.setFuture(QtConcurrent::run(&m_pool, [subject] {
     Outcome outcome;
     outcome.failure = TaskFailure::of([&] {
       const std::shared_ptr<const Brdf> brdf = subjectBrdf(subject);

@@ -4,6 +4,7 @@
 
 #include <QFutureWatcher>
 #include <QObject>
+#include <QThreadPool>
 #include <optional>
 
 #include "core/rendering/render_material.h"
@@ -44,6 +45,7 @@ class MaterialEstimator : public QObject {
     MaterialEstimate estimate;
     QString failure;  ///< empty: there is an estimate
   };
+  QThreadPool m_pool;  ///< not the global one, which Qt paints with: painting would wait for this work
   QFutureWatcher<Outcome> m_watcher;
   std::optional<PreviewSubject> m_next;
   bool m_busy = false, m_wanted = false;

@@ -35,7 +35,10 @@ void traceProgressively(const PathTracer& tracer, const QSize& size, int samples
 
 }  // namespace
 
-SceneTracer::SceneTracer(QObject* parent) : QObject(parent) {}
+SceneTracer::SceneTracer(QObject* parent) : QObject(parent) {
+  // One after the other: two at once would take each other's cores.
+  m_pool.setMaxThreadCount(1);
+}
 
 SceneTracer::~SceneTracer() {
   stop();
@@ -53,7 +56,7 @@ void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials
   stop();
   m_stop = std::stop_source();
   m_samples = samples;
-  const Told tell = [this, request = m_request](std::shared_ptr<const Film> film, double milliseconds) {
+  const Told tell = [this, request = m_request](const std::shared_ptr<const Film>& film, double milliseconds) {
     QMetaObject::invokeMethod(
         this, [this, request, film, milliseconds] { adopt(request, film, milliseconds); }, Qt::QueuedConnection);
   };
@@ -63,8 +66,7 @@ void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials
     };
     QMetaObject::invokeMethod(this, tellOne, Qt::QueuedConnection);
   };
-  m_future = QtConcurrent::run([=, before = m_future, control = TaskControl{m_stop.get_token(), {}}]() mutable {
-    before.waitForFinished();  // it was told to stop: two at once would take each other's cores
+  m_future = QtConcurrent::run(&m_pool, [=, control = TaskControl{m_stop.get_token(), {}}] {
     const QString failure = TaskFailure::of([&] {
       traceProgressively(PathTracer(scene, bindMaterials(scene, slotMaterials), plan), size, samples, control, tell);
     });

@@ -5,6 +5,7 @@
 #include <QFuture>
 #include <QObject>
 #include <QSize>
+#include <QThreadPool>
 #include <stop_token>
 
 #include "core/rendering/path_tracer.h"
@@ -42,6 +43,7 @@ class SceneTracer : public QObject {
 
   std::shared_ptr<const Film> m_film;
   std::stop_source m_stop;
+  QThreadPool m_pool;  ///< not the global one, which Qt paints with: painting would wait for this work
   QFuture<void> m_future;
   double m_milliseconds = 0;
   int m_request = 0, m_samples = 0;
