@@ -5,6 +5,7 @@
 
 #include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
+#include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/export/export_target.h"
@@ -67,7 +68,10 @@ int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   const Scene scene = withScene ? exportScene(arguments) : Scene();
   const OpenedSource source = openForExport(arguments.material, tool.control("reading"));
   const std::filesystem::path name = target.nameOf(arguments.out);
-  exports::checkTargets(target.paths(name, withScene), source.path, tool.force);
+  const std::vector<std::filesystem::path> paths = target.paths(name, withScene);
+  if (!tool.force)
+    for (const std::filesystem::path& path : paths) checkOutput(path, source.files);
+  exports::checkTargets(paths, {}, tool.force);
   exports::MadeExport made = exports::makeExport(target, source.material, options, tool.control("exporting"));
   if (withScene) exports::addScene(made, target, scene, name);
   const std::vector<exports::ExportFile> files = exports::filesOf(made, name);

@@ -3,6 +3,7 @@
 #include "app/goniotool/export_source.h"
 
 #include "app/goniotool/materials.h"
+#include "app/goniotool/outputs.h"
 #include "core/editing/blend_source.h"
 #include "core/export/export_origin.h"
 #include "core/export/spectral_edit.h"
@@ -13,7 +14,7 @@ namespace gonio::tool {
 
 OpenedSource openForExport(const std::string& argument, const TaskControl& control) {
   const materials::Material material = openMaterial(argument, control);
-  OpenedSource opened{.base = material};
+  OpenedSource opened{.base = material, .files = filesOf(argument)};
   std::shared_ptr<const Brdf> shown = material.brdf;
   if (isDocument(argument)) {
     const editing::EditDocument document = editing::readDocument(argument);
@@ -22,7 +23,6 @@ OpenedSource openForExport(const std::string& argument, const TaskControl& contr
     if (editing::isIdentity(opened.edits)) shown = opened.base.brdf;
   }
   opened.material = exports::exportSource(material.name, opened.base, std::move(shown), opened.edits);
-  opened.path = exports::sourceFile(opened.base);
   return opened;
 }
 

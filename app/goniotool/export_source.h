@@ -13,9 +13,9 @@ namespace gonio::tool {
 
 struct OpenedSource {
   exports::ExportSource material;
-  materials::Material base;    ///< without edits
-  editing::EditList edits;     ///< of a document
-  std::filesystem::path path;  ///< of the file that must not be overwritten; empty for a bundled material
+  materials::Material base;                  ///< without edits
+  editing::EditList edits;                   ///< of a document
+  std::vector<std::filesystem::path> files;  ///< that must not be overwritten; none of a bundled material
 };
 
 /// A material argument for an export: an edited RGL file with its own bytes, everything with its origin in a sentence.

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/goniotool/materials.h"
+#include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/dictionary/decode.h"
@@ -103,6 +104,12 @@ std::string fileOf(const InterpolateArguments& options, std::size_t step) {
   return (out.parent_path() / (out.stem().string() + "-" + number + out.extension().string())).string();
 }
 
+void checkSeries(const InterpolateArguments& options) {
+  std::vector<std::filesystem::path> read;
+  for (const std::string& material : options.materials) std::ranges::copy(filesOf(material), std::back_inserter(read));
+  for (int step = 0; step < options.steps; ++step) checkOutput(fileOf(options, std::size_t(step)), read);
+}
+
 /// Writes one blend; returns what there is to tell about it.
 Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, std::uint64_t dictionary,
            std::span<const double> weights, const std::string& out, const Tool& tool) {
@@ -127,6 +134,7 @@ Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, st
 
 int interpolate(const InterpolateArguments& options, const Tool& tool) {
   checkOptions(options);
+  if (!tool.force) checkSeries(options);
   const bool isGiven = !options.dictionary.empty();
   std::shared_ptr<const materials::NamedEnsemble> dictionary;
   if (isGiven || options.spaceChosen() == InterpolationSpace::dictionary)

@@ -8,6 +8,7 @@
 
 #include "app/goniotool/materials.h"
 #include "core/editing/blend_source.h"
+#include "core/io/atomic_file.h"
 
 namespace gonio::tool {
 
@@ -21,8 +22,8 @@ bool isOutput(const CLI::Option& option) {
          std::ranges::any_of(names, [&](const char* name) { return option.check_lname(name); });
 }
 
-/// The files of an argument: its own, and where it is a document those that it edits. A document that cannot be read
-/// is refused by the command itself.
+}  // namespace
+
 std::vector<fs::path> filesOf(const std::string& argument) {
   std::error_code ignored;
   if (!fs::is_regular_file(argument, ignored)) return {};
@@ -30,13 +31,16 @@ std::vector<fs::path> filesOf(const std::string& argument) {
   if (!isDocument(argument)) return files;
   try {
     const editing::EditDocument document = editing::resolved(editing::readDocument(argument), argument);
-    for (const fs::path& source : editing::sourceFiles(document)) files.push_back(source);
-  } catch (const Error&) {
+    std::ranges::copy(editing::sourceFiles(document), std::back_inserter(files));
+  } catch (const Error&) {  // the command itself refuses it
   }
   return files;
 }
 
-}  // namespace
+void checkOutput(const fs::path& out, std::span<const fs::path> files) {
+  if (io::isOneOf(out, files))
+    throw Error(out.string() + ": the command reads this file, expected another name (or --force)");
+}
 
 void checkOutputs(const CLI::App& command) {
   std::vector<fs::path> read, written;
@@ -47,11 +51,7 @@ void checkOutputs(const CLI::App& command) {
       else
         std::ranges::copy(filesOf(argument), std::back_inserter(read));
     }
-  std::error_code ignored;
-  for (const fs::path& out : written)
-    for (const fs::path& in : read)
-      if (fs::equivalent(out, in, ignored))
-        throw Error(out.string() + ": the command reads this file, expected another name (or --force)");
+  for (const fs::path& out : written) checkOutput(out, read);
 }
 
 }  // namespace gonio::tool

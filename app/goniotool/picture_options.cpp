@@ -53,7 +53,7 @@ RenderOptions PictureOptions::renderOptions() const {
 
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options) {
   auto* environment = command.add_option("--environment", options->environment,
-                                         "studio, sky, sunset, window, furnace or a picture file (that of the scene)");
+                                         bundledEnvironmentList() + " or a picture file (that of the scene)");
   command
       .add_option("--light", options->light,
                   "A distant light instead of all others: the direction to it X Y Z (y up, z to the eye)")

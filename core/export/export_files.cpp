@@ -9,11 +9,11 @@ namespace gonio::exports {
 
 namespace fs = std::filesystem;
 
-void checkTargets(std::span<const fs::path> paths, const fs::path& source, bool overwrite) {
+void checkTargets(std::span<const fs::path> paths, std::span<const fs::path> sources, bool overwrite) {
   for (const fs::path& path : paths) {
     std::error_code ignored;
-    if (fs::equivalent(path, source, ignored))
-      throw Error(path.string() + ": is the material's own file, expected another name");
+    if (io::isOneOf(path, sources))
+      throw Error(path.string() + ": is a measured file that this material is made of, expected another name");
     if (!overwrite && fs::exists(path, ignored))
       throw Error(path.string() + ": exists already, expected a new name (or --force)");
     io::checkWritable(path);

@@ -16,8 +16,10 @@ struct ExportFile {
 };
 
 /// Whether an export may write these files, for before the work: into folders that take files, no file in use unless
-/// `overwrite`, and never over `source`. Leaves nothing behind. @throws Error naming the file.
-void checkTargets(std::span<const std::filesystem::path> paths, const std::filesystem::path& source, bool overwrite);
+/// `overwrite`, and never over one of `sources`: the files that the material is made of. Leaves nothing behind.
+/// @throws Error naming the file.
+void checkTargets(std::span<const std::filesystem::path> paths, std::span<const std::filesystem::path> sources,
+                  bool overwrite);
 
 /// Writes all of them, each atomically, or none: where one fails, those that are new are removed again.
 /// @throws Error naming the file.

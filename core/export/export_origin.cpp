@@ -40,10 +40,6 @@ ExportSource exportSource(std::string name, const materials::Material& base, std
   return source;
 }
 
-std::filesystem::path sourceFile(const materials::Material& base) {
-  return base.source.path.native().starts_with(materials::libraryScheme) ? std::filesystem::path() : base.source.path;
-}
-
 std::string proposedName(const std::string& material, const editing::EditList& edits) {
   std::string name;
   for (const char c : editing::editedName(material, edits))

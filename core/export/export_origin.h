@@ -14,9 +14,6 @@ namespace gonio::exports {
 ExportSource exportSource(std::string name, const materials::Material& base, std::shared_ptr<const Brdf> shown,
                           const editing::EditList& edits);
 
-/// The file that an export must not replace; empty for a bundled material and for what has no file.
-std::filesystem::path sourceFile(const materials::Material& base);
-
 /// What an export is called before anyone gives it a name: editing::editedName() without commas and spaces, which other
 /// programs take for separators: "chrome", "chrome_rougher".
 std::string proposedName(const std::string& material, const editing::EditList& edits);

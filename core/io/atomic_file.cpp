@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <algorithm>
 
 #include <cerrno>
 #include <cstring>
@@ -86,6 +87,11 @@ fs::path targetOf(const fs::path& path) {
 }  // namespace
 
 void checkWritable(const fs::path& path) { TemporaryFile(targetOf(path)); }
+
+bool isOneOf(const fs::path& path, std::span<const fs::path> files) {
+  std::error_code ignored;
+  return std::ranges::any_of(files, [&](const fs::path& file) { return fs::equivalent(path, file, ignored); });
+}
 
 void writeFileAtomically(const fs::path& path, std::span<const std::byte> content) {
   const fs::path target = targetOf(path);

@@ -19,4 +19,7 @@ void writeFileAtomically(const std::filesystem::path& path, const std::string& t
 /// its temporary file. Leaves nothing behind. @throws Error likewise.
 void checkWritable(const std::filesystem::path& path);
 
+/// Whether a path leads to one of these files, under whatever name: through links, by a relative path.
+bool isOneOf(const std::filesystem::path& path, std::span<const std::filesystem::path> files);
+
 }  // namespace gonio::io

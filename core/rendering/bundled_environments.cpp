@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <glm/common.hpp>
+#include <mutex>
 
 #include "core/math/parallel.h"
 #include "core/rendering/environment.h"
@@ -14,26 +15,6 @@ namespace gonio {
 namespace {
 
 constexpr int mapWidth = 512, mapHeight = 256;
-
-using RadianceFunction = std::function<Rgb(const Direction& world)>;
-
-/// The mean of `perAxis` x `perAxis` positions a pixel: small bright things keep their energy.
-std::shared_ptr<const EnvironmentMap> paint(const std::string& name, int perAxis, const RadianceFunction& radiance) {
-  Image image(mapWidth, mapHeight);
-  parallelForBlocks(std::size_t(mapHeight), 8, [&](std::size_t begin, std::size_t end) {
-    for (int y = int(begin); y < int(end); ++y)
-      for (int x = 0; x < mapWidth; ++x) {
-        Rgb sum(0);
-        for (int i = 0; i < perAxis * perAxis; ++i) {
-          const int column = i % perAxis, row = i / perAxis;
-          const double u = x + (column + 0.5) / perAxis, v = y + (row + 0.5) / perAxis;
-          sum += radiance(EnvironmentMap::directionAt(u / mapWidth, v / mapHeight));
-        }
-        image.at(x, y) = glm::vec3(sum / double(perAxis * perAxis));
-      }
-  });
-  return std::make_shared<const EnvironmentMap>(std::move(image), name);
-}
 
 double smoothRise(double low, double high, double x) {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -131,43 +112,76 @@ Rgb windowRadiance(const Direction& w) {
   return sum;
 }
 
-/// A white Lambert sphere comes out about mid-bright (its visible half 0.5 on average) at exposure 0.
-constexpr double studioScale = 0.68, skyScale = 0.5, sunsetScale = 1.15, windowScale = 0.46;
+struct BundledEnvironment {
+  const char* name;
+  int perAxis;   ///< positions in a pixel
+  double scale;  ///< a white Lambert sphere comes out about mid-bright (its visible half 0.5 on average) at exposure 0
+  Rgb (*radiance)(const Direction& world);
+};
+
+/// The mean of `perAxis` x `perAxis` positions a pixel: small bright things keep their energy.
+std::shared_ptr<const EnvironmentMap> paint(const BundledEnvironment& environment) {
+  const int perAxis = environment.perAxis;
+  Image image(mapWidth, mapHeight);
+  parallelForBlocks(std::size_t(mapHeight), 8, [&](std::size_t begin, std::size_t end) {
+    for (int y = int(begin); y < int(end); ++y)
+      for (int x = 0; x < mapWidth; ++x) {
+        Rgb sum(0);
+        for (int i = 0; i < perAxis * perAxis; ++i) {
+          const int column = i % perAxis, row = i / perAxis;
+          const double u = x + (column + 0.5) / perAxis, v = y + (row + 0.5) / perAxis;
+          sum += environment.radiance(EnvironmentMap::directionAt(u / mapWidth, v / mapHeight));
+        }
+        image.at(x, y) = glm::vec3(sum * (environment.scale / double(perAxis * perAxis)));
+      }
+  });
+  return std::make_shared<const EnvironmentMap>(std::move(image), environment.name);
+}
+
+constexpr BundledEnvironment environments[] = {
+    {"studio", 2, 0.68, studioRadiance},
+    {"sky", 6, 0.5, skyRadiance},
+    {"sunset", 4, 1.15, sunsetRadiance},
+    {"window", 2, 0.46, windowRadiance},
+    {"furnace", 1, 1, [](const Direction&) { return Rgb(1); }},
+};
+constexpr std::size_t environmentCount = std::size(environments);
+
+/// Painted once, when it is first asked for.
+std::shared_ptr<const EnvironmentMap> environmentAt(std::size_t index) {
+  static std::array<std::once_flag, environmentCount> once;
+  static std::array<std::shared_ptr<const EnvironmentMap>, environmentCount> maps;
+  std::call_once(once[index], [&] { maps[index] = paint(environments[index]); });
+  return maps[index];
+}
 
 }  // namespace
 
-std::shared_ptr<const EnvironmentMap> studioEnvironment() {
-  static const auto map = paint("studio", 2, [](const Direction& w) { return studioScale * studioRadiance(w); });
-  return map;
+const std::vector<std::string>& bundledEnvironmentNames() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const BundledEnvironment& environment : environments) all.emplace_back(environment.name);
+    return all;
+  }();
+  return names;
 }
 
-std::shared_ptr<const EnvironmentMap> skyEnvironment() {
-  static const auto map = paint("sky", 6, [](const Direction& w) { return skyScale * skyRadiance(w); });
-  return map;
-}
-
-std::shared_ptr<const EnvironmentMap> furnaceEnvironment() {
-  static const auto map = paint("furnace", 1, [](const Direction&) { return Rgb(1); });
-  return map;
-}
-
-std::shared_ptr<const EnvironmentMap> sunsetEnvironment() {
-  static const auto map = paint("sunset", 4, [](const Direction& w) { return sunsetScale * sunsetRadiance(w); });
-  return map;
-}
-
-std::shared_ptr<const EnvironmentMap> windowEnvironment() {
-  static const auto map = paint("window", 2, [](const Direction& w) { return windowScale * windowRadiance(w); });
-  return map;
+std::string bundledEnvironmentList() {
+  std::string list;
+  for (const std::string& name : bundledEnvironmentNames()) list += (list.empty() ? "" : ", ") + name;
+  return list;
 }
 
 std::shared_ptr<const EnvironmentMap> bundledEnvironment(const std::string& name) {
-  if (name == "studio") return studioEnvironment();
-  if (name == "sky") return skyEnvironment();
-  if (name == "sunset") return sunsetEnvironment();
-  if (name == "window") return windowEnvironment();
-  if (name == "furnace") return furnaceEnvironment();
-  throw Error("there is no bundled environment named '" + name + "'; there are studio, sky, sunset, window, furnace");
+  const std::vector<std::string>& names = bundledEnvironmentNames();
+  const auto at = std::ranges::find(names, name);
+  if (at == names.end())
+    throw Error("there is no bundled environment named '" + name + "'; there are " + bundledEnvironmentList());
+  return environmentAt(std::size_t(at - names.begin()));
 }
+
+std::shared_ptr<const EnvironmentMap> studioEnvironment() { return bundledEnvironment("studio"); }
+std::shared_ptr<const EnvironmentMap> skyEnvironment() { return bundledEnvironment("sky"); }
+std::shared_ptr<const EnvironmentMap> furnaceEnvironment() { return bundledEnvironment("furnace"); }
 
 }  // namespace gonio

@@ -83,16 +83,16 @@ class EnvironmentRotation {
   double c_, s_;
 };
 
-/// Made by the project itself, 512 x 256: a photo studio with soft boxes, a clear sky with a sun, a low warm sun in
-/// haze, and a dim room with a window and a lamp.
+/// The environments that the project makes itself, 512 x 256: "studio" (soft boxes), "sky" (clear, with a sun),
+/// "sunset" (a low warm sun in haze), "window" (a dim room with a window and a lamp), "furnace" (radiance 1
+/// everywhere).
+const std::vector<std::string>& bundledEnvironmentNames();
+/// The names with commas between them.
+std::string bundledEnvironmentList();
+/// Painted when it is first asked for, then shared. @throws Error that lists the names.
+std::shared_ptr<const EnvironmentMap> bundledEnvironment(const std::string& name);
 std::shared_ptr<const EnvironmentMap> studioEnvironment();
 std::shared_ptr<const EnvironmentMap> skyEnvironment();
-std::shared_ptr<const EnvironmentMap> sunsetEnvironment();
-std::shared_ptr<const EnvironmentMap> windowEnvironment();
-/// Constant white radiance of 1: the furnace.
 std::shared_ptr<const EnvironmentMap> furnaceEnvironment();
-/// By name: "studio", "sky", "sunset", "window", "furnace".
-/// @throws Error that lists the names.
-std::shared_ptr<const EnvironmentMap> bundledEnvironment(const std::string& name);
 
 }  // namespace gonio

@@ -7,19 +7,14 @@
 
 namespace gonio {
 
-const std::vector<std::string>& bundledEnvironmentNames() {
-  static const std::vector<std::string> names{"studio", "sky", "sunset", "window", "furnace"};
-  return names;
-}
-
 std::shared_ptr<const EnvironmentMap> openEnvironment(const std::string& nameOrPath,
                                                       const std::filesystem::path& folder) {
   for (const std::string& bundled : bundledEnvironmentNames())
     if (nameOrPath == bundled) return bundledEnvironment(nameOrPath);
   const std::filesystem::path path = folder / nameOrPath;
   if (std::error_code unreadable; !std::filesystem::exists(path, unreadable))
-    throw Error(path.string() +
-                ": found neither an environment of this name (studio, sky, sunset, window, furnace) nor a file");
+    throw Error(path.string() + ": found neither an environment of this name (" + bundledEnvironmentList() +
+                ") nor a file");
   // A map's errors name it, by its path here.
   return std::make_shared<const EnvironmentMap>(io::readImage(path), path.string());
 }

@@ -8,9 +8,6 @@
 
 namespace gonio {
 
-/// The names that bundledEnvironment() knows.
-const std::vector<std::string>& bundledEnvironmentNames();
-
 /// A bundled environment by its name, or a latitude-longitude picture (HDR or EXR) from disk, named by its path.
 /// @param folder that a relative path starts from; empty: the current one.
 /// @throws Error when it is neither, naming the file and what is wrong with it.

@@ -29,14 +29,24 @@ bool sameFits(const EditList& a, const EditList& b) {
   }
 }
 
-/// The edits without those that a fit alone made.
-EditList changing(EditList edits) {
-  std::erase_if(edits, [](const editing::Edit& edit) {
-    const auto* change = std::get_if<DifferentialEdit>(&edit.content);
-    return change && change->isIdentity() && edit.name.empty() && edit.enabled && edit.strength == 1 &&
-           change->composition == editing::defaultComposition(*change->model);
-  });
-  return edits;
+/// Whether a fit alone made the edit.
+bool isUntouched(const editing::Edit& edit) {
+  const auto* change = std::get_if<DifferentialEdit>(&edit.content);
+  return change && change->isIdentity() && edit.name.empty() && edit.enabled && edit.strength == 1 &&
+         change->composition == editing::defaultComposition(*change->model);
+}
+
+/// Whether two lists are the same but for untouched edits.
+bool changeTheSame(const EditList& a, const EditList& b) {
+  const auto next = [](const EditList& list, EditList::const_iterator from) {
+    return std::find_if_not(from, list.end(), isUntouched);
+  };
+  auto one = next(a, a.begin()), other = next(b, b.begin());
+  while (one != a.end() && other != b.end() && *one == *other) {
+    one = next(a, std::next(one));
+    other = next(b, std::next(other));
+  }
+  return one == a.end() && other == b.end();
 }
 
 }  // namespace
@@ -54,7 +64,7 @@ Document::Document(QObject* parent) : QObject(parent) {
 bool Document::isModified() const {
   if (m_history.isClean()) return false;
   return !m_saved || m_saved->material != material() || m_saved->state.incident != state().incident ||
-         changing(m_saved->state.edits) != changing(edits());
+         !changeTheSame(m_saved->state.edits, edits());
 }
 
 void Document::markUnsaved() {

@@ -6,6 +6,7 @@
 #include <QImage>
 
 #include "core/editing/blend_source.h"
+#include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
 #include "core/rendering/path_tracer.h"
 
@@ -23,14 +24,10 @@ FileExports::FileExports(Document& document, BackgroundTasks& tasks, QObject* pa
     : QObject(parent), m_document(document), m_tasks(tasks) {}
 
 bool FileExports::refuses(const QString& path) {
-  std::error_code ignored;
-  for (const std::filesystem::path& source : editing::sourceFiles(m_document.toEditDocument()))
-    if (std::filesystem::equivalent(path.toStdString(), source, ignored)) {
-      Q_EMIT failed(tr("Cannot write %1").arg(nameOf(path)),
-                    tr("%1 is the measured file that this document edits. Choose another name.").arg(path));
-      return true;
-    }
-  return false;
+  if (!io::isOneOf(path.toStdString(), editing::sourceFiles(m_document.toEditDocument()))) return false;
+  Q_EMIT failed(tr("Cannot write %1").arg(nameOf(path)),
+                tr("%1 is a measured file that this document edits. Choose another name.").arg(path));
+  return true;
 }
 
 template <class Result>

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "app/gonio/library/sphere_picture.h"
+#include "core/editing/blend_source.h"
 #include "core/export/export_origin.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/parameters/parameter_text.h"
@@ -21,7 +22,11 @@ QString labelOf(const exports::ExportTarget& target) { return widgets::fromView(
 }  // namespace
 
 ExportSubject::ExportSubject(const Document& document)
-    : material(document.material()), base(document.base()), edits(document.edits()), name(document.name()) {}
+    : material(document.material()),
+      base(document.base()),
+      edits(document.edits()),
+      name(document.name()),
+      files(editing::sourceFiles(document.toEditDocument())) {}
 
 std::shared_ptr<const Brdf> ExportSubject::edited() const {
   return editing::isIdentity(edits) ? base : editing::applyEdits(base, edits);
@@ -81,8 +86,7 @@ void ExportController::write(const ExportSubject& subject, const ExportRequest& 
       {.title = tr("Exporting %1").arg(files), .file = true},
       [subject, request, trial](const TaskControl& control) {
         const std::filesystem::path name = request.name.toStdString();
-        exports::checkTargets(request.target->paths(name, request.scene != nullptr),
-                              exports::sourceFile(subject.material->material), true);
+        exports::checkTargets(request.target->paths(name, request.scene != nullptr), subject.files, true);
         exports::MadeExport made =
             trial ? trial->made : exports::makeExport(*request.target, subject.source(), request.options, control);
         if (request.scene) exports::addScene(made, *request.target, *request.scene, name);

@@ -17,7 +17,8 @@ struct ExportSubject {
   LoadedMaterialPtr material;
   std::shared_ptr<const Brdf> base;
   editing::EditList edits;
-  QString name;  ///< of the document
+  QString name;                              ///< of the document
+  std::vector<std::filesystem::path> files;  ///< that it is about: exports never replace them
 
   explicit ExportSubject(const Document& document);
   std::shared_ptr<const Brdf> edited() const;

@@ -262,7 +262,7 @@ QString Inspector::energyText(int edit) const {
 void Inspector::reveal(QWidget& row) {
   for (widgets::CollapsibleSection* section : m_sections)
     if (section->isAncestorOf(&row)) section->setExpanded(true);
-  QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);  // the section takes its place
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // the section takes its place
   ensureWidgetVisible(&row);
   if (auto* slider = row.findChild<widgets::ParameterSlider*>()) slider->setFocus(Qt::OtherFocusReason);
 }

@@ -17,7 +17,9 @@ constexpr int mostRecent = 6;
 }  // namespace
 
 EnvironmentController::EnvironmentController(BackgroundTasks& tasks, widgets::PreviewWidget& preview, QObject* parent)
-    : QObject(parent), m_tasks(tasks), m_preview(preview) {}
+    : QObject(parent), m_tasks(tasks), m_preview(preview) {
+  readRecent();
+}
 
 QString EnvironmentController::name() const {
   const auto& environment = m_preview.scene().environment;
@@ -28,19 +30,20 @@ void EnvironmentController::openScenesOwn() { m_preview.content().resetEnvironme
 
 bool EnvironmentController::isScenesOwn() const { return !m_preview.content().isEnvironmentChosen(); }
 
-QStringList EnvironmentController::recent() const {
-  QStringList paths = QSettings().value(recentKey).toStringList();
-  paths.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
-  return paths;
+void EnvironmentController::readRecent() {
+  m_recent = QSettings().value(recentKey).toStringList();
+  m_recent.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
 }
 
 void EnvironmentController::remember(const QString& path) {
   if (!QFileInfo::exists(path)) return;  // bundled
-  QStringList paths = recent();
   const QString whole = QFileInfo(path).absoluteFilePath();
-  paths.removeAll(whole);
-  paths.prepend(whole);
-  QSettings().setValue(recentKey, paths.mid(0, mostRecent));
+  readRecent();  // other windows have opened some too
+  m_recent.removeAll(whole);
+  m_recent.prepend(whole);
+  m_recent = m_recent.mid(0, mostRecent);
+  QSettings().setValue(recentKey, m_recent);
+  Q_EMIT recentChanged();
 }
 
 void EnvironmentController::open(const QString& nameOrPath) {
@@ -56,7 +59,11 @@ void EnvironmentController::open(const QString& nameOrPath) {
         m_preview.setEnvironment(environment);
         remember(nameOrPath);
       },
-      [this](const QString& error) { Q_EMIT failed(tr("Cannot read the environment"), error); });
+      [this](const QString& error) {
+        readRecent();
+        Q_EMIT recentChanged();
+        Q_EMIT failed(tr("Cannot read the environment"), error);
+      });
 }
 
 }  // namespace gonio::app

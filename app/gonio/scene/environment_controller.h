@@ -28,17 +28,20 @@ class EnvironmentController : public QObject {
   bool isScenesOwn() const;
   /// What open() takes for the environment in use; empty for the directional light.
   QString name() const;
-  /// Pictures that were opened before and still exist, the newest first; no bundled ones.
-  QStringList recent() const;
+  /// Pictures that were opened before, the newest first; no bundled ones, and none that could not be found again.
+  const QStringList& recent() const { return m_recent; }
 
  Q_SIGNALS:
+  void recentChanged();
   void failed(const QString& title, const QString& text);
 
  private:
+  void readRecent();
   void remember(const QString& path);
 
   BackgroundTasks& m_tasks;
   widgets::PreviewWidget& m_preview;
+  QStringList m_recent;
 };
 
 }  // namespace gonio::app

@@ -111,6 +111,7 @@ void ViewStrip::connectParts() {
   connect(m_slider, &widgets::ParameterSlider::numberEdited, &m_preview, &widgets::PreviewWidget::setExposure);
   connect(m_slider, &widgets::ParameterSlider::resetRequested, this, [this] { m_preview.setExposure(0); });
   connect(m_exposure, &widgets::NumberField::valueEdited, &m_preview, &widgets::PreviewWidget::setExposure);
+  connect(&m_environment, &EnvironmentController::recentChanged, this, &ViewStrip::refresh);
   connect(&m_preview, &widgets::PreviewWidget::sceneChanged, this, &ViewStrip::refresh);
   connect(&m_preview, &widgets::PreviewWidget::displayChanged, this, &ViewStrip::refresh);
 }
@@ -119,8 +120,7 @@ void ViewStrip::fillLights() {
   QStringList wanted{own};
   for (const std::string& name : bundledEnvironmentNames()) wanted << QString::fromStdString(name);
   wanted << directional;
-  const QStringList recent = m_environment.recent();
-  wanted << recent;
+  wanted << m_environment.recent();
   const QString current = m_environment.name();
   if (!current.isEmpty() && !wanted.contains(current)) wanted << current;
   wanted << file;

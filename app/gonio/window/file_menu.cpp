@@ -39,7 +39,7 @@ void FileMenu::addOpening(const std::function<void()>& newWindow) {
   QMenu* recent = addMenu(tr("Open &Recent"));
   const auto refill = [this, recent] { fillRecent(recent); };
   connect(this, &QMenu::aboutToShow, this, refill);
-  connect(&m_files.document(), &Document::titleChanged, this, refill);
+  connect(&m_files.document(), &Document::materialChanged, this, refill);
   fillRecent(recent);
   addSeparator();
   addAction(tr("Open &Library Folder..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O), this, &FileMenu::openFolder);

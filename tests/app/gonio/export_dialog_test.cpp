@@ -119,6 +119,26 @@ class ExportDialogTest : public QObject {
     QVERIFY(failed.front().back().toString().contains("x_blender.py"));
   }
 
+  /// Each material of a blend is a file that no export replaces.
+  void sourcesOfABlendAreRefused() {
+    Editor editor;
+    const QString source = editor.path("one.binary");
+    QFile(source).open(QIODevice::WriteOnly);
+    auto blend = std::make_shared<editing::BlendSource>();
+    blend->materials.resize(2);
+    blend->materials[1].sourcePath = source.toStdString();
+    blend->weights = {0.5, 0.5};
+    auto material = std::make_shared<LoadedMaterial>(*editor.document.material());
+    material->blend = blend;
+    editor.document.setMaterial(material);
+    QSignalSpy failed(&editor.controller, &ExportController::failed);
+    const exports::ExportTarget* target = exports::findExportTarget("merl");
+    editor.controller.write(ExportSubject(editor.document), {target, {.snr = 10}, editor.path("one")}, nullptr);
+    QVERIFY(wait([&] { return failed.count() == 1; }));
+    QVERIFY(failed.front().back().toString().contains("made of"));
+    QCOMPARE(QFile(source).size(), 0);
+  }
+
   /// A dialog that is closed while it works leaves no work behind.
   void closingEndsTheTrial() {
     Editor editor;

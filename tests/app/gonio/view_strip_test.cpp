@@ -78,6 +78,9 @@ class ViewStripTest : public QObject {
     choose(strip_->lights(), "garden.exr");
     QTRY_COMPARE(environment_->name(), path);
     QVERIFY(QFile::remove(path));
+    QSignalSpy failed(environment_.get(), &EnvironmentController::failed);
+    choose(strip_->lights(), "garden.exr");
+    QTRY_COMPARE(failed.count(), 1);
     QVERIFY(environment_->recent().isEmpty());
   }
 

@@ -65,16 +65,20 @@ class GoniotoolErrorsTest : public QObject {
     const ToolResult edited = runTool({"edit", own, "--model", "ggx", "--control", "roughness=2", "--out", document});
     QCOMPARE(edited.code, 0);
     const QByteArray written = bytesOf(document);
+    const QString series = folder_.writeTable("series-1.binary", "ggx", plastic);
+    QCOMPARE(bytesOf(series), before);
     for (const QStringList& arguments :
          {QStringList{"convert", own, own}, QStringList{"convert", own, link}, QStringList{"convert", document, own},
           QStringList{"edit", own, "--model", "ggx", "--control", "roughness=2", "--out", own},
           QStringList{"edit", document, "--model", "ggx", "--control", "roughness=2", "--out", document},
           QStringList{"fit", own, "--model", "ggx", "--out", own}, QStringList{"render", own, "--out", own},
-          QStringList{"interpolate", own, plastic_, "--out", own}}) {
+          QStringList{"interpolate", own, plastic_, "--out", own},
+          QStringList{"interpolate", series, plastic_, "--steps", "3", "--out", folder_.path("series.binary")},
+          QStringList{"export", document, folder_.path("own"), "--for", "merl"}}) {
       const ToolResult result = runTool(arguments);
       QVERIFY2(result.code == 1 && result.error.count('\n') == 1, qPrintable(arguments.join(' ') + result.error));
       QVERIFY2(result.error.contains("the command reads this file"), qPrintable(result.error));
-      QVERIFY(bytesOf(own) == before && bytesOf(document) == written);
+      QVERIFY(bytesOf(own) == before && bytesOf(document) == written && bytesOf(series) == before);
     }
     QCOMPARE(runTool({"convert", document, own, "--force"}).code, 0);
     QVERIFY(bytesOf(own) != before);
