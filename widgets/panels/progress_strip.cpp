@@ -21,6 +21,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
       m_notice(new QLabel(this)),
       m_bar(new QProgressBar(this)),
       m_cancel(new QToolButton(this)),
+      m_pause(new QToolButton(this)),
       m_entries(new QToolButton(this)) {
   m_bar->setRange(0, barSteps);
   m_bar->setTextVisible(false);
@@ -29,10 +30,16 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   m_cancel->setToolTip(tr("Stop this work (Esc)"));
   m_cancel->setAutoRaise(true);
   connect(m_cancel, &QToolButton::clicked, this, &ProgressStrip::cancelRequested);
+  m_pause->setAutoRaise(true);
+  m_pause->setCheckable(true);
+  m_pause->setToolTip(
+      tr("Give the processor to other work until it is pressed again; exports that wait go on waiting"));
+  connect(m_pause, &QToolButton::clicked, this, &ProgressStrip::pauseRequested);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 0, 0, 0);
   layout->addWidget(m_bar);
   layout->addWidget(m_text);
+  layout->addWidget(m_pause);
   layout->addWidget(m_cancel);
   layout->addWidget(m_entries);
   layout->addWidget(m_notice, 1);
@@ -49,11 +56,14 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   clear();
 }
 
-void ProgressStrip::showProgress(const QString& text, double share, bool canCancel) {
+void ProgressStrip::showProgress(const QString& text, double share, bool canCancel, Pausing pausing) {
   m_text->setText(text);
   m_bar->setValue(int(std::lround(share * barSteps)));
   m_bar->setAccessibleName(text);
   m_cancel->setVisible(canCancel);
+  m_pause->setVisible(pausing != Pausing::no);
+  m_pause->setChecked(pausing == Pausing::paused);
+  m_pause->setText(pausing == Pausing::paused ? tr("Continue") : tr("Pause"));
   m_text->show();
   m_bar->show();
 }
@@ -88,6 +98,7 @@ QString ProgressStrip::notice() const { return m_notice->text(); }
 void ProgressStrip::clear() {
   m_text->hide();
   m_bar->hide();
+  m_pause->hide();
   m_cancel->hide();
 }
 

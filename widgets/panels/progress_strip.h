@@ -26,7 +26,8 @@ class ProgressStrip : public QWidget {
     QString text;  ///< "Exporting chrome.bsdf, 40 %"
   };
 
-  void showProgress(const QString& text, double share, bool canCancel);
+  enum class Pausing { no, running, paused };
+  void showProgress(const QString& text, double share, bool canCancel, Pausing pausing = Pausing::no);
   void clear();
   /// Shown as a list where there are two or more.
   void setEntries(const std::vector<Entry>& entries);
@@ -37,13 +38,15 @@ class ProgressStrip : public QWidget {
 
  Q_SIGNALS:
   void cancelRequested();
+  /// Or to go on.
+  void pauseRequested(bool pause);
   /// Of one entry of the list.
   void entryCancelRequested(int id);
 
  private:
   QLabel *m_text, *m_notice;
   QProgressBar* m_bar;
-  QToolButton *m_cancel, *m_entries;
+  QToolButton *m_cancel, *m_pause, *m_entries;
   QTimer m_noticeTime;
 };
 

@@ -98,6 +98,11 @@ void PreviewOverlay::setBanner(const QString& text, const QString& button) {
   place();
 }
 
+void PreviewOverlay::drawLabels(QPainter& painter) const {
+  for (QWidget* part : std::initializer_list<QWidget*>{m_split, m_names[0], m_names[1], m_legend})
+    if (!part->isHidden()) part->render(&painter, part->pos(), {}, QWidget::DrawChildren);
+}
+
 void PreviewOverlay::place() {
   const int width = m_viewport->width(), height = m_viewport->height();
   m_banner->resize(std::min(m_banner->sizeHint().width(), width - 2 * edgeMargin), m_banner->sizeHint().height());

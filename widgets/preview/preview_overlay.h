@@ -43,6 +43,9 @@ class PreviewOverlay : public QObject {
   /// At the top; an empty text hides it.
   void setBanner(const QString& text, const QString& button);
 
+  /// What belongs to the picture: names, divider, legend. In the viewport's coordinates.
+  void drawLabels(QPainter& painter) const;
+
   PreviewBanner* banner() const { return m_banner; }
   SplitBar* splitBar() const { return m_split; }
   FalseColourLegend* legend() const { return m_legend; }

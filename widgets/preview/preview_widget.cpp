@@ -4,6 +4,7 @@
 
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QPainter>
 
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/split_bar.h"
@@ -119,6 +120,14 @@ QImage PreviewWidget::grabPicture() {
   if (!context()) grabFramebuffer();  // starts OpenGL
   if (const PictureState state = m_thread.drawNow(); state.number > 0) adopt(state);
   return grabFramebuffer();
+}
+
+QImage PreviewWidget::grabLabelledPicture() {
+  QImage picture = grabPicture();
+  picture.setDevicePixelRatio(devicePixelRatioF());
+  QPainter painter(&picture);
+  m_overlay->drawLabels(painter);
+  return picture;
 }
 
 void PreviewWidget::adopt(const PictureState& state) {

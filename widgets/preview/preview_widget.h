@@ -69,6 +69,8 @@ class PreviewWidget : public QOpenGLWidget {
 
   /// The picture as shown, without overlay, at the quality reached so far. Waits for a frame of it.
   QImage grabPicture();
+  /// The same with the names of what is compared and the legend of a difference.
+  QImage grabLabelledPicture();
   /// The linear radiance of the first subject as it has converged so far. Waits for the frame that is being drawn.
   Image linearPicture() { return m_thread.readFirst(); }
   /// The difference that has the last colour now; 0: not found yet.

@@ -127,7 +127,9 @@ std::shared_ptr<BackgroundTasks::Task> BackgroundTasks::newestShown() const {
 }
 
 BackgroundTasks::Info BackgroundTasks::infoOf(const Task& task) {
-  return {task.request.title, task.share, task.request.quiet, task.id, task.waiting};
+  const auto& pause = task.request.pause;
+  return {task.request.title, task.share,       task.request.quiet,    task.id,
+          task.waiting,       pause != nullptr, pause && pause->isOn()};
 }
 
 std::optional<BackgroundTasks::Info> BackgroundTasks::topmost() const {
@@ -166,6 +168,12 @@ void BackgroundTasks::cancel(const QString& key) {
 void BackgroundTasks::cancel(int id) {
   for (const auto& task : m_tasks)
     if (task->id == id) task->stop.request_stop();
+}
+
+void BackgroundTasks::setPaused(int id, bool paused) {
+  for (const auto& task : m_tasks)
+    if (task->id == id && task->request.pause) task->request.pause->set(paused);
+  Q_EMIT changed();
 }
 
 void BackgroundTasks::drop(const QString& key) {

@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/support/pause.h"
 #include "core/support/task_control.h"
 
 namespace gonio::app {
@@ -24,6 +25,7 @@ struct TaskRequest {
   bool live = false;   ///< at normal priority in threads of their own, never shown, not cancelled by Esc: what follows
                        ///< each step of the user's hand (checks, comparisons, plots)
   bool file = false;   ///< it writes a file that the user asked for: one after the other, never replaced; key: none
+  std::shared_ptr<Pause> pause = nullptr;  ///< the work waits while it is on
 };
 
 /// The one place that runs core functions off the GUI thread. Work gets a TaskControl; its result comes back to the
@@ -55,6 +57,7 @@ class BackgroundTasks : public QObject {
     bool quiet;
     int id;        ///< for cancel()
     bool waiting;  ///< for those before it
+    bool canPause, paused;
   };
   /// What the status bar shows: the newest task that is neither quiet nor live, else a quiet one.
   std::optional<Info> topmost() const;
@@ -74,6 +77,8 @@ class BackgroundTasks : public QObject {
   /// Asks a task to stop; its `cancelled` or `done` still comes.
   void cancel(const QString& key);
   void cancel(int id);
+  /// Of a task that can pause: it goes on when it is told so.
+  void setPaused(int id, bool paused);
   /// Stops a task and drops its result.
   void drop(const QString& key);
 

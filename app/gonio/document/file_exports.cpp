@@ -4,17 +4,34 @@
 
 #include <QFileInfo>
 #include <QImage>
+#include <QPainter>
 
 #include "core/editing/blend_source.h"
 #include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
-#include "core/rendering/path_tracer.h"
 
 namespace gonio::app {
 
 namespace {
 
-constexpr int exrSide = 1024, exrSamples = 128;
+/// The picture with a line of text below it, broken where it is too long.
+QImage withCaption(const QImage& picture, const QString& text) {
+  QFont font;
+  font.setPixelSize(std::max(11, picture.width() / 70));
+  const int margin = font.pixelSize() / 2;
+  const QRect room(margin, picture.height() + margin, picture.width() - 2 * margin, picture.height());
+  const QRect place = QFontMetrics(font).boundingRect(room, Qt::TextWordWrap, text);
+  QImage whole(picture.width(), place.bottom() + margin, QImage::Format_RGB32);
+  whole.fill(Qt::black);
+  QPainter painter(&whole);
+  QImage own = picture;
+  own.setDevicePixelRatio(1);
+  painter.drawImage(0, 0, own);
+  painter.setFont(font);
+  painter.setPen(Qt::white);
+  painter.drawText(room, Qt::TextWordWrap, text);
+  return whole;
+}
 
 QString nameOf(const QString& path) { return path.section('/', -1); }
 
@@ -32,9 +49,9 @@ bool FileExports::refuses(const QString& path) {
 
 template <class Result>
 void FileExports::run(const QString& title, const QString& path, std::function<Result(const TaskControl&)> work,
-                      std::function<void(const Result&)> done) {
+                      std::function<void(const Result&)> done, const std::shared_ptr<Pause>& pause) {
   m_tasks.run<Result>(
-      {.title = title.arg(nameOf(path)), .file = true}, std::move(work), std::move(done),
+      {.title = title.arg(nameOf(path)), .file = true, .pause = pause}, std::move(work), std::move(done),
       [this, path](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(nameOf(path)), error); },
       [this, path] { Q_EMIT cancelled(path); });
 }
@@ -53,33 +70,26 @@ void FileExports::writeMaterial(const QString& path, exports::MaterialForm form)
       });
 }
 
-void FileExports::renderExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
-                            const RenderMaterials& others) {
+void FileExports::renderPicture(const PictureExport& picture) {
   const LoadedMaterialPtr material = m_document.material();
-  if (!material || refuses(path)) return;
-  const editing::EditList edits = m_document.edits();
+  if (!material || refuses(picture.path)) return;
+  const auto pause = std::make_shared<Pause>();
   run<bool>(
-      tr("Rendering %1"), path,
-      [material, base = m_document.base(), edits, scene, overrides, others, path](const TaskControl& control) {
-        const auto edited = std::make_shared<const RenderMaterial>(editing::applyEdits(base, edits));
-        const RenderMaterials materials = bindMaterials(scene, materialsInSlots(scene, edited, others));
-        constexpr std::uint64_t seed = 1;
-        const PathTracer tracer(scene, materials, planEffects(scene, materials, overrides), seed);
-        Film film(exrSide, exrSide);
-        tracer.accumulate(film, exrSamples, control);
-        io::writeExr(film.image(), path.toStdString(),
-                     pictureAttributes(scene, tracer.plan(), material->material.name, film.samples, seed));
+      tr("Rendering %1"), picture.path,
+      [material, base = m_document.base(), edits = m_document.edits(), picture, pause](const TaskControl& control) {
+        app::renderPicture(picture, editing::applyEdits(base, edits), material->material.name, control, *pause);
         return true;
       },
-      [this, path](bool) { Q_EMIT exported(path); });
+      [this, path = picture.path](bool) { Q_EMIT exported(path); }, pause);
 }
 
-void FileExports::writePng(const QString& path, const QImage& picture) {
+void FileExports::writePng(const QString& path, const QImage& picture, const Caption& caption) {
   if (refuses(path)) return;
   run<bool>(
       tr("Writing %1"), path,
-      [picture, path](const TaskControl&) {
-        const QImage rgba = picture.convertToFormat(QImage::Format_RGBA8888);
+      [picture, path, caption](const TaskControl& control) {
+        const QImage whole = caption ? withCaption(picture, caption(control)) : picture;
+        const QImage rgba = whole.convertToFormat(QImage::Format_RGBA8888);
         std::vector<unsigned char> bytes;
         for (int y = 0; y < rgba.height(); ++y)
           bytes.insert(bytes.end(), rgba.constScanLine(y), rgba.constScanLine(y) + 4 * rgba.width());

@@ -7,7 +7,7 @@
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
 #include "app/gonio/document/material_export.h"
-#include "core/rendering/effect_plan.h"
+#include "app/gonio/document/picture_export.h"
 
 namespace gonio::app {
 
@@ -23,11 +23,12 @@ class FileExports : public QObject {
   bool refuses(const QString& path);
   /// The edited material in a form; warns of what that cannot hold, with the measured error.
   void writeMaterial(const QString& path, exports::MaterialForm form);
-  /// Renders the edited material on the CPU as linear OpenEXR. @param others beside it: see materialsInSlots().
-  void renderExr(const QString& path, const Scene& scene, const EffectOverrides& overrides,
-                 const RenderMaterials& others = {});
-  /// A picture as it is: 8 bits a channel.
-  void writePng(const QString& path, const QImage& picture);
+  /// Renders the edited material on the CPU; the user may pause it.
+  void renderPicture(const PictureExport& picture);
+  /// Made in the background.
+  using Caption = std::function<QString(const TaskControl&)>;
+  /// A picture as it is: 8 bits a channel. @param caption of a line below it.
+  void writePng(const QString& path, const QImage& picture, const Caption& caption = {});
 
  Q_SIGNALS:
   void exported(const QString& path);
@@ -39,7 +40,7 @@ class FileExports : public QObject {
  private:
   template <class Result>
   void run(const QString& title, const QString& path, std::function<Result(const TaskControl&)> work,
-           std::function<void(const Result&)> done);
+           std::function<void(const Result&)> done, const std::shared_ptr<Pause>& pause = nullptr);
 
   Document& m_document;
   BackgroundTasks& m_tasks;

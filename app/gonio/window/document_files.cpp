@@ -10,6 +10,7 @@
 #include "app/gonio/document/file_exports.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/document/recent_files.h"
+#include "app/gonio/export/image_dialog.h"
 #include "app/gonio/window/view_state.h"
 #include "core/editing/edit_words.h"
 #include "widgets/inputs/dialog_folder.h"
@@ -163,16 +164,11 @@ void DocumentFiles::exportBrdf() {
 }
 
 void DocumentFiles::exportImage() {
-  widgets::PreviewWidget& preview = m_parts.preview;
-  const QString path = QFileDialog::getSaveFileName(
-      m_window, tr("Export Image"), widgets::inDialogFolder(exportPurpose, proposedName(m_parts.document) + ".png"),
-      tr("PNG (current view) (*.png);;OpenEXR, rendered in linear light (*.exr)"));
-  if (path.isEmpty()) return;
-  widgets::rememberDialogFolder(exportPurpose, path);
-  if (path.endsWith(QStringLiteral(".exr"), Qt::CaseInsensitive))
-    m_parts.exports.renderExr(path, preview.scene(), preview.overrides(), preview.others());
-  else
-    m_parts.exports.writePng(withSuffix(path, QStringLiteral(".png")), preview.grabPicture());
+  auto* dialog = new ImageDialog(
+      {m_parts.document, m_parts.exports, m_parts.tasks, m_parts.comparison, m_parts.preview, m_parts.settings},
+      proposedName(m_parts.document), m_window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
 }
 
 void DocumentFiles::offerRecovery() {

@@ -17,6 +17,7 @@ namespace gonio::app {
 class Document;
 class BackgroundTasks;
 class DocumentController;
+class ComparisonController;
 class FileExports;
 class RecentFiles;
 
@@ -34,6 +35,8 @@ class DocumentFiles : public QObject {
     BackgroundTasks& tasks;
     RecentFiles& recent;
     widgets::PreviewWidget& preview;  ///< its view is saved
+    const ComparisonController& comparison;
+    QSettings& settings;
   };
 
   /// @param window the parent of the dialogs.

@@ -31,6 +31,9 @@ StatusLine::StatusLine(QStatusBar& bar, const Document& document, BackgroundTask
   bar.addWidget(m_progress, 1);
   connect(&m_tasks, &BackgroundTasks::changed, this, &StatusLine::showProgress);
   connect(m_progress, &widgets::ProgressStrip::cancelRequested, &m_tasks, &BackgroundTasks::cancelTopmost);
+  connect(m_progress, &widgets::ProgressStrip::pauseRequested, &m_tasks, [this](bool pause) {
+    if (const auto task = m_tasks.topmost()) m_tasks.setPaused(task->id, pause);
+  });
   connect(m_progress, &widgets::ProgressStrip::entryCancelRequested, &m_tasks, [this](int id) { m_tasks.cancel(id); });
   QLabel* representation = addPermanent(bar, tr("What the preview shows"));
   const auto showRepresentation = [this, representation] { representation->setText(representationText()); };
@@ -56,7 +59,10 @@ QLabel* StatusLine::addPermanent(QStatusBar& bar, const QString& toolTip) {
 
 void StatusLine::showProgress() {
   if (const auto task = m_tasks.topmost())
-    m_progress->showProgress(task->title, task->share, !task->quiet);
+    m_progress->showProgress(task->title, task->share, !task->quiet,
+                             !task->canPause ? widgets::ProgressStrip::Pausing::no
+                             : task->paused  ? widgets::ProgressStrip::Pausing::paused
+                                             : widgets::ProgressStrip::Pausing::running);
   else
     m_progress->clear();
   std::vector<widgets::ProgressStrip::Entry> entries;

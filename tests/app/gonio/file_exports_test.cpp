@@ -60,7 +60,7 @@ class FileExportsTest : public QObject {
       QCOMPARE(editor.failed.count(), 1);
       QVERIFY(editor.failed[0][1].toString().contains("measured file"));
       editor.exports.writePng(name, QImage(2, 2, QImage::Format_RGBA8888));
-      editor.exports.renderExr(name, {}, {});
+      editor.exports.renderPicture({.path = name});
       QCOMPARE(editor.failed.count(), 3);
     }
     QVERIFY(editor.tasks.isIdle());

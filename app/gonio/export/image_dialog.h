@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QDialog>
+#include <QTimer>
+#include <optional>
+
+#include "app/gonio/document/file_exports.h"
+
+class QButtonGroup;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSettings;
+class QSpinBox;
+class QWidget;
+
+namespace gonio::widgets {
+class PreviewWidget;
+}
+
+namespace gonio::app {
+
+class ComparisonController;
+
+/// File > Export Image: the scene of the preview rendered at a chosen size and quality, with the time and the noise to
+/// expect; or the preview's picture as it is, in a comparison with names, scale and numbers. It remembers the choices.
+class ImageDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// What it works with; all of it outlives the dialog.
+  struct Parts {
+    Document& document;
+    FileExports& exports;
+    BackgroundTasks& tasks;
+    const ComparisonController& comparison;
+    widgets::PreviewWidget& preview;
+    QSettings& settings;
+  };
+
+  /// Contract: the document has a material. @param name proposed for the file, without folder and suffix.
+  ImageDialog(const Parts& parts, const QString& name, QWidget* parent);
+  ~ImageDialog() override;
+
+  /// What is asked for now, where the picture is rendered.
+  PictureExport request() const;
+  /// Whether the picture is rendered; else the preview's is taken as it is.
+  bool rendersPicture() const;
+  /// Nothing until it has been measured.
+  const std::optional<PictureEstimate>& estimate() const { return m_estimate; }
+  QLineEdit& path() { return *m_path; }
+
+  void accept() override;
+
+ private:
+  void build();
+  QWidget* choiceRow();
+  QWidget* renderedPage();
+  QWidget* sizeRow();
+  QWidget* qualityRows();
+  QWidget* pathRow();
+  void connectParts();
+  void restore(const QString& name);
+  void remember();
+  void chooseSize(int preset);
+  /// Names the size in the list.
+  void showSize();
+  void chooseColour();
+  void browse();
+  void showChoices();
+  void startEstimate();
+  void showEstimate();
+  void exportPreview();
+  bool mayReplace();
+
+  const Parts m_parts;
+  QTimer m_delay;
+  std::optional<PictureEstimate> m_estimate;
+  QString m_estimateError;
+  QColor m_colour;
+  QButtonGroup* m_source;
+  QWidget* m_page;
+  QCheckBox* m_labels;
+  QComboBox *m_sizes, *m_backgrounds, *m_format;
+  QSpinBox *m_width, *m_height, *m_samples, *m_seconds;
+  QCheckBox* m_limited;
+  QPushButton *m_colourButton, *m_export;
+  QLineEdit* m_path;
+  QLabel* m_cost;
+};
+
+}  // namespace gonio::app
