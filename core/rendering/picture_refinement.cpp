@@ -15,7 +15,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int largestPass = 16;
-constexpr int trialPixels = 9216, trialSamples = 4;
+constexpr int trialPixels = 4096, fewSamples = 4, trialSamples = 16;
+constexpr double mostOrder = 0.75;  ///< that of jittered samples across an edge (Mitchell 1996)
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -27,6 +28,18 @@ int nextPass(const Film& film, const RefinementLimits& limits, double spent) {
     if (fitting < pass) pass = std::max(1, int(fitting));
   }
   return pass;
+}
+
+/// RMS difference of two pictures of the same expectation, over root 2 and their mean.
+double relativeNoise(const Image& a, const Image& b) {
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const double one = luminance(Rgb(a.pixels[i])), other = luminance(Rgb(b.pixels[i]));
+    sum += (one + other) / 2;
+    squares += (one - other) * (one - other) / 2;
+  }
+  const double count = double(a.pixels.size());
+  return sum > 0 ? std::sqrt(squares / count) / (sum / count) : 0;
 }
 
 }  // namespace
@@ -48,30 +61,30 @@ void refinePicture(const PathTracer& tracer, Film& film, const RefinementLimits&
   } while (film.samples < limits.samples && spent * (film.samples + 1) / film.samples <= limits.seconds);
 }
 
-double PictureEstimate::noise(int samples) const { return noiseOfSample / std::sqrt(double(samples)); }
+double PictureEstimate::noise(int samples) const { return noiseOfSample * std::pow(double(samples), -order); }
 
 PictureEstimate estimatePicture(const Scene& scene, const std::vector<std::shared_ptr<const RenderMaterial>>& materials,
                                 const EffectPlan& plan, int width, int height, const TaskControl& control) {
   const double scale = std::min(1.0, std::sqrt(trialPixels / (double(width) * height)));
   const int trialWidth = std::max(1, int(std::lround(width * scale))),
             trialHeight = std::max(1, int(std::lround(height * scale)));
+  Image few[2], many[2];
   const Clock::time_point start = Clock::now();
-  Image pictures[2];
   for (std::uint64_t i = 0; i < 2; ++i) {
+    const PathTracer tracer(scene, materials, plan, i + 1);
     Film film(trialWidth, trialHeight);
-    PathTracer(scene, materials, plan, i + 1).accumulate(film, trialSamples, control.between(0.5 * double(i), 1));
-    pictures[i] = film.image();
+    tracer.accumulate(film, fewSamples, control);
+    few[i] = film.image();
+    tracer.accumulate(film, trialSamples - fewSamples, control);
+    many[i] = film.image();
   }
   const double pixelRatio = double(width) * height / (double(trialWidth) * trialHeight);
   PictureEstimate estimate{.secondsOfSample = secondsSince(start) / (2 * trialSamples) * pixelRatio};
-  double sum = 0, squares = 0;
-  for (std::size_t i = 0; i < pictures[0].pixels.size(); ++i) {
-    const double a = luminance(Rgb(pictures[0].pixels[i])), b = luminance(Rgb(pictures[1].pixels[i]));
-    sum += (a + b) / 2;
-    squares += (a - b) * (a - b) / 2;
-  }
-  const double count = double(pictures[0].pixels.size());
-  if (sum > 0) estimate.noiseOfSample = std::sqrt(squares / count * trialSamples) / (sum / count);
+  const double noise = relativeNoise(many[0], many[1]);
+  if (!(noise > 0)) return estimate;
+  const double fall = std::log(relativeNoise(few[0], few[1]) / noise) / std::log(double(trialSamples) / fewSamples);
+  estimate.order = std::clamp(fall, 0.5, mostOrder);
+  estimate.noiseOfSample = noise * std::pow(trialSamples, estimate.order);
   return estimate;
 }
 

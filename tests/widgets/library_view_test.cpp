@@ -10,7 +10,11 @@
 
 #include "tests/support/test_program.h"
 #include "widgets/library/library_chips.h"
+#include "widgets/library/library_menu.h"
 #include "widgets/library/library_model.h"
+#include "widgets/library/library_selection.h"
+#include "widgets/library/look_colour.h"
+#include "widgets/library/quick_look.h"
 
 namespace library_view_test {
 using namespace gonio::widgets;
@@ -97,6 +101,100 @@ class LibraryViewTest : public QObject {
       view.search()->setText(text);
       QCOMPARE(idsOf(view), ids);
     }
+  }
+
+  /// The keys and signals of a selection of several, in the order in which they are shown.
+  void severalAreSelected() {
+    LibraryModel model;
+    LibraryView view(&model);
+    view.resize(400, 400);
+    view.show();
+    model.setItems(threeMaterials());
+    QSignalSpy interpolate(&view, &LibraryView::interpolationRequested), open(&view, &LibraryView::openRequested);
+    QTest::keyClick(view.list(), Qt::Key_A, Qt::ControlModifier);
+    QCOMPARE(view.selection().ids(), QStringList({"b", "c", "a"}));
+    QTest::keyClick(view.list(), Qt::Key_Return, Qt::ShiftModifier);
+    QCOMPARE(interpolate[0][0].toStringList(), QStringList({"b", "c", "a"}));
+    QTest::keyClick(view.list(), Qt::Key_Asterisk);
+    QCOMPARE(model.favourites(), QStringList({"b", "c", "a"}));
+    QTest::keyClick(view.list(), Qt::Key_Asterisk);
+    QVERIFY(model.favourites().isEmpty() && open.isEmpty());
+    view.selection().setSingle();
+    view.selectItem("c");
+    QCOMPARE(view.selection().ids(), QStringList{"c"});
+    QTest::keyClick(view.list(), Qt::Key_Return, Qt::ShiftModifier);
+    QCOMPARE(interpolate.count(), 1);
+  }
+
+  /// What a menu offers depends on how many are selected.
+  void theMenuFitsTheSelection() {
+    QStringList asked;
+    LibraryActions actions{.open = [&](const QString& id) { asked << "open " + id; },
+                           .comparePair = [&](const QStringList& two) { asked << "pair " + two.join(' '); },
+                           .exportAll = [&](const QStringList& all) { asked << "export " + all.join(' '); },
+                           .favour = [](const QStringList&, bool) {}};
+    const auto texts = [&](const QStringList& ids) {
+      const std::unique_ptr<QMenu> menu(libraryMenu(ids, false, actions, nullptr));
+      QStringList result;
+      for (QAction* action : menu->actions()) {
+        action->trigger();
+        if (!action->isSeparator()) result << action->text().remove('&');
+      }
+      return result;
+    };
+    QCOMPARE(texts({"a"}), QStringList({"Open", "Export...", "Favourite"}));
+    QCOMPARE(texts({"a", "b"}), QStringList({"Compare These Two", "Export These 2...", "Favourites"}));
+    QCOMPARE(texts({"a", "b", "c"}), QStringList({"Export These 3...", "Favourites"}));
+    QCOMPARE(asked, QStringList({"open a", "export a", "pair a b", "export a b", "export a b c"}));
+  }
+
+  /// Space shows a large picture, which follows the selection and goes with Escape.
+  void quickLook() {
+    LibraryModel model;
+    LibraryView view(&model);
+    view.show();
+    model.setItems(threeMaterials());
+    QSignalSpy wanted(&view, &LibraryView::largePictureRequested);
+    const QuickLook& look = view.selection().quickLook();
+    view.selectItem("b");
+    QTest::keyClick(view.list(), Qt::Key_Space);
+    QVERIFY(look.isVisible());
+    QCOMPARE(look.id(), QString("b"));
+    QTest::keyClick(view.list(), Qt::Key_Right);
+    QCOMPARE(look.id(), QString("c"));
+    QCOMPARE(wanted.count(), 2);
+    QTest::keyClick(view.list(), Qt::Key_Escape);
+    QVERIFY(!look.isVisible());
+    QTest::keyClick(view.list(), Qt::Key_Left);
+    QCOMPARE(wanted.count(), 2);
+  }
+
+  /// By the mean colour of the thumbnail and the roughness; lightness from light to dark.
+  void orderByLightnessAndLikeness() {
+    LibraryModel model;
+    LibraryView view(&model);
+    model.setItems(threeMaterials());
+    const auto coloured = [](const QColor& colour, double roughness) {
+      LibraryLook made = look(0, roughness);
+      made.thumbnail.fill(colour);
+      return made;
+    };
+    model.setLook("a", coloured(QColor(200, 30, 30), 0.1));
+    model.setLook("b", coloured(QColor(210, 200, 200), 0.1));
+    model.setLook("c", coloured(QColor(30, 10, 10), 0.4));
+    view.setSortMode(3);
+    QCOMPARE(idsOf(view), QStringList({"b", "a", "c"}));
+    view.setSortMode(4);
+    model.setReference(coloured(QColor(190, 40, 40), 0.1));
+    QCOMPARE(idsOf(view), QStringList({"a", "c", "b"}));
+    model.setReference(coloured(QColor(200, 200, 205), 0.12));
+    QCOMPARE(idsOf(view).front(), QString("b"));
+    // Grey 50 %: L* 76.19 by the sRGB transfer function.
+    QImage grey(4, 4, QImage::Format_RGB32);
+    grey.fill(QColor(188, 188, 188));
+    const gonio::Rgb lab = meanLab(grey);
+    QVERIFY(std::abs(lab.x - 76.2) < 0.2 && std::abs(lab.y) < 0.01 && std::abs(lab.z) < 0.01);
+    QCOMPARE(unlikeness(lab, 0.1, lab, 0.2), 10.0);
   }
 
   /// Of several buttons of one sort any, of two sorts both; turned off, everything is shown again.

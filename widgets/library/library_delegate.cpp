@@ -15,12 +15,19 @@ namespace gonio::widgets {
 namespace {
 constexpr int margin = 4, labelLines = 2;
 
+/// A grey disc of a picture that is still to be made; crossed out where the file cannot be read.
 void paintPlaceholder(QPainter& painter, const QRectF& area, QColor colour, bool failed) {
   colour.setAlphaF(0.12f);
   painter.setBrush(colour);
-  painter.setPen(failed ? QPen(colour.lighter(), 1, Qt::DashLine) : QPen(Qt::NoPen));
+  painter.setPen(Qt::NoPen);
   const double inset = area.width() * 0.1;
   painter.drawEllipse(area.adjusted(inset, inset, -inset, -inset));
+  if (!failed) return;
+  painter.setPen(QPen(QColor(200, 60, 50), std::max(2.0, area.width() / 32), Qt::SolidLine, Qt::RoundCap));
+  const double reach = area.width() * 0.16;
+  const QPointF middle = area.center(), along(reach, reach), across(reach, -reach);
+  painter.drawLine(middle - along, middle + along);
+  painter.drawLine(middle - across, middle + across);
 }
 /// Averaged over areas, which drawing a large pixmap small is not, and kept.
 QPixmap scaled(const QPixmap& pixmap, const QSize& size) {
@@ -129,8 +136,9 @@ void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& o
   const QRect picture(option.rect.left() + (option.rect.width() - m_tile) / 2, option.rect.top() + margin, m_tile,
                       m_tile);
   const QPixmap pixmap = index.data(Qt::DecorationRole).value<QPixmap>();
+  const bool failed = !index.data(LibraryModel::FailureRole).toString().isEmpty();
   if (pixmap.isNull())
-    paintPlaceholder(*painter, picture, text, !index.data(LibraryModel::FailureRole).toString().isEmpty());
+    paintPlaceholder(*painter, picture, text, failed);
   else
     painter->drawPixmap(picture, scaled(pixmap, QSize(m_tile, m_tile) * painter->device()->devicePixelRatioF()));
 
@@ -139,7 +147,7 @@ void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& o
   painter->setPen(text);
   painter->setFont(option.font);
   painter->drawText(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, breakable(index.data().toString()));
-  paintBadge(*painter, option, picture, index.data(LibraryModel::BadgeRole).toString());
+  paintBadge(*painter, option, picture, failed ? tr("cannot be read") : index.data(LibraryModel::BadgeRole).toString());
   if (index.data(LibraryModel::FavouriteRole).toBool()) paintStar(*painter, option, picture);
 }
 

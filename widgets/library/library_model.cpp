@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "widgets/library/look_colour.h"
 #include "widgets/library/material_drag.h"
 
 namespace gonio::widgets {
@@ -63,6 +64,7 @@ void LibraryModel::setLook(const QString& id, const LibraryLook& look) {
   if (row < 0) return;
   Entry& entry = m_entries[std::size_t(row)];
   entry.look = look;
+  entry.lab = meanLab(look.thumbnail);
   entry.pixmap = QPixmap::fromImage(look.thumbnail);
   Q_EMIT dataChanged(index(row), index(row));
 }
@@ -72,6 +74,17 @@ void LibraryModel::setFailure(const QString& id, const QString& reason) {
   if (row < 0) return;
   m_entries[std::size_t(row)].failure = reason;
   Q_EMIT dataChanged(index(row), index(row));
+}
+
+void LibraryModel::setReference(const std::optional<LibraryLook>& look) {
+  m_reference.reset();
+  if (look) m_reference = Reference{meanLab(look->thumbnail), look->roughness};
+  if (!m_entries.empty()) Q_EMIT dataChanged(index(0), index(int(m_entries.size()) - 1), {UnlikenessRole});
+}
+
+const LibraryLook* LibraryModel::look(const QString& id) const {
+  const int row = find(id);
+  return row < 0 || !m_entries[std::size_t(row)].look ? nullptr : &*m_entries[std::size_t(row)].look;
 }
 
 void LibraryModel::setFavourites(const QStringList& ids) {
@@ -127,6 +140,12 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return entry.item.id;
     case HueRole:
       return entry.look ? entry.look->hue : 1e9;
+    case LightnessRole:
+      return entry.look ? -entry.lab.x : 1e9;
+    case UnlikenessRole:
+      return entry.look && m_reference
+                 ? unlikeness(entry.lab, entry.look->roughness, m_reference->lab, m_reference->roughness)
+                 : 1e9;
     case RoughnessRole:
       return entry.look ? entry.look->roughness : 1e9;
     case FailureRole:

@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/math/types.h"
+
 namespace gonio::widgets {
 
 /// A material that can be opened from the library.
@@ -34,7 +36,17 @@ class LibraryModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  enum Role { IdRole = Qt::UserRole, HueRole, RoughnessRole, FailureRole, BadgeRole, HeadingRole, FavouriteRole };
+  enum Role {
+    IdRole = Qt::UserRole,
+    HueRole,
+    LightnessRole,
+    RoughnessRole,
+    UnlikenessRole,
+    FailureRole,
+    BadgeRole,
+    HeadingRole,
+    FavouriteRole
+  };
 
   using QAbstractListModel::QAbstractListModel;
 
@@ -42,6 +54,10 @@ class LibraryModel : public QAbstractListModel {
   void setLook(const QString& id, const LibraryLook& look);
   /// Why a material has no picture; shown in its tool tip.
   void setFailure(const QString& id, const QString& reason);
+  /// What UnlikenessRole compares with; nothing: no order.
+  void setReference(const std::optional<LibraryLook>& look);
+  /// Null while it is not known.
+  const LibraryLook* look(const QString& id) const;
   /// Ids that the user marked, of any library.
   void setFavourites(const QStringList& ids);
   const QStringList& favourites() const { return m_favourites; }
@@ -65,6 +81,7 @@ class LibraryModel : public QAbstractListModel {
   struct Entry {
     LibraryItem item;
     std::optional<LibraryLook> look;
+    Rgb lab{0};  ///< of the look
     QPixmap pixmap;
     QString failure;
   };
@@ -79,6 +96,11 @@ class LibraryModel : public QAbstractListModel {
   std::vector<Entry> m_entries;
   std::vector<Heading> m_headings;
   QStringList m_favourites;
+  struct Reference {
+    Rgb lab;
+    double roughness;
+  };
+  std::optional<Reference> m_reference;
 };
 
 }  // namespace gonio::widgets

@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QMenu>
 #include <QScrollBar>
 #include <QSlider>
 #include <QToolButton>
@@ -20,12 +19,13 @@
 #include "widgets/library/library_delegate.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/library_order.h"
+#include "widgets/library/library_selection.h"
 
 namespace gonio::widgets {
 
 namespace {
 constexpr int smallestTile = 64, largestTile = 256, defaultTile = 96;
-constexpr int visibleDelayMilliseconds = 60;
+constexpr int visibleDelayMilliseconds = 60, likenessMode = 4;
 }  // namespace
 
 LibraryView::LibraryView(LibraryModel* model, QWidget* parent)
@@ -89,9 +89,11 @@ void LibraryView::buildControls() {
   m_group->setAccessibleName(tr("Group by"));
   m_group->setToolTip(tr("Groups the materials by where they come from, or by what they are"));
   connect(m_group, &QComboBox::currentIndexChanged, this, &LibraryView::setGrouping);
-  m_sort->addItems({tr("Name"), tr("Hue"), tr("Roughness")});
+  m_sort->addItems({tr("Name"), tr("Hue"), tr("Roughness"), tr("Lightness"), tr("Likeness")});
   m_sort->setAccessibleName(tr("Sort by"));
   m_sort->setToolTip(tr("The order of the materials"));
+  m_sort->setItemData(likenessMode, tr("To the open material: mean colour and roughness of the thumbnails"),
+                      Qt::ToolTipRole);
   connect(m_sort, &QComboBox::currentIndexChanged, this, &LibraryView::setSortMode);
 
   m_size->setRange(smallestTile, largestTile);
@@ -120,11 +122,15 @@ void LibraryView::connectList() {
   m_list->setMouseTracking(true);
   m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   m_list->setAccessibleName(tr("Materials"));
-  m_list->installEventFilter(this);
   m_list->viewport()->installEventFilter(this);
-  connect(m_list, &QListView::doubleClicked, this, &LibraryView::openIndex);
-  m_list->setContextMenuPolicy(Qt::CustomContextMenu);
-  connect(m_list, &QListView::customContextMenuRequested, this, &LibraryView::showMenu);
+  m_selection = new LibrarySelection(*m_list, *m_model, *this);
+  connect(m_selection, &LibrarySelection::openRequested, this, &LibraryView::openRequested);
+  connect(m_selection, &LibrarySelection::referenceRequested, this, &LibraryView::referenceRequested);
+  connect(m_selection, &LibrarySelection::interpolationRequested, this, &LibraryView::interpolationRequested);
+  connect(m_selection, &LibrarySelection::pairRequested, this, &LibraryView::pairRequested);
+  connect(m_selection, &LibrarySelection::exportRequested, this, &LibraryView::exportRequested);
+  connect(m_selection, &LibrarySelection::largePictureRequested, this, &LibraryView::largePictureRequested);
+  connect(m_selection, &LibrarySelection::favouritesChanged, this, &LibraryView::favouritesChanged);
 
   m_visibleTimer.setSingleShot(true);
   m_visibleTimer.setInterval(visibleDelayMilliseconds);
@@ -151,12 +157,6 @@ void LibraryView::filterChanged() {
   m_visibleTimer.start();
 }
 
-void LibraryView::toggleFavourite(const QModelIndex& index) {
-  if (!(index.flags() & Qt::ItemIsEnabled)) return;
-  m_model->setFavourite(index.data(LibraryModel::IdRole).toString(), !index.data(LibraryModel::FavouriteRole).toBool());
-  Q_EMIT favouritesChanged(m_model->favourites());
-}
-
 void LibraryView::openIndex(const QModelIndex& index) {
   if (index.isValid()) Q_EMIT openRequested(index.data(LibraryModel::IdRole).toString());
 }
@@ -169,46 +169,12 @@ QModelIndex LibraryView::firstMaterial() const {
 
 void LibraryView::dragEnterEvent(QDragEnterEvent* event) { event->setAccepted(event->source() == m_list); }
 
-void LibraryView::showMenu(const QPoint& position) {
-  const QModelIndex index = m_list->indexAt(position);
-  if (!(index.flags() & Qt::ItemIsEnabled)) return;
-  const QString id = index.data(LibraryModel::IdRole).toString();
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addAction(tr("&Open"), QKeySequence(Qt::Key_Return), this, [this, id] { Q_EMIT openRequested(id); });
-  menu->addAction(tr("&Compare with This"), QKeySequence(Qt::CTRL | Qt::Key_Return), this,
-                  [this, id] { Q_EMIT referenceRequested(id); });
-  menu->addAction(tr("&Interpolate with This"), QKeySequence(Qt::SHIFT | Qt::Key_Return), this,
-                  [this, id] { Q_EMIT interpolationRequested(id); });
-  menu->addSeparator();
-  QAction* favourite = menu->addAction(tr("&Favourite"), QKeySequence(Qt::Key_Asterisk), this,
-                                       [this, id = QPersistentModelIndex(index)] { toggleFavourite(id); });
-  favourite->setCheckable(true);
-  favourite->setChecked(index.data(LibraryModel::FavouriteRole).toBool());
-  menu->popup(m_list->viewport()->mapToGlobal(position));
-}
-
 bool LibraryView::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_list->viewport() && (event->type() == QEvent::Resize || event->type() == QEvent::Show))
     m_visibleTimer.start();
   if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();
   const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
-  if (watched == m_list && key == Qt::Key_Asterisk) {
-    toggleFavourite(m_list->currentIndex());
-    return true;
-  }
-  if (watched == m_list && enter) {
-    const QModelIndex index = m_list->currentIndex();
-    const auto modifiers = static_cast<QKeyEvent*>(event)->modifiers();
-    if (!(modifiers & (Qt::ControlModifier | Qt::ShiftModifier)))
-      openIndex(index);
-    else if (index.isValid() && modifiers & Qt::ControlModifier)
-      Q_EMIT referenceRequested(index.data(LibraryModel::IdRole).toString());
-    else if (index.isValid())
-      Q_EMIT interpolationRequested(index.data(LibraryModel::IdRole).toString());
-    return true;
-  }
   // From the search field: Down goes into the grid, Enter opens the first match.
   if (watched == m_search && (key == Qt::Key_Down || enter)) {
     if (!m_list->currentIndex().isValid() || enter) m_list->setCurrentIndex(firstMaterial());
@@ -248,7 +214,8 @@ int LibraryView::tileSize() const { return m_size->value(); }
 
 void LibraryView::setSortMode(int mode) {
   m_sort->setCurrentIndex(mode);
-  constexpr int roles[] = {Qt::DisplayRole, LibraryModel::HueRole, LibraryModel::RoughnessRole};
+  constexpr int roles[] = {Qt::DisplayRole, LibraryModel::HueRole, LibraryModel::RoughnessRole,
+                           LibraryModel::LightnessRole, LibraryModel::UnlikenessRole};
   m_proxy->setSortRole(roles[m_sort->currentIndex()]);
   m_proxy->sort(0);
   m_visibleTimer.start();

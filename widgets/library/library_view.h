@@ -18,9 +18,11 @@ class LibraryChips;
 class LibraryDelegate;
 class LibraryModel;
 class LibraryOrder;
+class LibrarySelection;
 
-/// A grid of materials with search, grouping, sorting and a size slider. Enter or a double-click opens; arrow keys
-/// move. It tells which materials are in sight, so that their pictures are made first.
+/// A grid of materials with search, grouping, sorting and a size slider; several can be selected. Enter or a
+/// double-click opens, Space shows a large picture, arrow keys move. It tells which materials are in sight, so that
+/// their pictures are made first.
 class LibraryView : public QWidget {
   Q_OBJECT
 
@@ -40,6 +42,7 @@ class LibraryView : public QWidget {
   int grouping() const;
   void selectItem(const QString& id);
   QStringList visibleIds() const;
+  LibrarySelection& selection() const { return *m_selection; }
   /// Whether the buttons that choose what is shown are in sight.
   void setChipsShown(bool shown);
   bool chipsShown() const;
@@ -53,7 +56,12 @@ class LibraryView : public QWidget {
   /// As the reference of comparisons: Ctrl + Enter, or the context menu.
   void referenceRequested(const QString& id);
   /// As one of the materials to interpolate between: Shift + Enter, or the context menu.
-  void interpolationRequested(const QString& id);
+  void interpolationRequested(const QStringList& ids);
+  /// The first is to be opened, the second compared with it.
+  void pairRequested(const QString& first, const QString& second);
+  void exportRequested(const QStringList& ids);
+  /// A large picture for the quick look, by its setPicture().
+  void largePictureRequested(const QString& id);
   void visibleIdsChanged(const QStringList& ids);
   void favouritesChanged(const QStringList& ids);
 
@@ -69,8 +77,6 @@ class LibraryView : public QWidget {
   void openIndex(const QModelIndex& index);
   /// The first material, behind a heading.
   QModelIndex firstMaterial() const;
-  void showMenu(const QPoint& position);
-  void toggleFavourite(const QModelIndex& index);
   void filterChanged();
 
   LibraryModel* m_model;
@@ -83,6 +89,7 @@ class LibraryView : public QWidget {
   QComboBox* m_group;
   QComboBox* m_sort;
   QListView* m_list;
+  LibrarySelection* m_selection;
   QLabel* m_empty;
   QSlider* m_size;
   QTimer m_visibleTimer;

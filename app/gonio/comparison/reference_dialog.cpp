@@ -11,6 +11,7 @@
 #include "app/gonio/document/material_files.h"
 #include "widgets/inputs/dialog_folder.h"
 #include "widgets/library/library_model.h"
+#include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"
 
 namespace gonio::app {
@@ -20,6 +21,7 @@ ReferenceDialog::ReferenceDialog(widgets::LibraryModel& library, QWidget* parent
   const int em = fontMetrics().height();
   resize(em * 34, em * 30);
   auto* view = new widgets::LibraryView(&library, this);
+  view->selection().setSingle();
   view->setEmptyText(tr("There are no materials in this folder."));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   buttons->button(QDialogButtonBox::Ok)->setText(tr("&Compare"));

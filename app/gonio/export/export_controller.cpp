@@ -7,6 +7,7 @@
 #include "app/gonio/library/sphere_picture.h"
 #include "core/editing/blend_source.h"
 #include "core/export/export_origin.h"
+#include "core/materials/material_formats.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -49,6 +50,11 @@ QString fileNames(const exports::ExportTarget& target, const QString& name, bool
   return ExportController::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
 }
 
+QString materialName(const QString& id) {
+  const QString last = id.section('/', -1);
+  return id.startsWith(QLatin1String("library:")) ? last : QFileInfo(last).completeBaseName();
+}
+
 ExportController::ExportController(Document& document, BackgroundTasks& tasks, QObject* parent)
     : QObject(parent), m_document(document), m_tasks(tasks) {
   connect(&document, &Document::materialChanged, this, [this] {
@@ -81,18 +87,34 @@ std::optional<double> ExportController::trialProgress() const { return m_tasks.p
 void ExportController::write(const ExportSubject& subject, const ExportRequest& request, const ExportTrialPtr& trial) {
   m_last = request;
   Q_EMIT lastChanged();
+  writeInBackground(request, [subject, request, trial](const TaskControl& control) {
+    const std::filesystem::path name = request.name.toStdString();
+    exports::checkTargets(request.target->paths(name, request.scene != nullptr), subject.files, true);
+    exports::MadeExport made =
+        trial ? trial->made : exports::makeExport(*request.target, subject.source(), request.options, control);
+    if (request.scene) exports::addScene(made, *request.target, *request.scene, name);
+    exports::writeExport(exports::filesOf(made, name));
+    return made.warnings;
+  });
+}
+
+void ExportController::writeMeasured(const QString& id, const ExportRequest& request, bool replace) {
+  writeInBackground(request, [id, request, replace](const TaskControl& control) {
+    const std::filesystem::path name = request.name.toStdString(), source = id.toStdString();
+    exports::checkTargets(request.target->paths(name, false), std::span(&source, 1), replace);
+    const materials::Material material = materials::readMaterial(source, control.between(0, 0.1));
+    const exports::MadeExport made =
+        exports::makeExport(*request.target, exports::exportSource(material.name, material, material.brdf, {}),
+                            request.options, control.between(0.1, 1));
+    exports::writeExport(exports::filesOf(made, name));
+    return made.warnings;
+  });
+}
+
+void ExportController::writeInBackground(const ExportRequest& request, Writer writer) {
   const QString files = fileNames(*request.target, request.name, request.scene != nullptr);
   m_tasks.run<std::vector<std::string>>(
-      {.title = tr("Exporting %1").arg(files), .file = true},
-      [subject, request, trial](const TaskControl& control) {
-        const std::filesystem::path name = request.name.toStdString();
-        exports::checkTargets(request.target->paths(name, request.scene != nullptr), subject.files, true);
-        exports::MadeExport made =
-            trial ? trial->made : exports::makeExport(*request.target, subject.source(), request.options, control);
-        if (request.scene) exports::addScene(made, *request.target, *request.scene, name);
-        exports::writeExport(exports::filesOf(made, name));
-        return made.warnings;
-      },
+      {.title = tr("Exporting %1").arg(files), .file = true}, std::move(writer),
       [this, files](const std::vector<std::string>& warnings) {
         Q_EMIT exported(files);
         for (const std::string& warning : warnings) Q_EMIT warned(QString::fromStdString(warning));

@@ -63,6 +63,9 @@ class ExportController : public QObject {
   /// Writes an export, which replaces files of its names but never the source.
   /// @param trial of this request; null: it is made first.
   void write(const ExportSubject& subject, const ExportRequest& request, const ExportTrialPtr& trial);
+  /// Writes a material of the library as it was measured, edits aside; the file it comes from is never replaced.
+  /// @param id what openMaterial() takes: a path or a bundled material. @param replace files of these names
+  void writeMeasured(const QString& id, const ExportRequest& request, bool replace);
   /// The last export of this document once more, as the document is now. Contract: canRepeat().
   void repeat();
   bool canRepeat() const { return m_last.has_value(); }
@@ -78,10 +81,17 @@ class ExportController : public QObject {
   void lastChanged();
 
  private:
+  /// Returns the warnings.
+  using Writer = std::function<std::vector<std::string>(const TaskControl&)>;
+  void writeInBackground(const ExportRequest& request, Writer writer);
+
   Document& m_document;
   BackgroundTasks& m_tasks;
   std::optional<ExportRequest> m_last;
 };
+
+/// "chrome" of "library:merl-copy/chrome" and of "/data/chrome.binary".
+QString materialName(const QString& id);
 
 /// "chrome_rgb.bsdf and chrome_spec.bsdf"
 QString fileNames(const exports::ExportTarget& target, const QString& name, bool withScene = false);

@@ -21,16 +21,14 @@
 #include <cmath>
 
 #include "app/gonio/export/export_pictures.h"
+#include "app/gonio/export/export_settings.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
 namespace {
 
-const QString targetKey = QStringLiteral("export/target"), snrKey = QStringLiteral("export/snr"),
-              folderKey = QStringLiteral("export/folder"), sceneKey = QStringLiteral("export/scene");
 constexpr int trialDelayMilliseconds = 300;
-constexpr double smallestSnr = 10, largestSnr = 80;
 enum Column { labelColumn, snrColumn, bytesColumn };
 
 QString exportSnrText(double snr) {
@@ -122,14 +120,7 @@ QWidget* ExportDialog::details() {
   QSizePolicy kept = m_progress->sizePolicy();
   kept.setRetainSizeWhenHidden(true);
   m_progress->setSizePolicy(kept);
-  m_snr = new QDoubleSpinBox;
-  m_snr->setRange(smallestSnr, largestSnr);
-  m_snr->setDecimals(0);
-  m_snr->setSuffix(tr(" dB"));
-  m_snr->setKeyboardTracking(false);
-  m_snr->setToolTip(
-      tr("The rendered SNR that the files should reach: a higher one takes larger files. Some targets "
-         "cannot reach it."));
+  m_snr = exportSnrField();
   m_withScene = new QCheckBox(tr("Also write a &scene"));
   m_withScene->setToolTip(
       canShowScene() ? tr("A sphere of the material in the preview's environment, seen by the preview's camera, for "
@@ -167,11 +158,11 @@ QWidget* ExportDialog::nameRow() {
 }
 
 void ExportDialog::restore() {
-  m_snr->setValue(m_settings.value(snrKey, exports::ExportOptions().snr).toDouble());
-  m_withScene->setChecked(m_settings.value(sceneKey, false).toBool());
+  m_snr->setValue(m_settings.value(export_settings::snr, exports::ExportOptions().snr).toDouble());
+  m_withScene->setChecked(m_settings.value(export_settings::scene, false).toBool());
   const auto& last = m_controller.last();
-  chooseTarget(last ? last->target->id : m_settings.value(targetKey).toString().toStdString());
-  const QString folder = m_settings.value(folderKey).toString();
+  chooseTarget(last ? last->target->id : m_settings.value(export_settings::target).toString().toStdString());
+  const QString folder = m_settings.value(export_settings::folder).toString();
   const QString documentFolder = QFileInfo(m_controller.document().path()).absolutePath();
   const QString home = m_controller.document().path().isEmpty() ? QDir::homePath() : documentFolder;
   setName(last ? last->name
@@ -179,10 +170,10 @@ void ExportDialog::restore() {
 }
 
 void ExportDialog::remember() {
-  m_settings.setValue(targetKey, widgets::fromView(target().id));
-  m_settings.setValue(snrKey, m_snr->value());
-  m_settings.setValue(sceneKey, m_withScene->isChecked());
-  m_settings.setValue(folderKey, QFileInfo(name()).absolutePath());
+  m_settings.setValue(export_settings::target, widgets::fromView(target().id));
+  m_settings.setValue(export_settings::snr, m_snr->value());
+  m_settings.setValue(export_settings::scene, m_withScene->isChecked());
+  m_settings.setValue(export_settings::folder, QFileInfo(name()).absolutePath());
 }
 
 const exports::ExportTarget& ExportDialog::target() const {
@@ -198,7 +189,7 @@ void ExportDialog::chooseTarget(std::string_view id) {
 QString ExportDialog::name() const {
   const QString text = QDir::fromNativeSeparators(m_name->text().trimmed());
   if (text.isEmpty()) return {};
-  const QString folder = m_settings.value(folderKey, QDir::homePath()).toString();
+  const QString folder = m_settings.value(export_settings::folder, QDir::homePath()).toString();
   const auto path = target().nameOf(QFileInfo(QDir(folder), text).absoluteFilePath().toStdString());
   return QString::fromStdString(path.string());
 }

@@ -358,11 +358,11 @@ void ImageDialog::showEstimate() {
   if (stopped) samples = std::max(1, int(limit / m_estimate->secondsOfSample));
   const QString noise = QString::number(100 * m_estimate->noise(samples), 'g', 2);
   const QString time = durationText(m_estimate->seconds(samples));
-  m_cost->setText(stopped ? tr("%1 for about %2 samples a pixel; noise about %3 % of the mean radiance.")
+  m_cost->setText(stopped ? tr("Time %1, for about %2 samples a pixel; noise about %3 % of the mean radiance.")
                                 .arg(time)
                                 .arg(samples)
                                 .arg(noise)
-                          : tr("%1; noise about %2 % of the mean radiance.").arg(time, noise));
+                          : tr("Time %1; noise about %2 % of the mean radiance.").arg(time, noise));
 }
 
 bool ImageDialog::mayReplace() {
@@ -375,7 +375,8 @@ void ImageDialog::exportPreview() {
   widgets::PreviewWidget& preview = m_parts.preview;
   const QString path = m_path->text();
   if (!m_labels->isEnabled() || !m_labels->isChecked()) return m_parts.exports.writePng(path, preview.grabPicture());
-  m_parts.exports.writePng(path, preview.grabLabelledPicture(), comparisonCaption(m_parts.comparison));
+  m_parts.exports.writePng(path, preview.grabLabelledPicture(),
+                           comparisonCaption(m_parts.comparison, m_parts.document.name()));
 }
 
 void ImageDialog::accept() {

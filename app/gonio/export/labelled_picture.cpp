@@ -7,10 +7,10 @@
 
 namespace gonio::app {
 
-FileExports::Caption comparisonCaption(const ComparisonController& comparison) {
+FileExports::Caption comparisonCaption(const ComparisonController& comparison, const QString& material) {
   const auto sides = comparison.sides();
   const QString names =
-      ComparisonController::tr("%1 against %2").arg(comparison.name(sides[0]), comparison.name(sides[1]));
+      ComparisonController::tr("%1, %2 against %3").arg(material, comparison.name(sides[0]), comparison.name(sides[1]));
   return [names, test = comparison.subject(sides[0]),
           reference = comparison.subject(sides[1])](const TaskControl& control) {
     const ComparisonReferencePtr made = comparisonReference(reference, control.between(0, 0.5));

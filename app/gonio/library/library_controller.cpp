@@ -8,13 +8,15 @@
 #include <chrono>
 
 #include "app/gonio/document/material_files.h"
+#include "app/gonio/library/sphere_picture.h"
 #include "core/materials/material_formats.h"
 
 namespace gonio::app {
 
 namespace {
 
-const QString thumbnailKey = QStringLiteral("thumbnail");
+const QString thumbnailKey = QStringLiteral("thumbnail"), likenessKey = QStringLiteral("library-likeness"),
+              largePictureKey = QStringLiteral("library-large-picture");
 
 /// A picture, or why there is none.
 struct Made {
@@ -109,6 +111,28 @@ void LibraryController::show(std::vector<widgets::LibraryItem> items, const QStr
   m_model.setItems(std::move(items));
   Q_EMIT titleChanged(m_title);
   makeNext();
+}
+
+void LibraryController::setReference(const QString& id) {
+  if (id.isEmpty()) {
+    m_tasks.drop(likenessKey);
+    return m_model.setReference({});
+  }
+  m_tasks.run<widgets::LibraryLook>(
+      {.title = tr("Rendering a thumbnail of %1").arg(id.section('/', -1)), .key = likenessKey, .quiet = true},
+      [make = m_makeLook, id](const TaskControl& control) { return make(id, control); },
+      [this](const widgets::LibraryLook& look) { m_model.setReference(look); },
+      [this](const QString&) { m_model.setReference({}); });
+}
+
+void LibraryController::makeLargePicture(const QString& id, int pixels) {
+  constexpr int samples = 32;
+  m_tasks.run<QImage>(
+      {.title = tr("Rendering %1").arg(id.section('/', -1)), .key = largePictureKey, .live = true},
+      [id, pixels](const TaskControl& control) {
+        return spherePicture(*materials::readMaterial(id.toStdString(), control).brdf, pixels, samples, control);
+      },
+      [this, id](const QImage& picture) { Q_EMIT largePictureMade(id, picture); }, [](const QString&) {});
 }
 
 void LibraryController::setVisible(const QStringList& ids) { m_visible = ids; }

@@ -25,6 +25,11 @@ class LibraryController : public QObject {
   void showBundled();
   /// Every file of a material in a folder, not in its subfolders.
   void showFolder(const QString& folder);
+  /// The material that LibraryModel::UnlikenessRole compares with; empty: none. Its picture is made where there is
+  /// none.
+  void setReference(const QString& id);
+  /// Has a large picture made, of `pixels` a side; only the last one that is asked for comes.
+  void makeLargePicture(const QString& id, int pixels);
   QString title() const { return m_title; }
   QString folder() const { return m_folder; }  ///< empty for the bundled library
   /// Whether every picture in sight is there.
@@ -35,6 +40,7 @@ class LibraryController : public QObject {
 
  Q_SIGNALS:
   void titleChanged(const QString& title);
+  void largePictureMade(const QString& id, const QImage& picture);
 
  private:
   void show(std::vector<widgets::LibraryItem> items, const QString& title, const QString& folder);

@@ -20,7 +20,9 @@
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/study/study_panel.h"
 #include "app/gonio/window/view_state.h"
+#include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"
+#include "widgets/library/quick_look.h"
 #include "widgets/panels/plausibility_badges.h"
 #include "widgets/preview/comparison_bar.h"
 #include "widgets/preview/preview_widget.h"
@@ -115,8 +117,15 @@ void EditorParts::connectLibrary() {
   QObject::connect(&libraryView, &widgets::LibraryView::referenceRequested, &comparison,
                    &ComparisonController::openReference);
   QObject::connect(&controller, &DocumentController::opened, &libraryView, [this] {
-    libraryView.selectItem(QString::fromStdString(document.material()->material.source.path.string()));
+    const QString id = QString::fromStdString(document.material()->material.source.path.string());
+    libraryView.selectItem(id);
+    library.setReference(id);
   });
+  QObject::connect(&libraryView, &widgets::LibraryView::largePictureRequested, &library, [this](const QString& id) {
+    library.makeLargePicture(id, int(widgets::QuickLook::side * libraryView.devicePixelRatioF()));
+  });
+  QObject::connect(&library, &LibraryController::largePictureMade, &libraryView.selection().quickLook(),
+                   &widgets::QuickLook::setPicture);
   acquisition.controls().training().setShownIds([this] {
     const QAbstractItemModel& shown = *libraryView.list()->model();
     QStringList ids;

@@ -18,6 +18,7 @@
 #include "app/gonio/comparison/flicker_key.h"
 #include "app/gonio/comparison/reference_dialog.h"
 #include "app/gonio/document/material_files.h"
+#include "app/gonio/export/batch_dialog.h"
 #include "app/gonio/factors/factor_curves_panel.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
@@ -185,12 +186,30 @@ void MainWindow::connectMessages() {
   connect(m_messages, &widgets::MessageBar::discarded, &m_parts.controller, &DocumentController::discardProposal);
 }
 
+/// Once the first is open; not where the user keeps the document that is.
+void MainWindow::comparePair(const QString& first, const QString& second) {
+  connect(
+      &m_parts.controller, &DocumentController::opened, this,
+      [this, first, second] {
+        if (QString::fromStdString(m_parts.document.material()->material.source.path.string()) == first)
+          m_parts.comparison.openReference(second);
+      },
+      Qt::SingleShotConnection);
+  m_files.open(first);
+}
+
 /// What a part wants of the window: another file, a dock, a dialog.
 void MainWindow::connectRequests() {
   connect(&m_parts.libraryView, &widgets::LibraryView::openRequested, &m_files, &DocumentFiles::open);
-  connect(&m_parts.libraryView, &widgets::LibraryView::interpolationRequested, this, [this](const QString& id) {
+  connect(&m_parts.libraryView, &widgets::LibraryView::interpolationRequested, this, [this](const QStringList& ids) {
     m_docks->show(QStringLiteral("interpolation"));
-    m_parts.interpolation.take(id);
+    for (const QString& id : ids) m_parts.interpolation.take(id);
+  });
+  connect(&m_parts.libraryView, &widgets::LibraryView::pairRequested, this, &MainWindow::comparePair);
+  connect(&m_parts.libraryView, &widgets::LibraryView::exportRequested, this, [this](const QStringList& ids) {
+    auto* dialog = new BatchDialog(m_parts.exporter, m_parts.settings, ids, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
   });
   connect(&m_parts.inspector, &Inspector::factorEditWanted, this, [this] {
     m_docks->show(QStringLiteral("factors"));

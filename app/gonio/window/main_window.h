@@ -41,6 +41,7 @@ class MainWindow : public QMainWindow {
   void connectDocument();
   void connectMessages();
   void connectRequests();
+  void comparePair(const QString& first, const QString& second);
   void showFailure(const QString& title, const QString& text);
   void showTitle();
   void chooseMaterial(const QString& title, const std::function<void(const QString& path)>& chosen);

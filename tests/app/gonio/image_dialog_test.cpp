@@ -174,9 +174,11 @@ class ImageDialogTest : public QObject {
                                    models::defaultParameters(model.spec())};
     edit.edited.values[*model.spec().find("roughness")] = Rgb(0.5);
     editor.document.replaceEdits({{edit}}, "edit");
-    const FileExports::Caption caption = comparisonCaption(editor.comparison);
+    const FileExports::Caption caption = comparisonCaption(editor.comparison, "glossy");
     const QString text = caption({});
-    QVERIFY2(text.contains("BRDF SNR") && text.contains(" dB") && !text.contains("undefined"), qPrintable(text));
+    QVERIFY2(
+        text.startsWith("glossy, ") && text.contains("BRDF SNR") && text.contains(" dB") && !text.contains("undefined"),
+        qPrintable(text));
     QImage picture(300, 100, QImage::Format_RGB32);
     picture.fill(Qt::gray);
     editor.exports.writePng(editor.path("x.png"), picture, caption);

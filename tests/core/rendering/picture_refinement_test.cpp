@@ -102,10 +102,10 @@ class PictureRefinementTest : public QObject {
     QVERIFY(cancelled && film.samples == 8);
   }
 
-  /// The predicted noise against that of two independent pictures: stratified samples may be better, never much worse.
+  /// The predicted noise against that of two independent pictures.
   void predictsTheNoise() {
     const Picture picture;
-    constexpr int samples = 16;
+    constexpr int samples = 64;
     Image pictures[2];
     for (std::uint64_t i = 0; i < 2; ++i) {
       Film film(96, 96);
@@ -119,11 +119,11 @@ class PictureRefinementTest : public QObject {
       squares += (a - b) * (a - b) / 2;
     }
     const double count = 96 * 96, measured = std::sqrt(squares / count) / (sum / count);
-    const PictureEstimate estimate = estimatePicture(picture.scene, picture.materials, picture.plan, 512, 512);
+    const PictureEstimate estimate = estimatePicture(picture.scene, picture.materials, picture.plan, 96, 96);
     QVERIFY(estimate.secondsOfSample > 0);
-    QVERIFY2(estimate.noise(samples) > 0.8 * measured && estimate.noise(samples) < 3 * measured,
+    QVERIFY2(estimate.noise(samples) > 0.7 * measured && estimate.noise(samples) < 1.6 * measured,
              qPrintable(QString("%1 predicted, %2 measured").arg(estimate.noise(samples)).arg(measured)));
-    QCOMPARE(estimate.noise(4), estimate.noiseOfSample / 2);
+    QVERIFY(estimate.order >= 0.5 && estimate.noise(4 * samples) <= estimate.noise(samples) / 2);
   }
 };
 

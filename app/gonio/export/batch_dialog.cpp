@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/export/batch_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include "app/gonio/export/export_settings.h"
+#include "widgets/parameters/parameter_text.h"
+
+namespace gonio::app {
+
+BatchDialog::BatchDialog(ExportController& controller, QSettings& settings, const QStringList& ids, QWidget* parent)
+    : QDialog(parent), m_controller(controller), m_settings(settings), m_ids(ids) {
+  setWindowTitle(ids.size() == 1 ? tr("Export %1").arg(materialName(ids.front()))
+                                 : tr("Export %1 Materials").arg(ids.size()));
+  build();
+  chooseTarget(settings.value(export_settings::target).toString().toStdString());
+  m_snr->setValue(settings.value(export_settings::snr, exports::ExportOptions().snr).toDouble());
+  m_folder->setText(settings.value(export_settings::folder, QDir::homePath()).toString());
+  for (QComboBox* box : {m_targets}) connect(box, &QComboBox::currentIndexChanged, this, &BatchDialog::showFiles);
+  connect(m_folder, &QLineEdit::textChanged, this, &BatchDialog::showFiles);
+  connect(m_replace, &QCheckBox::toggled, this, &BatchDialog::showFiles);
+  showFiles();
+}
+
+void BatchDialog::build() {
+  m_targets = new QComboBox;
+  for (const exports::ExportTarget& target : exports::exportTargets())
+    m_targets->addItem(widgets::fromView(target.label));
+  m_snr = exportSnrField();
+  m_folder = new QLineEdit;
+  m_folder->setMinimumWidth(fontMetrics().averageCharWidth() * 48);
+  m_replace = new QCheckBox(tr("Re&place files that exist"));
+  for (QLabel** label : {&m_description, &m_files}) {
+    *label = new QLabel;
+    (*label)->setWordWrap(true);
+    (*label)->setTextFormat(Qt::PlainText);
+    (*label)->setMinimumHeight(2 * fontMetrics().lineSpacing());
+  }
+  auto* browse = new QPushButton(tr("&Browse..."));
+  browse->setAutoDefault(false);
+  connect(browse, &QPushButton::clicked, this, &BatchDialog::browse);
+  auto* row = new QHBoxLayout;
+  row->addWidget(m_folder, 1);
+  row->addWidget(browse);
+  auto* folder = new QLabel(tr("&Folder"));
+  folder->setBuddy(m_folder);
+  auto* form = new QFormLayout;
+  form->addRow(tr("&Target"), m_targets);
+  form->addRow(QString(), m_description);
+  form->addRow(tr("&Rendered SNR >="), m_snr);
+  form->addRow(folder, row);
+  form->addRow(QString(), m_replace);
+  form->addRow(tr("Files"), m_files);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  m_export = buttons->addButton(tr("&Export"), QDialogButtonBox::AcceptRole);
+  m_export->setDefault(true);
+  connect(buttons, &QDialogButtonBox::accepted, this, &BatchDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(form);
+  layout->addStretch();
+  layout->addWidget(buttons);
+}
+
+const exports::ExportTarget& BatchDialog::target() const {
+  return exports::exportTargets()[std::size_t(m_targets->currentIndex())];
+}
+
+void BatchDialog::chooseTarget(std::string_view id) {
+  const auto targets = exports::exportTargets();
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    if (targets[i].id == id) m_targets->setCurrentIndex(int(i));
+}
+
+void BatchDialog::setReplacing(bool replacing) { m_replace->setChecked(replacing); }
+
+void BatchDialog::browse() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of the exports"), m_folder->text());
+  if (!folder.isEmpty()) m_folder->setText(folder);
+}
+
+ExportRequest BatchDialog::request(const QString& id) const {
+  return {&target(), {.snr = m_snr->value()}, QDir(m_folder->text()).filePath(materialName(id))};
+}
+
+QStringList BatchDialog::existing() const {
+  QStringList names;
+  for (const QString& id : m_ids)
+    for (const auto& path : target().paths(request(id).name.toStdString(), false))
+      if (const QFileInfo info(QString::fromStdString(path.string())); info.exists()) names << info.fileName();
+  return names;
+}
+
+void BatchDialog::showFiles() {
+  m_description->setText(widgets::fromView(target().holds));
+  const bool hasFolder = QFileInfo(m_folder->text()).isDir();
+  const QStringList there = existing();
+  const bool blocked = !there.isEmpty() && !m_replace->isChecked();
+  m_export->setEnabled(hasFolder && !blocked);
+  constexpr int mostNames = 3;
+  QStringList names;
+  for (const QString& id : m_ids.mid(0, mostNames)) names << fileNames(target(), request(id).name);
+  if (m_ids.size() > mostNames) names << tr("and those of %1 more").arg(m_ids.size() - mostNames);
+  QString text = names.join(QStringLiteral(", "));
+  if (!hasFolder) text = tr("Choose a folder that exists.");
+  if (blocked) text = tr("Already there: %1").arg(there.mid(0, mostNames).join(QStringLiteral(", ")));
+  if (blocked && there.size() > mostNames) text += tr(" and %1 more").arg(there.size() - mostNames);
+  m_files->setText(text);
+}
+
+void BatchDialog::accept() {
+  if (!m_export->isEnabled()) return;
+  m_settings.setValue(export_settings::target, widgets::fromView(target().id));
+  m_settings.setValue(export_settings::snr, m_snr->value());
+  m_settings.setValue(export_settings::folder, m_folder->text());
+  for (const QString& id : m_ids) m_controller.writeMeasured(id, request(id), m_replace->isChecked());
+  QDialog::accept();
+}
+
+}  // namespace gonio::app
+
+#include "moc_batch_dialog.cpp"

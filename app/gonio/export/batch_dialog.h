@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QDialog>
+
+#include "app/gonio/export/export_controller.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSettings;
+
+namespace gonio::app {
+
+/// Exports several materials of the library, as measured, to one target and one folder: each a task of its own, which
+/// can be stopped alone. It remembers target, SNR and folder, with File > Export for Renderer.
+class BatchDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// @param ids of the library, at least one.
+  BatchDialog(ExportController& controller, QSettings& settings, const QStringList& ids, QWidget* parent);
+
+  const exports::ExportTarget& target() const;
+  void chooseTarget(std::string_view id);
+  QLineEdit& folder() { return *m_folder; }
+  void setReplacing(bool replacing);
+
+  void accept() override;
+
+ private:
+  void build();
+  void browse();
+  void showFiles();
+  ExportRequest request(const QString& id) const;
+  /// Names of files that are there already.
+  QStringList existing() const;
+
+  ExportController& m_controller;
+  QSettings& m_settings;
+  const QStringList m_ids;
+  QComboBox* m_targets;
+  QDoubleSpinBox* m_snr;
+  QLineEdit* m_folder;
+  QCheckBox* m_replace;
+  QLabel *m_description, *m_files;
+  QPushButton* m_export;
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/export/export_settings.h"
+
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+
+namespace gonio::app {
+
+QDoubleSpinBox* exportSnrField() {
+  constexpr double smallest = 10, largest = 80;
+  auto* field = new QDoubleSpinBox;
+  field->setRange(smallest, largest);
+  field->setDecimals(0);
+  field->setSuffix(QCoreApplication::translate("export", " dB"));
+  field->setKeyboardTracking(false);
+  field->setToolTip(QCoreApplication::translate("export",
+                                                "The rendered SNR that the files should reach: a higher one takes "
+                                                "larger files. Some targets cannot reach it."));
+  return field;
+}
+
+}  // namespace gonio::app

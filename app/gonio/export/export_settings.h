@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QString>
+
+class QDoubleSpinBox;
+
+namespace gonio::app {
+
+/// What the dialogs of exports remember.
+namespace export_settings {
+inline const QString target = QStringLiteral("export/target"), snr = QStringLiteral("export/snr"),
+                     folder = QStringLiteral("export/folder"), scene = QStringLiteral("export/scene");
+}
+
+/// A field of the rendered SNR that files should reach, dB.
+QDoubleSpinBox* exportSnrField();
+
+}  // namespace gonio::app

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/library/library_selection.h"
+
+#include <QKeyEvent>
+#include <QListView>
+#include <algorithm>
+
+#include "widgets/library/library_menu.h"
+#include "widgets/library/library_model.h"
+#include "widgets/library/quick_look.h"
+
+namespace gonio::widgets {
+
+LibrarySelection::LibrarySelection(QListView& list, LibraryModel& model, QWidget& library)
+    : QObject(&library), m_list(list), m_model(model), m_look(new QuickLook(&library)) {
+  m_list.setSelectionMode(QAbstractItemView::ExtendedSelection);
+  m_list.setContextMenuPolicy(Qt::CustomContextMenu);
+  m_list.installEventFilter(this);
+  connect(&m_list, &QListView::customContextMenuRequested, this, &LibrarySelection::showMenu);
+  connect(&m_list, &QListView::doubleClicked, this, [this] { Q_EMIT openRequested(current()); });
+  connect(m_list.selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
+    if (m_look->isVisible()) showLook();
+  });
+}
+
+void LibrarySelection::setSingle() {
+  m_single = true;
+  m_list.setSelectionMode(QAbstractItemView::SingleSelection);
+}
+
+QString LibrarySelection::current() const { return m_list.currentIndex().data(LibraryModel::IdRole).toString(); }
+
+void LibrarySelection::setFavourites(const QStringList& ids, bool favourite) {
+  for (const QString& id : ids) m_model.setFavourite(id, favourite);
+  Q_EMIT favouritesChanged(m_model.favourites());
+}
+
+bool LibrarySelection::areFavourites(const QStringList& ids) const {
+  return std::ranges::all_of(ids, [this](const QString& id) { return m_model.favourites().contains(id); });
+}
+
+QStringList LibrarySelection::ids() const {
+  QModelIndexList indexes = m_list.selectionModel()->selectedIndexes();
+  std::ranges::sort(indexes, {}, &QModelIndex::row);
+  QStringList ids;
+  for (const QModelIndex& index : indexes) ids << index.data(LibraryModel::IdRole).toString();
+  return ids;
+}
+
+void LibrarySelection::showMenu(const QPoint& position) {
+  const QModelIndex index = m_list.indexAt(position);
+  if (!(index.flags() & Qt::ItemIsEnabled)) return;
+  if (!m_list.selectionModel()->isSelected(index)) m_list.setCurrentIndex(index);
+  const QStringList ids = this->ids();
+  LibraryActions actions{.open = [this](const QString& id) { Q_EMIT openRequested(id); },
+                         .look = [this](const QString&) { toggleLook(); },
+                         .compare = [this](const QString& id) { Q_EMIT referenceRequested(id); },
+                         .favour = [this](const QStringList& all, bool on) { setFavourites(all, on); }};
+  if (!m_single) {
+    actions.comparePair = [this](const QStringList& two) { Q_EMIT pairRequested(two[0], two[1]); };
+    actions.interpolate = [this](const QStringList& all) { Q_EMIT interpolationRequested(all); };
+    actions.exportAll = [this](const QStringList& all) { Q_EMIT exportRequested(all); };
+  }
+  libraryMenu(ids, areFavourites(ids), actions, &m_list)->popup(m_list.viewport()->mapToGlobal(position));
+}
+
+void LibrarySelection::toggleLook() { m_look->isVisible() ? m_look->hide() : showLook(); }
+
+void LibrarySelection::showLook() {
+  const QModelIndex index = m_list.currentIndex();
+  if (!index.isValid()) return m_look->hide();
+  const QString id = index.data(LibraryModel::IdRole).toString();
+  const LibraryLook* look = m_model.look(id);
+  m_look->showMaterial(id, index.data(Qt::ToolTipRole).toString(), look ? look->thumbnail : QImage());
+  Q_EMIT largePictureRequested(id);
+}
+
+bool LibrarySelection::key(int key, Qt::KeyboardModifiers modifiers) {
+  const QStringList ids = this->ids();
+  if (key == Qt::Key_Space && !modifiers) {
+    toggleLook();
+  } else if (key == Qt::Key_Escape && m_look->isVisible()) {
+    m_look->hide();
+  } else if (ids.isEmpty()) {
+    return false;
+  } else if (key == Qt::Key_Asterisk) {
+    setFavourites(ids, !areFavourites(ids));
+  } else if (key != Qt::Key_Return && key != Qt::Key_Enter) {
+    return false;
+  } else if (modifiers & Qt::ControlModifier) {
+    Q_EMIT referenceRequested(current());
+  } else if (modifiers & Qt::ShiftModifier && !m_single) {
+    Q_EMIT interpolationRequested(ids);
+  } else {
+    Q_EMIT openRequested(current());
+  }
+  return true;
+}
+
+bool LibrarySelection::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FocusOut || event->type() == QEvent::Hide) m_look->hide();
+  if (event->type() != QEvent::KeyPress) return QObject::eventFilter(watched, event);
+  const auto* pressed = static_cast<QKeyEvent*>(event);
+  return key(pressed->key(), pressed->modifiers());
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_library_selection.cpp"

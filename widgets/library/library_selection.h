@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+class QListView;
+
+namespace gonio::widgets {
+
+class LibraryModel;
+class QuickLook;
+
+/// What the user does with the materials that are selected in a library's grid: by a double-click, by keys, by the
+/// menu.
+class LibrarySelection : public QObject {
+  Q_OBJECT
+
+ public:
+  /// @param list shows the model. @param library beside which the quick look stands.
+  LibrarySelection(QListView& list, LibraryModel& model, QWidget& library);
+
+  /// One material is chosen, and nothing is offered for several.
+  void setSingle();
+  /// In the order in which they are shown.
+  QStringList ids() const;
+  QuickLook& quickLook() const { return *m_look; }
+
+ Q_SIGNALS:
+  void openRequested(const QString& id);
+  void referenceRequested(const QString& id);
+  void interpolationRequested(const QStringList& ids);
+  void pairRequested(const QString& first, const QString& second);
+  void exportRequested(const QStringList& ids);
+  void largePictureRequested(const QString& id);
+  void favouritesChanged(const QStringList& ids);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void showMenu(const QPoint& position);
+  /// Whether a key of the grid meant something.
+  bool key(int key, Qt::KeyboardModifiers modifiers);
+  QString current() const;
+  void setFavourites(const QStringList& ids, bool favourite);
+  bool areFavourites(const QStringList& ids) const;
+  void toggleLook();
+  void showLook();
+
+  QListView& m_list;
+  LibraryModel& m_model;
+  QuickLook* m_look;
+  bool m_single = false;
+};
+
+}  // namespace gonio::widgets
