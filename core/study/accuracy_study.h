@@ -6,6 +6,7 @@
 
 #include "core/math/image.h"
 #include "core/rendering/render_picture.h"
+#include "core/rendering/rendered_comparison.h"
 #include "core/study/representation_builder.h"
 #include "core/study/study_record.h"
 
@@ -23,7 +24,7 @@ struct StudiedRepresentation {
 struct StudyOptions {
   BuildOptions build;
   /// Of the pictures and of the frames that are timed; the lobe is the reference's.
-  RenderOptions picture{.width = 128, .height = 128, .samples = 32, .lobe = {}};
+  RenderOptions picture = smallComparisonPicture();
   /// Whether the times of an evaluation and of a frame are measured; without them one frame is rendered.
   bool timed = true;
   /// Called after each representation, in their order, on the calling thread.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include "core/rendering/rendered_comparison.h"
 #include "core/study/accuracy_study.h"
 
 namespace gonio::study {
@@ -17,9 +18,8 @@ struct RankedFit {
 struct RankingOptions {
   fitting::FitOptions fit;
   std::vector<const models::Model*> models;  ///< none: all registered ones, in their order
-  /// Of each row; the lobe is the reference's. A quarter of the pixels of `goniotool compare`: the SNR differs by 0.1
-  /// dB.
-  RenderOptions picture{.width = 128, .height = 128, .samples = 32, .lobe = {}};
+  /// Of each row; the lobe is the reference's.
+  RenderOptions picture = smallComparisonPicture();
   /// Called after each model, in their order, on the calling thread.
   std::function<void(const RankedFit&)> modelDone = {};
 };

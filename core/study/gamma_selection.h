@@ -6,6 +6,7 @@
 
 #include "core/fitting/fit.h"
 #include "core/rendering/render_picture.h"
+#include "core/rendering/rendered_comparison.h"
 
 namespace gonio::study {
 
@@ -23,9 +24,9 @@ struct GammaTrial {
 /// @param reference what the pictures are compared with: the base, or the material that it samples.
 /// @return the best first, the others in the order of their gammas. A stop request leaves the trials that are done;
 /// none are left when it came before the first. It never throws Cancelled.
-std::vector<GammaTrial> selectGamma(
-    const Brdf& base, const Brdf& reference, const models::Model& model, const fitting::FitOptions& options = {},
-    const RenderOptions& picture = {.width = 128, .height = 128, .samples = 32, .lobe = {}},
-    const TaskControl& control = {});
+std::vector<GammaTrial> selectGamma(const Brdf& base, const Brdf& reference, const models::Model& model,
+                                    const fitting::FitOptions& options = {},
+                                    const RenderOptions& picture = smallComparisonPicture(),
+                                    const TaskControl& control = {});
 
 }  // namespace gonio::study

@@ -30,6 +30,8 @@ ComparisonController::ComparisonController(Document& document, BackgroundTasks& 
   for (const auto signal :
        {&Document::materialChanged, &Document::stateChanged, &Document::editChanged, &Document::selectionChanged})
     connect(&document, signal, this, &ComparisonController::refresh);
+  for (const auto signal : {&Document::materialChanged, &Document::stateChanged, &Document::editChanged})
+    connect(&document, signal, this, &ComparisonController::endPair);
   connect(&bar, &widgets::ComparisonBar::comparisonEdited, this, &ComparisonController::setComparison);
   connect(&bar, &widgets::ComparisonBar::sidesEdited, this, &ComparisonController::setSides);
   connect(&bar, &widgets::ComparisonBar::referenceWanted, this, &ComparisonController::referenceWanted);
@@ -66,8 +68,9 @@ void ComparisonController::toggle() {
 }
 
 void ComparisonController::setComparison(const widgets::PreviewComparison& comparison) {
-  if (m_comparison.mode == CompareMode::off && comparison.mode != CompareMode::off && !m_sidesChosen)
+  if (m_comparison.mode == CompareMode::off && comparison.mode != CompareMode::off && !m_sidesChosen && !m_pair)
     chooseUsualSides();
+  if (comparison.mode == CompareMode::off) endPair();
   m_comparison = comparison;
   if (comparison.mode != CompareMode::off) m_lastMode = comparison.mode;
   m_bar.setComparison(comparison);
@@ -85,6 +88,7 @@ void ComparisonController::chooseUsualSides() {
 
 void ComparisonController::setSides(ComparedSubject first, ComparedSubject second) {
   m_sidesChosen = true;
+  m_pair.reset();
   m_sides = {first, second};
   refresh();
 }
@@ -110,11 +114,40 @@ void ComparisonController::setStandIn(StandIn kind, std::optional<widgets::Previ
   refresh();
 }
 
+void ComparisonController::setPair(const std::array<Named, 2>& pair) {
+  m_pair = m_pair ? Pair{pair, m_pair->sidesBefore, m_pair->modeBefore} : Pair{pair, m_sides, m_comparison.mode};
+  m_sides = {ComparedSubject::edited, ComparedSubject::reference};
+  if (m_comparison.mode != CompareMode::off) return refresh();
+  widgets::PreviewComparison comparison = m_comparison;
+  comparison.mode = m_lastMode;
+  setComparison(comparison);
+}
+
+void ComparisonController::endPair() {
+  if (!m_pair) return;
+  const Pair ended = *std::exchange(m_pair, std::nullopt);
+  m_sides = ended.sidesBefore;
+  if (ended.modeBefore != CompareMode::off) return refresh();
+  widgets::PreviewComparison comparison = m_comparison;
+  comparison.mode = CompareMode::off;
+  setComparison(comparison);
+}
+
+const ComparisonController::Named* ComparisonController::pairSide(ComparedSubject side) const {
+  if (!m_pair || (side != ComparedSubject::edited && side != ComparedSubject::reference)) return nullptr;
+  return &m_pair->subjects[side == ComparedSubject::edited ? 0 : 1];
+}
+
 void ComparisonController::dismissStandIn() {
+  if (m_pair) return endPair();
   if (const auto kind = standIn()) Q_EMIT standInDismissed(*kind);
 }
 
 void ComparisonController::showBanner() {
+  if (m_pair)
+    return m_preview.overlay()->setBanner(
+        tr("Showing %1 against %2").arg(m_pair->subjects[0].name, m_pair->subjects[1].name),
+        tr("Back to the Material"));
   const auto kind = standIn();
   if (!kind) return m_preview.overlay()->setBanner({}, {});
   const QString what = *kind == StandIn::blend ? tr("the blend %1").arg(standInName()) : standInName();
@@ -144,6 +177,7 @@ const WavelengthSubjects* ComparisonController::wavelength() const {
 }
 
 widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) const {
+  if (const Named* one = pairSide(side)) return one->subject;
   if (const auto kind = standIn(); side == ComparedSubject::edited && kind)
     return *m_standIns[std::size_t(*kind)].subject;
   const LoadedMaterialPtr& material = side == ComparedSubject::reference ? m_reference : m_document.material();
@@ -163,6 +197,7 @@ widgets::PreviewSubject ComparisonController::subject(ComparedSubject side) cons
 
 QString ComparisonController::name(ComparedSubject side) const {
   const LoadedMaterialPtr& material = m_document.material();
+  if (const Named* one = pairSide(side)) return one->name;
   if (const auto kind = standIn(); side == ComparedSubject::edited && kind)
     return *kind == StandIn::blend ? tr("Blend") : standInName();
   if (side == ComparedSubject::reference)
@@ -175,7 +210,8 @@ QString ComparisonController::name(ComparedSubject side) const {
         .arg(one->nanometres, 0, 'f', 0);
   if (side == ComparedSubject::measured) return sourceKind(*material);
   if (side == ComparedSubject::edited && code()) return isEdited() ? tr("Encoded, edited") : tr("Encoded");
-  if (side == ComparedSubject::edited) return tr("Edited");
+  if (side == ComparedSubject::edited)
+    return isEdited() ? tr("Edited") : QString::fromStdString(material->material.name);
   const auto* edit = m_document.active<editing::DifferentialEdit>();
   return edit ? tr("Fit: %1").arg(widgets::fromView(edit->model->spec().name)) : QString();
 }

@@ -69,7 +69,20 @@ class ComparisonController : public QObject {
   /// Asks whoever put the stand-in there to take it back; nothing where there is none.
   void dismissStandIn();
 
-  /// sourceKind(), "Fit: GGX", "Edited", "Encoded", the name of the reference; empty while it is not there.
+  /// A subject that is none of the document.
+  struct Named {
+    widgets::PreviewSubject subject;
+    QString name;
+  };
+  /// Puts any two subjects against each other, in the places of the edited material and of the reference: until
+  /// dismissStandIn(), another choice of sides, the end of the comparison or any change of the document.
+  void setPair(const std::array<Named, 2>& pair);
+  bool hasPair() const { return m_pair.has_value(); }
+  /// Whether something else than the document's material is shown: dismissStandIn() brings it back.
+  bool isReplaced() const { return m_pair || standIn(); }
+
+  /// sourceKind(), "Fit: GGX", "Edited", the name of a material without edits, "Encoded", the name of the reference;
+  /// empty while it is not there.
   QString name(widgets::ComparedSubject side) const;
 
  Q_SIGNALS:
@@ -84,6 +97,9 @@ class ComparisonController : public QObject {
 
  private:
   void refresh();
+  void endPair();
+  /// Of the pair; null where there is none or it has nothing on this side.
+  const Named* pairSide(widgets::ComparedSubject side) const;
   void showBanner();
   /// Null for other materials than the document's.
   const WavelengthSubjects* wavelength() const;
@@ -99,6 +115,12 @@ class ComparisonController : public QObject {
   std::array<widgets::ComparedSubject, 2> m_sides{widgets::ComparedSubject::edited, widgets::ComparedSubject::measured};
   bool m_sidesChosen = false;  ///< by the user; otherwise those that tell most
   LoadedMaterialPtr m_reference;
+  struct Pair {
+    std::array<Named, 2> subjects;
+    std::array<widgets::ComparedSubject, 2> sidesBefore;
+    widgets::CompareMode modeBefore;
+  };
+  std::optional<Pair> m_pair;
   struct Replacement {
     std::optional<widgets::PreviewSubject> subject;
     QString name;

@@ -13,8 +13,6 @@ namespace gonio::app {
 
 namespace {
 
-constexpr int comparisonSide = 256, comparisonSamples = 64;
-
 struct ComparisonNumbersText {
   Q_DECLARE_TR_FUNCTIONS(ComparisonNumbers)
 };
@@ -27,11 +25,8 @@ ComparisonReferencePtr comparisonReference(const widgets::PreviewSubject& subjec
   auto reference = std::make_shared<ComparisonReference>();
   reference->subject = subject;
   reference->table = widgets::subjectTable(subject, {control.stop, {}});
-  RenderOptions options;
-  options.width = options.height = comparisonSide;
-  options.samples = comparisonSamples;
-  reference->picture = std::make_unique<const RenderedComparison>(*widgets::subjectBrdf(subject), options,
-                                                                  TaskControl{control.stop, {}});
+  reference->picture = std::make_unique<const RenderedComparison>(
+      *widgets::subjectBrdf(subject), smallComparisonPicture(), TaskControl{control.stop, {}});
   return reference;
 }
 

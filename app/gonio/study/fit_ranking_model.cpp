@@ -9,6 +9,7 @@
 
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/library/sphere_picture.h"
+#include "core/plots/csv_table.h"
 #include "widgets/panels/model_panel.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -70,6 +71,29 @@ void FitRankingModel::setCurrent(const models::Model* model) {
   if (model == m_current) return;
   m_current = model;
   if (!m_rows.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+QString FitRankingModel::csv() const {
+  plots::CsvTable table;
+  const auto texts = [&](const std::string& title, auto text) {
+    plots::CsvColumn& column = table.columns.emplace_back(plots::CsvColumn{title, {}});
+    for (const Row& row : m_rows) column.texts.emplace_back(text(row.ranked));
+  };
+  const auto numbers = [&](const std::string& title, auto number) {
+    plots::CsvColumn& column = table.columns.emplace_back(plots::CsvColumn{title, {}});
+    for (const Row& row : m_rows) column.values.push_back(double(number(row.ranked)));
+  };
+  using R = const study::RankedFit&;
+  texts("model", [](R ranked) { return ranked.fit.model->spec().id; });
+  numbers("rendered SNR [dB]", [](R ranked) { return ranked.renderedSnr; });
+  numbers("fitted numbers", [](R ranked) { return ranked.parameterCount; });
+  numbers("time of the fit [s]", [](R ranked) { return ranked.fit.seconds; });
+  const auto records = metrics::metricRecords();
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const std::string unit = records[i].unit.empty() ? "" : " [" + std::string(records[i].unit) + "]";
+    numbers(std::string(records[i].id) + unit, [i](R ranked) { return ranked.fit.errors[i]; });
+  }
+  return QString::fromStdString(plots::toCsv(table));
 }
 
 int FitRankingModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_rows.size()); }

@@ -30,6 +30,9 @@ class FitRankingModel : public QAbstractTableModel {
   /// The model that is edited now is marked; null: none.
   void setCurrent(const models::Model* model);
 
+  /// Comma-separated: all rows in the order of the models, with every error.
+  QString csv() const;
+
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/study/fit_ranking_panel.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -11,6 +13,7 @@
 #include <QSortFilterProxyModel>
 #include <QTreeView>
 
+#include "app/gonio/study/sheet_sources.h"
 #include "widgets/panels/sorted_table.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -29,6 +32,8 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
       m_sorted(new QSortFilterProxyModel(this)),
       m_metric(new QComboBox(this)),
       m_fitAll(new QPushButton(this)),
+      m_sheet(new QPushButton(tr("Contact &Sheet..."), this)),
+      m_copy(new QPushButton(tr("Copy as &CSV"), this)),
       m_view(new QTreeView(this)),
       m_empty(new QLabel(m_view)) {
   buildView();
@@ -47,6 +52,13 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
   top->addWidget(label);
   top->addWidget(m_metric);
   top->addStretch();
+  top->addWidget(m_sheet);
+  top->addWidget(m_copy);
+  m_sheet->setToolTip(tr("The fits as pictures side by side, with maps of their errors"));
+  m_copy->setToolTip(tr("Copies the fits, with every error, as comma-separated text"));
+  connect(m_sheet, &QPushButton::clicked, this,
+          [this] { Q_EMIT contactSheetRequested(sheetSource(m_document.material(), m_model)); });
+  connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_model.csv()); });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addLayout(top);
@@ -125,6 +137,7 @@ void FitRankingPanel::refresh() {
   m_fitAll->setEnabled(m_document.material() != nullptr);
   const auto* edit = m_document.active<editing::DifferentialEdit>();
   m_model.setCurrent(edit ? edit->model : nullptr);
+  for (QPushButton* button : {m_sheet, m_copy}) button->setEnabled(m_model.rowCount() > 0);
   m_empty->setVisible(m_model.rowCount() == 0);
   m_empty->setText(!m_document.material() ? tr("Open a material to rank the models that explain it.")
                    : isRunning()          ? tr("The first model is being fitted.")

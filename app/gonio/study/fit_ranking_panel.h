@@ -15,6 +15,8 @@ class QTreeView;
 
 namespace gonio::app {
 
+struct SheetSource;
+
 /// Every model side by side: fits them all in the background, shows each as it is done, and takes the one that is
 /// clicked into use. The fits stay with the document's material.
 class FitRankingPanel : public QWidget {
@@ -32,6 +34,7 @@ class FitRankingPanel : public QWidget {
   void fitAll();
 
  Q_SIGNALS:
+  void contactSheetRequested(const gonio::app::SheetSource& source);
   void failed(const QString& title, const QString& text);
 
  private:
@@ -47,7 +50,7 @@ class FitRankingPanel : public QWidget {
   FitRankingModel m_model;
   QSortFilterProxyModel* m_sorted;
   QComboBox* m_metric;
-  QPushButton* m_fitAll;
+  QPushButton *m_fitAll, *m_sheet, *m_copy;
   QTreeView* m_view;
   QLabel* m_empty;
 };

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/gonio/study/sheet_sources.h"
 #include "app/gonio/study/study_view.h"
 #include "widgets/inputs/dialog_folder.h"
 #include "widgets/parameters/parameter_text.h"
@@ -28,6 +29,7 @@ StudyPanel::StudyPanel(const Document& document, BackgroundTasks& tasks, QWidget
       m_run(new StudyRun(document, tasks, m_model, this)),
       m_measure(new QPushButton),
       m_back(new QPushButton(tr("&Back to the Material"))),
+      m_sheet(new QPushButton(tr("Contact &Sheet..."))),
       m_copy(new QPushButton(tr("Copy as &CSV"))),
       m_export(new QPushButton(tr("E&xport as SVG..."))),
       m_quality(new QComboBox),
@@ -58,6 +60,7 @@ QWidget* StudyPanel::buildChoice() {
   m_quality->setToolTip(tr("What the plot shows upward, and which error the table has"));
   for (const study::Cost cost : study::allCosts) m_cost->addItem(QString::fromStdString(study::axisTitle(cost)));
   m_cost->setToolTip(tr("What the plot shows to the right"));
+  m_sheet->setToolTip(tr("The measured representations as pictures side by side, with maps of their errors"));
   m_copy->setToolTip(tr("Copies all that is measured, with every error, as comma-separated text"));
   m_export->setToolTip(tr("The plot as it is chosen, dark on white"));
   m_back->setToolTip(tr("The preview shows the material again (Escape)"));
@@ -75,13 +78,15 @@ QWidget* StudyPanel::buildChoice() {
   labelled(tr("E&rror by"), m_quality);
   labelled(tr("o&ver"), m_cost);
   top->addStretch();
-  for (QPushButton* button : {m_back, m_copy, m_export}) top->addWidget(button);
+  for (QPushButton* button : {m_back, m_sheet, m_copy, m_export}) top->addWidget(button);
   return choice;
 }
 
 void StudyPanel::connectParts() {
   connect(m_measure, &QPushButton::clicked, this, [this] { m_run->isRunning() ? m_run->cancel() : measure(); });
   connect(m_back, &QPushButton::clicked, this, [this] { show(-1); });
+  connect(m_sheet, &QPushButton::clicked, this,
+          [this] { Q_EMIT contactSheetRequested(sheetSource(m_document.material(), m_model)); });
   connect(m_copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(m_run->csv()); });
   connect(m_export, &QPushButton::clicked, this, &StudyPanel::exportSvg);
   connect(m_cost, &QComboBox::currentIndexChanged, this, &StudyPanel::refreshPlot);
@@ -118,10 +123,7 @@ void StudyPanel::show(int row) {
   }
   m_tasks.run<widgets::PreviewSubject>(
       {tr("Preparing %1").arg(QString::fromStdString(m_model.representation(row).fullLabel())), showKey},
-      [studied = m_model.studied(row)](const TaskControl& control) {
-        const auto table = studied->tabulated(control);
-        return widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table));
-      },
+      [studied = m_model.studied(row)](const TaskControl& control) { return studiedSubject(*studied, control); },
       [this, row](const widgets::PreviewSubject& subject) { adopt(row, subject); },
       [this](const QString& error) {
         m_wanted = -1;
@@ -197,7 +199,7 @@ void StudyPanel::refresh() {
 
 void StudyPanel::refreshBudget() {
   const auto rows = m_model.measuredRows();
-  for (QPushButton* button : {m_copy, m_export}) button->setEnabled(!rows.empty());
+  for (QPushButton* button : {m_sheet, m_copy, m_export}) button->setEnabled(!rows.empty());
   const auto best = study::bestWithin(m_model.records(), m_budget->budget());
   m_best = best ? rows[*best] : -1;
   m_budget->setEnabled(!rows.empty());

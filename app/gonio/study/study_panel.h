@@ -15,6 +15,7 @@ class QPushButton;
 namespace gonio::app {
 
 class StudyView;
+struct SheetSource;
 
 /// What accuracy costs: every representation of the open material, measured in the background, as a table and as points
 /// over a cost. A click on either shows that representation in the preview, a second one or Escape the material again.
@@ -42,6 +43,7 @@ class StudyPanel : public QWidget {
   void subjectChanged();
   /// The user takes this representation into use.
   void taken(const gonio::study::Representation& representation);
+  void contactSheetRequested(const gonio::app::SheetSource& source);
   void exported(const QString& path);
   void failed(const QString& title, const QString& text);
 
@@ -62,7 +64,7 @@ class StudyPanel : public QWidget {
   StudyRun* m_run;
   std::optional<widgets::PreviewSubject> m_subject;
   int m_wanted = -1, m_shown = -1, m_best = -1;  ///< rows; `wanted` is shown when it is ready
-  QPushButton *m_measure, *m_back, *m_copy, *m_export;
+  QPushButton *m_measure, *m_back, *m_sheet, *m_copy, *m_export;
   QComboBox *m_quality, *m_cost;
   StudyView* m_view;
   StudyBudgetBar* m_budget;

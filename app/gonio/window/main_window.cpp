@@ -25,6 +25,7 @@
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/scene/view_strip.h"
+#include "app/gonio/study/contact_sheet_window.h"
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/study/study_panel.h"
 #include "app/gonio/window/analyse_menu.h"
@@ -186,6 +187,19 @@ void MainWindow::connectMessages() {
   connect(m_messages, &widgets::MessageBar::discarded, &m_parts.controller, &DocumentController::discardProposal);
 }
 
+void MainWindow::openContactSheet(const SheetSource& source) {
+  auto* window = new ContactSheetWindow(m_parts.tasks, source, this);
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  connect(window, &ContactSheetWindow::compareRequested, &m_parts.comparison,
+          [this](const std::array<widgets::PreviewSubject, 2>& subjects, const std::array<QString, 2>& names) {
+            m_parts.comparison.setPair({{{subjects[0], names[0]}, {subjects[1], names[1]}}});
+          });
+  connect(window, &ContactSheetWindow::saveRequested, &m_parts.exports,
+          [this](const QString& path, const QImage& picture) { m_parts.exports.writePng(path, picture); });
+  connect(window, &ContactSheetWindow::failed, this, &MainWindow::showFailure);
+  window->show();
+}
+
 /// Once the first is open; not where the user keeps the document that is.
 void MainWindow::comparePair(const QString& first, const QString& second) {
   connect(
@@ -205,6 +219,8 @@ void MainWindow::connectRequests() {
     m_docks->show(QStringLiteral("interpolation"));
     for (const QString& id : ids) m_parts.interpolation.take(id);
   });
+  connect(&m_parts.study, &StudyPanel::contactSheetRequested, this, &MainWindow::openContactSheet);
+  connect(&m_parts.ranking, &FitRankingPanel::contactSheetRequested, this, &MainWindow::openContactSheet);
   connect(&m_parts.libraryView, &widgets::LibraryView::pairRequested, this, &MainWindow::comparePair);
   connect(&m_parts.libraryView, &widgets::LibraryView::exportRequested, this, [this](const QStringList& ids) {
     auto* dialog = new BatchDialog(m_parts.exporter, m_parts.settings, ids, this);

@@ -15,6 +15,7 @@ namespace gonio::app {
 
 class DockLayout;
 class StatusLine;
+struct SheetSource;
 
 /// The editor's window: library left, preview in the middle, inspector right. It puts the parts of the editor in their
 /// places and into its menus; nothing that is in it knows it.
@@ -41,6 +42,7 @@ class MainWindow : public QMainWindow {
   void connectDocument();
   void connectMessages();
   void connectRequests();
+  void openContactSheet(const SheetSource& source);
   void comparePair(const QString& first, const QString& second);
   void showFailure(const QString& title, const QString& text);
   void showTitle();

@@ -57,13 +57,13 @@ void MaterialMenu::addCancel(const Parts& parts) {
   // What is shown instead of the material goes first: that loses no work.
   QAction* cancel = addAction(tr("&Cancel"), QKeySequence(Qt::Key_Escape), this,
                               [&tasks = parts.tasks, &comparison = parts.comparison] {
-                                if (comparison.standIn()) return comparison.dismissStandIn();
+                                if (comparison.isReplaced()) return comparison.dismissStandIn();
                                 tasks.cancelTopmost();
                               });
   cancel->setToolTip(tr("Shows the material again; then stops the newest work in progress"));
   const auto update = [&tasks = parts.tasks, &comparison = parts.comparison, cancel] {
     const auto task = tasks.topmost();
-    cancel->setEnabled(comparison.standIn() || (task && !task->quiet));
+    cancel->setEnabled(comparison.isReplaced() || (task && !task->quiet));
   };
   connect(&parts.tasks, &BackgroundTasks::changed, this, update);
   connect(&parts.comparison, &ComparisonController::subjectsChanged, this, update);

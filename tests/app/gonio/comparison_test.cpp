@@ -152,6 +152,36 @@ class ComparisonTest : public QObject {
     QCOMPARE(dismissed.size(), std::size_t(1));
   }
 
+  /// Any two subjects stand against each other, until the banner's button or a change of the document.
+  void aPairTakesBothSides() {
+    Editor editor;
+    editor.document.setMaterial(lambertMaterial("grey", 0.5));
+    editor.document.adoptFit(lambertFit(0.5));
+    const LoadedMaterialPtr light = lambertMaterial("light", 0.8), dark = lambertMaterial("dark", 0.1);
+    const std::array<ComparisonController::Named, 2> pair{
+        {{widgets::measuredSubject(light->base), "light fit"}, {widgets::measuredSubject(dark->base), "dark fit"}}};
+    const auto sides = editor.comparison.sides();
+    for (const bool compared : {false, true}) {
+      if (compared) editor.comparison.toggle();
+      editor.comparison.setPair(pair);
+      QVERIFY(editor.preview.isComparing() && editor.comparison.isReplaced());
+      const auto [first, second] = editor.comparison.sides();
+      QVERIFY(editor.comparison.subject(first).base() == light->base);
+      QVERIFY(editor.comparison.subject(second).base() == dark->base);
+      QCOMPARE(editor.comparison.name(second), QString("dark fit"));
+      QVERIFY(editor.comparison.subject(ComparedSubject::measured).base() == editor.document.material()->base);
+      editor.comparison.dismissStandIn();
+      QVERIFY(!editor.comparison.isReplaced() && editor.preview.isComparing() == compared);
+      if (!compared) QVERIFY(editor.comparison.sides() == sides);
+    }
+    editor.comparison.setPair(pair);
+    editing::EditList edits = editor.document.edits();
+    std::get<editing::DifferentialEdit>(edits[0].content).edited.values[0] = Rgb(0.9);
+    editor.document.replaceEdits(std::move(edits), "Lighter");
+    QVERIFY(!editor.comparison.hasPair());
+    QVERIFY(editor.comparison.subject(ComparedSubject::edited).base() == editor.document.material()->base);
+  }
+
   /// A material that nobody measured is not called so.
   void theSourceIsCalledWhatItIs() {
     Editor editor;

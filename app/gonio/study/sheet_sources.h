@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "app/gonio/study/contact_sheet_window.h"
+
+namespace gonio::app {
+
+class FitRankingModel;
+class StudyModel;
+
+/// What a studied representation looks like in the preview: its table. Not for the GUI thread. @throws Cancelled.
+widgets::PreviewSubject studiedSubject(const study::StudiedRepresentation& studied, const TaskControl& control);
+
+/// The fits that are done, as models without the measurement.
+SheetSource sheetSource(const LoadedMaterialPtr& material, const FitRankingModel& ranking);
+/// The representations that are measured.
+SheetSource sheetSource(const LoadedMaterialPtr& material, const StudyModel& study);
+
+}  // namespace gonio::app

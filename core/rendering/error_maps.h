@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/math/image.h"
+
+namespace gonio {
+
+/// Differences of pictures from one reference on one scale, in the colours of viridis().
+struct ErrorMaps {
+  /// Straight sRGB RGBA, 4 bytes a pixel; as transparent as the reference. One a picture.
+  std::vector<std::vector<std::uint8_t>> maps;
+  double range = 0;  ///< the absolute difference of luminance that has the last colour; larger ones have it too
+};
+
+/// The scale ends at the 99.5th percentile of all differences, rounded up to 1, 2 or 5 times a power of ten, so that
+/// single noisy pixels do not darken the rest; 0 where all pictures are equal.
+/// Contract: all pictures have the reference's size.
+ErrorMaps errorMaps(const Image& reference, std::span<const Image> pictures);
+
+/// The smallest 1, 2 or 5 times a power of ten that is no smaller; 0 of 0.
+double roundedUp(double value);
+
+}  // namespace gonio

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/study/contact_sheet.h"
+
+#include <QKeyEvent>
+#include <QLinearGradient>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+
+#include "core/rendering/false_colour.h"
+#include "widgets/inputs/number_field.h"
+
+namespace gonio::widgets {
+
+namespace {
+constexpr int textLines = 4, mostSelected = 2;
+}
+
+/// Where things stand, in pixels of the drawing.
+struct ContactSheet::Layout {
+  int side, columns, gap, line, tileHeight, count;
+  bool scale;
+
+  QRect tile(int index) const {
+    return {gap + (index % columns) * (side + gap), gap + (index / columns) * (tileHeight + gap), side, tileHeight};
+  }
+  int rows() const { return (count + columns - 1) / columns; }
+  int tilesBottom() const { return gap + rows() * (tileHeight + gap); }
+  QSize size() const { return {gap + columns * (side + gap), tilesBottom() + (scale ? 3 * line : 0)}; }
+};
+
+ContactSheet::ContactSheet(QWidget* parent) : QWidget(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setBackgroundRole(QPalette::Base);
+  setAutoFillBackground(true);
+  setAccessibleName(tr("Contact sheet"));
+}
+
+ContactSheet::Layout ContactSheet::layoutFor(int tileSide, int columns, const QFont& font) const {
+  const int line = QFontMetrics(font).lineSpacing();
+  const bool maps = m_mapsShown && m_range > 0;
+  return {.side = tileSide,
+          .columns = std::max(1, columns),
+          .gap = line,
+          .line = line,
+          .tileHeight = (maps ? 2 : 1) * tileSide + textLines * line,
+          .count = int(m_tiles.size()),
+          .scale = maps};
+}
+
+ContactSheet::Layout ContactSheet::ownLayout() const {
+  const int gap = fontMetrics().lineSpacing();
+  return layoutFor(m_side, (width() - gap) / (m_side + gap), font());
+}
+
+void ContactSheet::setTiles(std::vector<SheetTile> tiles) {
+  const bool sameCount = tiles.size() == m_tiles.size();
+  m_tiles = std::move(tiles);
+  if (!sameCount) {
+    m_selected.clear();
+    m_current = 0;
+    Q_EMIT selectionChanged();
+  }
+  updateGeometry();
+  update();
+}
+
+void ContactSheet::setRange(double range) {
+  m_range = range;
+  updateGeometry();
+  update();
+}
+
+void ContactSheet::setMapsShown(bool shown) {
+  m_mapsShown = shown;
+  updateGeometry();
+  update();
+}
+
+void ContactSheet::setTileSide(int pixels) {
+  m_side = pixels;
+  updateGeometry();
+  update();
+}
+
+void ContactSheet::toggle(int tile) {
+  if (tile < 0 || tile >= int(m_tiles.size())) return;
+  m_current = tile;
+  if (std::erase(m_selected, tile) == 0) m_selected.push_back(tile);
+  if (m_selected.size() > mostSelected) m_selected.erase(m_selected.begin());
+  update();
+  Q_EMIT selectionChanged();
+}
+
+QImage ContactSheet::picture(int tileSide, int columns) const {
+  QFont large = font();
+  large.setPixelSize(std::max(8, tileSide / 14));
+  const Layout layout = layoutFor(tileSide, columns, large);
+  QImage image(layout.size(), QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setFont(large);
+  draw(painter, layout, Qt::black);
+  return image;
+}
+
+int ContactSheet::heightForWidth(int width) const {
+  const int gap = fontMetrics().lineSpacing();
+  return layoutFor(m_side, (width - gap) / (m_side + gap), font()).size().height();
+}
+
+QSize ContactSheet::sizeHint() const { return layoutFor(m_side, 4, font()).size(); }
+QSize ContactSheet::minimumSizeHint() const {
+  return {layoutFor(m_side, 1, font()).size().width(), heightForWidth(width())};
+}
+
+void ContactSheet::draw(QPainter& painter, const Layout& layout, const QColor& text) const {
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.setPen(text);
+  for (std::size_t i = 0; i < m_tiles.size(); ++i) drawTile(painter, layout, i);
+  if (layout.scale) drawScale(painter, layout);
+}
+
+void ContactSheet::drawTile(QPainter& painter, const Layout& layout, std::size_t index) const {
+  const SheetTile& tile = m_tiles[index];
+  const QRect place = layout.tile(int(index));
+  const auto drawSquare = [&](const QImage& image, int top) {
+    const QRect square(place.left(), top, layout.side, layout.side);
+    if (image.isNull()) return;
+    const QSize size = square.size() * painter.device()->devicePixelRatioF();
+    painter.drawImage(square, image.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+  };
+  drawSquare(tile.picture, place.top());
+  if (layout.scale) drawSquare(tile.map, place.top() + layout.side);
+  const QFont plain = painter.font();
+  QFont bold = plain;
+  bold.setBold(true);
+  painter.setFont(bold);
+  const int textTop = place.bottom() + 1 - textLines * layout.line;
+  QRect drawn;
+  painter.drawText(QRect(place.left(), textTop, layout.side, 2 * layout.line),
+                   Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, tile.name, &drawn);
+  painter.setFont(plain);
+  painter.drawText(QRect(place.left(), drawn.bottom() + 1, layout.side, place.bottom() - drawn.bottom()),
+                   Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, tile.numbers);
+}
+
+void ContactSheet::drawScale(QPainter& painter, const Layout& layout) const {
+  const QRect bar(layout.gap, layout.tilesBottom(), std::min(4 * layout.side, layout.size().width() - 2 * layout.gap),
+                  layout.line / 2);
+  QLinearGradient colours(bar.topLeft(), bar.topRight());
+  constexpr int stops = 16;
+  for (int i = 0; i <= stops; ++i) {
+    const DisplayColour colour = viridis(double(i) / stops);
+    colours.setColorAt(double(i) / stops, QColor(colour[0], colour[1], colour[2]));
+  }
+  painter.fillRect(bar, colours);
+  const QRect text(bar.left(), bar.bottom() + 2, bar.width(), layout.line);
+  painter.drawText(text, Qt::AlignLeft, QStringLiteral("0"));
+  painter.drawText(text, Qt::AlignHCenter, tr("Absolute difference of luminance"));
+  painter.drawText(text, Qt::AlignRight, QStringLiteral("≥ ") + formatNumber(m_range));
+}
+
+void ContactSheet::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const Layout layout = ownLayout();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QColor fill = palette().color(QPalette::Highlight);
+  fill.setAlphaF(0.25f);
+  for (const int tile : m_selected) {
+    painter.setPen(palette().color(QPalette::Highlight));
+    painter.setBrush(fill);
+    painter.drawRoundedRect(layout.tile(tile).adjusted(-4, -4, 4, 4), 5, 5);
+  }
+  if (hasFocus() && !m_tiles.empty()) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+    painter.drawRoundedRect(layout.tile(m_current).adjusted(-5, -5, 5, 5), 5, 5);
+  }
+  draw(painter, layout, palette().color(QPalette::Text));
+}
+
+void ContactSheet::mousePressEvent(QMouseEvent* event) {
+  const Layout layout = ownLayout();
+  for (int i = 0; i < layout.count; ++i)
+    if (layout.tile(i).contains(event->pos())) return toggle(i);
+}
+
+void ContactSheet::keyPressEvent(QKeyEvent* event) {
+  const int columns = ownLayout().columns;
+  const auto go = [&](int steps) {
+    m_current = std::clamp(m_current + steps, 0, std::max(0, int(m_tiles.size()) - 1));
+    update();
+  };
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return go(-1);
+    case Qt::Key_Right:
+      return go(1);
+    case Qt::Key_Up:
+      return go(-columns);
+    case Qt::Key_Down:
+      return go(columns);
+    case Qt::Key_Space:
+      return toggle(m_current);
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void ContactSheet::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  updateGeometry();
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_contact_sheet.cpp"

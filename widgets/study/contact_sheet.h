@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <vector>
+
+namespace gonio::widgets {
+
+/// One material on a contact sheet. A null picture is still to come.
+struct SheetTile {
+  QString name;
+  QString numbers;  ///< a line or two below the name
+  QImage picture;
+  QImage map;  ///< of its error; null: none
+};
+
+/// Pictures of one material's representations side by side, with maps of their errors on one scale, names and numbers;
+/// two can be selected. The same drawing fills the widget and a picture of any size.
+class ContactSheet : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ContactSheet(QWidget* parent = nullptr);
+
+  void setTiles(std::vector<SheetTile> tiles);
+  const std::vector<SheetTile>& tiles() const { return m_tiles; }
+  /// The absolute difference of luminance of the last colour; 0: no scale.
+  void setRange(double range);
+  void setMapsShown(bool shown);
+  /// Of a picture, in the widget.
+  void setTileSide(int pixels);
+
+  /// At most two, in the order in which they were chosen.
+  const std::vector<int>& selected() const { return m_selected; }
+  /// Selects a tile, or takes the selection back; of three the first is dropped.
+  void toggle(int tile);
+
+  /// The whole sheet on white, without selection.
+  QImage picture(int tileSide, int columns) const;
+
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ Q_SIGNALS:
+  void selectionChanged();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Layout;
+  Layout layoutFor(int tileSide, int columns, const QFont& font) const;
+  Layout ownLayout() const;
+  void draw(QPainter& painter, const Layout& layout, const QColor& text) const;
+  void drawTile(QPainter& painter, const Layout& layout, std::size_t index) const;
+  void drawScale(QPainter& painter, const Layout& layout) const;
+
+  std::vector<SheetTile> m_tiles;
+  std::vector<int> m_selected;
+  int m_current = 0, m_side = 160;
+  double m_range = 0;
+  bool m_mapsShown = true;
+};
+
+}  // namespace gonio::widgets
