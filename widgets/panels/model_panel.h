@@ -7,11 +7,12 @@
 
 #include "core/models/model.h"
 
-class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace gonio::widgets {
+
+class ModelBox;
 
 /// Which model explains the material: a list by family, a fit button, and how well it fits.
 class ModelPanel : public QWidget {
@@ -30,15 +31,9 @@ class ModelPanel : public QWidget {
   void fitRequested();
 
  private:
-  void fillModels();
-
-  QComboBox* m_models;
-  std::vector<const models::Model*> m_entries;  ///< of the list; null for a family's title
+  ModelBox* m_models;
   QPushButton* m_fit;
   QLabel* m_residual;
 };
-
-/// Rich text about a model: name, what it is for, formula, source.
-QString modelToolTip(const models::ModelSpec& spec);
 
 }  // namespace gonio::widgets

@@ -153,6 +153,10 @@ void PreviewWidget::initializeGL() {
   // Reparenting (a dock that floats) destroys the context and makes another: everything is uploaded again.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, &m_thread, &PictureThread::stop);
   if (!m_gl.initializeOpenGLFunctions()) return showFailure(tr("The graphics driver does not offer OpenGL 4.1 core."));
+  QStringList facts;
+  for (const GLenum name : {GL_RENDERER, GL_VENDOR, GL_VERSION})
+    facts << QString::fromUtf8(reinterpret_cast<const char*>(m_gl.glGetString(name)));
+  m_graphics = facts.join(QStringLiteral("; "));
   m_state = {};
   m_thread.start(*context());
 }

@@ -75,6 +75,8 @@ class PreviewWidget : public QOpenGLWidget {
   Image linearPicture() { return m_thread.readFirst(); }
   /// The difference that has the last colour now; 0: not found yet.
   double differenceRange() const { return m_state.range; }
+  /// What OpenGL says of itself, once it has started: renderer, maker, version.
+  QString graphics() const { return m_graphics; }
   /// Whether the picture has all the samples that it will get.
   bool converged() const;
   /// Pictures are requested with rising numbers: that of the last request, and of the picture that is shown.
@@ -115,7 +117,7 @@ class PreviewWidget : public QOpenGLWidget {
   std::chrono::steady_clock::time_point m_changed;
   DisplaySettings m_settings;
   bool m_flickering = false;
-  QString m_failure;
+  QString m_failure, m_graphics;
   QOpenGLFunctions_4_1_Core m_gl;
   PreviewOverlay* m_overlay;
   PreviewInput* m_input;

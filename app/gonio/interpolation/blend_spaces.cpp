@@ -75,6 +75,19 @@ void BlendSpaces::setEnds(std::vector<editing::InterpolationEnd> ends) {
   for (const Space space : m_spaces) Q_EMIT changed(space);
 }
 
+void BlendSpaces::setModel(const models::Model& model) {
+  if (&model == m_model) return;
+  const bool wanted = m_wanted;
+  pause();
+  m_model = &model;
+  for (const Space space : m_spaces) {
+    if (!usesModel(space)) continue;
+    entry(space) = {};
+    Q_EMIT changed(space);
+  }
+  if (wanted) want(m_first);
+}
+
 std::vector<double> BlendSpaces::ordered(const std::vector<double>& weights) const { return inOrder(m_order, weights); }
 
 void BlendSpaces::turnPictures() {
@@ -128,8 +141,8 @@ void BlendSpaces::next() {
 void BlendSpaces::prepare(Space space) {
   m_tasks.run<widgets::PreparedBlendPtr>(
       {tr("Preparing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
-      [space, ends = m_ends](const TaskControl& control) {
-        return widgets::prepareBlend(space, ends, editing::blendOptions(), control);
+      [space, ends = m_ends, model = m_model](const TaskControl& control) {
+        return widgets::prepareBlend(space, ends, editing::blendOptions(model), control);
       },
       [this, space](const widgets::PreparedBlendPtr& prepared) {
         entry(space).prepared = prepared;

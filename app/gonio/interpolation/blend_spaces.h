@@ -8,6 +8,7 @@
 #include <array>
 
 #include "app/gonio/document/background_task.h"
+#include "core/models/registry.h"
 #include "widgets/interpolation/prepared_blend.h"
 
 namespace gonio::app {
@@ -36,6 +37,10 @@ class BlendSpaces : public QObject {
   /// prepared anew when it is wanted, also what was found of a material that stays: that is about a second a material
   /// in the background, and the nodes and dictionaries of the blend depend on all of them.
   void setEnds(std::vector<editing::InterpolationEnd> ends);
+  /// Of the spaces `parameters` and `differential`, which are prepared anew.
+  void setModel(const models::Model& model);
+  const models::Model& model() const { return *m_model; }
+  static bool usesModel(Space space) { return space == Space::parameters || space == Space::differential; }
   bool hasEnds() const { return m_complete; }
   /// Where the material of each place stands in prepared(): in the order in which they were first set.
   const std::vector<std::size_t>& order() const { return m_order; }
@@ -84,6 +89,7 @@ class BlendSpaces : public QObject {
   std::vector<editing::InterpolationEnd> m_ends;  ///< in the order in which they are prepared
   std::vector<std::size_t> m_order;
   bool m_complete = false;
+  const models::Model* m_model = &models::ggx();
   std::array<Entry, editing::interpolationSpaceNames.size()> m_entries;
   Space m_first = Space::linear;
   bool m_wanted = false;

@@ -14,6 +14,7 @@
 #include "widgets/interpolation/blend_pad.h"
 #include "widgets/interpolation/blend_strip.h"
 #include "widgets/interpolation/material_well.h"
+#include "widgets/panels/model_box.h"
 
 namespace gonio::app {
 
@@ -35,6 +36,8 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_placeEditor(new BlendPlaceEditor),
       m_overview(new BlendOverview(m_spaces)),
       m_spaceBox(new QComboBox),
+      m_modelLabel(new QLabel(tr("&Model"))),
+      m_modelBox(new widgets::ModelBox),
       m_show(new QCheckBox(tr("Show in the &preview"))),
       m_keep(new QPushButton(tr("&Keep as Material"))) {
   auto* layout = new QHBoxLayout(this);
@@ -66,10 +69,16 @@ QWidget* InterpolationPanel::buildChoice() {
   auto* row = new QHBoxLayout;
   row->addWidget(label);
   row->addWidget(m_spaceBox, 1);
+  m_modelLabel->setBuddy(m_modelBox);
+  m_modelBox->setModel(&m_spaces.model());
+  auto* modelRow = new QHBoxLayout;
+  modelRow->addWidget(m_modelLabel);
+  modelRow->addWidget(m_modelBox, 1);
   auto* choice = new QWidget;
   auto* column = new QVBoxLayout(choice);
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(row);
+  column->addLayout(modelRow);
   column->addWidget(m_placeEditor, 1);
   column->addWidget(m_show);
   column->addWidget(m_keep);
@@ -92,6 +101,12 @@ void InterpolationPanel::connectParts() {
   connect(m_spaceBox, &QComboBox::activated, this, [this](int index) {
     touched();
     setSpace(Space(m_spaceBox->itemData(index).toInt()));
+  });
+  connect(m_modelBox, &widgets::ModelBox::modelChosen, this, [this](const models::Model* model) {
+    touched();
+    m_modelBox->setModel(model);
+    m_spaces.setModel(*model);
+    Q_EMIT subjectChanged();
   });
   connect(m_overview, &BlendOverview::chosen, this, [this](Space space, double t) {
     setSpace(space);
@@ -132,6 +147,8 @@ void InterpolationPanel::setSpace(Space space) {
   const int index = m_spaceBox->findData(int(space));
   m_spaceBox->setCurrentIndex(index);
   m_spaceBox->setToolTip(widgets::spaceExplanation(space));
+  for (QWidget* part : std::initializer_list<QWidget*>{m_modelLabel, m_modelBox})
+    part->setVisible(BlendSpaces::usesModel(space));
   showExplanation();
   m_overview->strip().setCurrentRow(index);
   if (isVisible()) m_spaces.want(space);
@@ -153,8 +170,16 @@ void InterpolationPanel::moveTo(const QPointF& place) {
   Q_EMIT subjectChanged();
 }
 
-void InterpolationPanel::take(const QString& id) {
+void InterpolationPanel::take(const QStringList& ids) {
   touched();
+  if (ids.size() > 1) {
+    const int count = std::min(int(ids.size()), widgets::mostBlended);
+    while (m_ends.count() < count) m_ends.addPlace();
+    while (m_ends.count() > count) m_ends.removePlace(m_ends.count() - 1);
+    for (int i = 0; i < count; ++i) m_ends.read(i, ids[i]);
+    return;
+  }
+  const QString& id = ids.front();
   for (int i = 0; i < m_ends.count(); ++i)
     if (!m_ends.at(i) && !m_ends.isReading(i)) return m_ends.read(i, id);
   m_ends.read(m_ends.count() - 1, id);

@@ -11,7 +11,12 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QPushButton;
+
+namespace gonio::widgets {
+class ModelBox;
+}
 
 namespace gonio::app {
 
@@ -46,8 +51,9 @@ class InterpolationPanel : public QWidget {
   void setShownInPreview(bool shown);
   bool isShownInPreview() const;
 
-  /// Puts a material, by its id, in the next empty place: the last one when all are filled.
-  void take(const QString& id);
+  /// Puts a material, by its id, in the next empty place: the last one when all are filled. Of several, up to four, the
+  /// places are made to fit, and each is filled anew.
+  void take(const QStringList& ids);
   /// The document's material in the first place, if that is empty.
   void begin();
   /// The blend becomes the document's material: computed in the background, one undo step.
@@ -59,6 +65,7 @@ class InterpolationPanel : public QWidget {
   BlendPlaceEditor& placeEditor() const { return *m_placeEditor; }
   BlendOverview& overview() const { return *m_overview; }
   QComboBox& spaceBox() const { return *m_spaceBox; }
+  widgets::ModelBox& modelBox() const { return *m_modelBox; }
   QPushButton& keepButton() const { return *m_keep; }
 
  Q_SIGNALS:
@@ -93,6 +100,8 @@ class InterpolationPanel : public QWidget {
   BlendPlaceEditor* m_placeEditor;
   BlendOverview* m_overview;
   QComboBox* m_spaceBox;
+  QLabel* m_modelLabel;
+  widgets::ModelBox* m_modelBox;
   QCheckBox* m_show;
   QPushButton* m_keep;
 };

@@ -10,7 +10,7 @@
 #include "app/gonio/comparison/comparison_numbers.h"
 #include "app/gonio/library/sphere_picture.h"
 #include "core/plots/csv_table.h"
-#include "widgets/panels/model_panel.h"
+#include "widgets/panels/model_box.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {

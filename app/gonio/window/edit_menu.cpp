@@ -4,47 +4,40 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QDialog>
-#include <QDialogButtonBox>
-#include <QFormLayout>
 #include <QMimeData>
 #include <QSettings>
-#include <QSpinBox>
 
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/edit_steps.h"
 #include "app/gonio/document/edit_transfer.h"
 #include "app/gonio/inspector/inspector.h"
+#include "app/gonio/window/preferences.h"
 #include "widgets/parameters/control_panel.h"
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
 
-namespace {
-const QString historyLimitKey = QStringLiteral("history/megabytes");
-constexpr int defaultHistoryMegabytes = int(History::defaultByteLimit >> 20);
-}  // namespace
-
-EditMenu::EditMenu(Document& document, DocumentController& controller, const Inspector& inspector, QSettings& settings,
-                   QAction* showHistory, QWidget* window)
+EditMenu::EditMenu(Document& document, DocumentController& controller, const Inspector& inspector,
+                   const widgets::PreviewWidget& preview, QSettings& settings, QAction* showHistory, QWidget* window)
     : QMenu(tr("&Edit"), window),
       m_document(document),
       m_controller(controller),
       m_inspector(inspector),
+      m_preview(preview),
       m_settings(settings) {
   addHistory(showHistory);
   addSeparator();
   addEdits();
   addSeparator();
   addAction(tr("&Preferences..."), QKeySequence(Qt::CTRL | Qt::Key_Comma), this, &EditMenu::showPreferences);
-  applyHistoryLimit();
+  apply(Preferences::read(settings));
 }
 
-int EditMenu::historyMegabytes() const {
-  return std::max(1, m_settings.value(historyLimitKey, defaultHistoryMegabytes).toInt());
+void EditMenu::apply(const Preferences& preferences) {
+  m_document.history().setByteLimit(std::size_t(preferences.historyMegabytes) << 20);
+  limitThreads(preferences.threads);
 }
-
-void EditMenu::applyHistoryLimit() { m_document.history().setByteLimit(std::size_t(historyMegabytes()) << 20); }
 
 void EditMenu::addHistory(QAction* showHistory) {
   History& history = m_document.history();
@@ -90,21 +83,13 @@ void EditMenu::addEdits() {
 }
 
 void EditMenu::showPreferences() {
-  QDialog dialog(parentWidget());
-  dialog.setWindowTitle(tr("Preferences"));
-  auto* megabytes = new QSpinBox(&dialog);
-  megabytes->setRange(1, 1 << 14);
-  megabytes->setSuffix(tr(" MB"));
-  megabytes->setValue(historyMegabytes());
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
-  connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  auto* form = new QFormLayout(&dialog);
-  form->addRow(tr("Undo &memory"), megabytes);
-  form->addRow(buttons);
+  const Preferences before = Preferences::read(m_settings);
+  PreferencesDialog dialog(before, m_preview.graphics(), parentWidget());
   if (dialog.exec() != QDialog::Accepted) return;
-  m_settings.setValue(historyLimitKey, megabytes->value());
-  applyHistoryLimit();
+  const Preferences chosen = dialog.preferences();
+  chosen.write(m_settings);
+  apply(chosen);
+  if (chosen.theme != before.theme) applyTheme(*qApp, chosen.theme);
 }
 
 }  // namespace gonio::app

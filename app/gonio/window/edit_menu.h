@@ -6,11 +6,17 @@
 
 class QSettings;
 
+namespace gonio::widgets {
+class PreviewWidget;
+}
+
 namespace gonio::app {
 
 class Document;
 class DocumentController;
 class Inspector;
+
+struct Preferences;
 
 /// The Edit menu.
 class EditMenu : public QMenu {
@@ -18,19 +24,19 @@ class EditMenu : public QMenu {
 
  public:
   /// @param showHistory shows and hides the list of the undo steps.
-  EditMenu(Document& document, DocumentController& controller, const Inspector& inspector, QSettings& settings,
-           QAction* showHistory, QWidget* window);
+  EditMenu(Document& document, DocumentController& controller, const Inspector& inspector,
+           const widgets::PreviewWidget& preview, QSettings& settings, QAction* showHistory, QWidget* window);
 
  private:
   void addHistory(QAction* showHistory);
   void addEdits();
   void showPreferences();
-  int historyMegabytes() const;
-  void applyHistoryLimit();
+  void apply(const Preferences& preferences);
 
   Document& m_document;
   DocumentController& m_controller;
   const Inspector& m_inspector;
+  const widgets::PreviewWidget& m_preview;
   QSettings& m_settings;
   bool m_pasteable = false;  ///< what the clipboard holds
 };

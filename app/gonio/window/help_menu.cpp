@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/help_menu.h"
 
+#include "app/gonio/window/guide.h"
 #include "app/gonio/window/help_pages.h"
 
 namespace gonio::app {
@@ -13,6 +14,7 @@ HelpMenu::HelpMenu(QWidget* window, const std::function<std::vector<SearchEntry>
     search->setAttribute(Qt::WA_DeleteOnClose);
     search->show();
   });
+  addAction(tr("&Guide"), this, [window] { openGuide(window, guidePages().front().file); });
   QAction* shortcuts =
       addAction(tr("S&hortcuts"), this, [window] { showPage(tr("Shortcuts"), shortcutsPage(window), window); });
   shortcuts->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)});

@@ -114,18 +114,22 @@ QString aboutPage() {
   const std::pair<const char*, const char*> parties[] = {
       {"Qt 6", "LGPL-3.0-only"},   {"Eigen", "MPL-2.0"},      {"GLM", "MIT"},
       {"OpenEXR", "BSD-3-Clause"}, {"oneTBB", "Apache-2.0"},  {"Ceres Solver", "BSD-3-Clause"},
-      {"nlohmann/json", "MIT"},    {"OpenSSL", "Apache-2.0"}, {"stb", "MIT or public domain"}};
+      {"nlohmann/json", "MIT"},    {"OpenSSL", "Apache-2.0"}, {"stb", "MIT or public domain"},
+      {"Embree", "Apache-2.0"},    {"Imath", "BSD-3-Clause"}, {"QCustomPlot", "GPL-3.0-or-later"}};
   for (const auto& [name, licence] : parties) page += row(QString::fromLatin1(name), QString::fromLatin1(licence));
-  page += QStringLiteral("</table><h3>%1</h3><p>%2</p>")
-              .arg(HelpPagesText::tr("Data"),
-                   HelpPagesText::tr(
-                       "The bundled library holds measured materials of the RGL database (Dupuy and Jakob, An Adaptive "
-                       "Parameterization for Efficient Material Acquisition and Rendering, 2018; CC0), near-measured "
-                       "copies of MERL, RGL and DTU materials (Sztrajman, Rainer, Ritschel and Weyrich, Neural BRDF "
-                       "Representation and Importance Sampling, 2021; MIT) and published SGD fits of the MERL "
-                       "materials (Bagher, Soler and Holzschuch, Accurate fitting of measured reflectances using a "
-                       "Shifted Gamma micro-facet distribution, 2012). The environments are made by the project "
-                       "itself."));
+  page +=
+      QStringLiteral("</table><h3>%1</h3><p>%2</p>")
+          .arg(HelpPagesText::tr("Data"),
+               HelpPagesText::tr(
+                   "The bundled library holds measured materials of the RGL database (Dupuy and Jakob, An Adaptive "
+                   "Parameterization for Efficient Material Acquisition and Rendering, 2018; CC0), near-measured "
+                   "copies of MERL, RGL and DTU materials (Sztrajman, Rainer, Ritschel and Weyrich, Neural BRDF "
+                   "Representation and Importance Sampling, 2021; MIT) and published SGD fits of the MERL "
+                   "materials (Bagher, Soler and Holzschuch, Accurate fitting of measured reflectances using a "
+                   "Shifted Gamma micro-facet distribution, 2012). Copies and fits stand for materials of the MERL "
+                   "database (Matusik, Pfister, Brand and McMillan, A Data-Driven Reflectance Model, 2003), none of "
+                   "whose measurements is contained. The bundled dictionary is learned from the near-measured "
+                   "copies. The scenes and environments are made by the project itself."));
   return page;
 }
 

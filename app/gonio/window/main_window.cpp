@@ -121,7 +121,7 @@ void MainWindow::addMenus() {
   EditorParts& p = m_parts;
   menuBar()->addMenu(new FileMenu(
       m_files, p.exporter, p.preview, p.library, *m_docks, p.settings, [] { (new MainWindow)->show(); }, this));
-  menuBar()->addMenu(new EditMenu(p.document, p.controller, p.inspector, p.settings,
+  menuBar()->addMenu(new EditMenu(p.document, p.controller, p.inspector, p.preview, p.settings,
                                   m_docks->dock("history")->toggleViewAction(), this));
   auto* light = new LightMenu(p.environment, p.preview, this);
   auto* view = new ViewMenu(*m_docks, p.comparison, p.preview, light, p.settings, this);
@@ -129,7 +129,7 @@ void MainWindow::addMenus() {
   menuBar()->addMenu(new MaterialMenu(
       {p.document, p.controller, p.tasks, p.comparison, *m_docks, p.ranking, p.interpolation, p.acquisition}, this));
   menuBar()->addMenu(new AnalyseMenu(p.document, p.comparison, *m_docks, p.study, this));
-  menuBar()->addMenu(new HelpMenu(this, [this] { return searchEntries(m_parts, m_files); }));
+  menuBar()->addMenu(new HelpMenu(this, [this] { return searchEntries(m_parts, m_files, *this); }));
   connect(&p.viewStrip, &ViewStrip::sceneFileWanted, &p.scene, &ScenePanel::askForFile);
   connect(&p.viewStrip, &ViewStrip::environmentFileWanted, light, &LightMenu::askForFile);
   connect(&p.preview.input(), &widgets::PreviewInput::menuRequested, this, [this, view](const QPoint& place) {
@@ -217,7 +217,7 @@ void MainWindow::connectRequests() {
   connect(&m_parts.libraryView, &widgets::LibraryView::openRequested, &m_files, &DocumentFiles::open);
   connect(&m_parts.libraryView, &widgets::LibraryView::interpolationRequested, this, [this](const QStringList& ids) {
     m_docks->show(QStringLiteral("interpolation"));
-    for (const QString& id : ids) m_parts.interpolation.take(id);
+    m_parts.interpolation.take(ids);
   });
   connect(&m_parts.study, &StudyPanel::contactSheetRequested, this, &MainWindow::openContactSheet);
   connect(&m_parts.ranking, &FitRankingPanel::contactSheetRequested, this, &MainWindow::openContactSheet);

@@ -10,6 +10,7 @@
 #include "app/gonio/scene/scene_panel.h"
 #include "app/gonio/window/document_files.h"
 #include "app/gonio/window/editor_parts.h"
+#include "app/gonio/window/guide.h"
 #include "core/rendering/environment_file.h"
 #include "core/rendering/scene_file.h"
 #include "widgets/parameters/control_panel.h"
@@ -83,13 +84,26 @@ void addScenes(std::vector<SearchEntry>& entries, EditorParts& parts) {
                        .run = [&parts, light] { parts.environment.open(light); }});
 }
 
+void addGuide(std::vector<SearchEntry>& entries, QWidget& window) {
+  QString page;
+  for (const GuidePage& one : guidePages()) {
+    if (one.level == 1) page = one.title;
+    entries.push_back(
+        {.text = one.level == 1 ? SearchText::tr("Guide > %1").arg(page)
+                                : SearchText::tr("Guide > %1 > %2").arg(page, one.title),
+         .keywords = SearchText::tr("help documentation manual"),
+         .run = [&window, one] { openGuide(&window, one.file, one.level == 1 ? QString() : one.title); }});
+  }
+}
+
 }  // namespace
 
-std::vector<SearchEntry> searchEntries(EditorParts& parts, DocumentFiles& files) {
+std::vector<SearchEntry> searchEntries(EditorParts& parts, DocumentFiles& files, QWidget& window) {
   std::vector<SearchEntry> entries;
   addSliders(entries, parts);
   addScenes(entries, parts);
   addMaterials(entries, parts, files);
+  addGuide(entries, window);
   return entries;
 }
 

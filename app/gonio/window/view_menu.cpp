@@ -93,13 +93,17 @@ void ViewMenu::addToneMap(QMenu* menu) {
 
 void ViewMenu::addTheme(QMenu* menu, QSettings& settings) {
   auto* group = new QActionGroup(this);
-  const Theme current = themeByName(settings.value("theme").toString());
   const std::pair<QString, Theme> entries[] = {
       {tr("&System"), Theme::system}, {tr("&Light"), Theme::light}, {tr("&Dark"), Theme::dark}};
   for (const auto& [text, theme] : entries) {
     QAction* action = group->addAction(menu->addAction(text));
     action->setCheckable(true);
-    action->setChecked(theme == current);
+    // Preferences change it too.
+    const auto show = [&settings, action, theme = theme] {
+      action->setChecked(themeByName(settings.value("theme").toString()) == theme);
+    };
+    connect(menu, &QMenu::aboutToShow, action, show);
+    show();
     connect(action, &QAction::triggered, this, [&settings, theme = theme] {
       settings.setValue("theme", themeName(theme));
       applyTheme(*qApp, theme);

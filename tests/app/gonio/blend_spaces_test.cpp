@@ -43,6 +43,28 @@ class BlendSpacesTest : public QObject {
   }
 
  private Q_SLOTS:
+  /// Another model: its two spaces are prepared anew, the others stay; what it makes names it.
+  void anotherModel() {
+    BackgroundTasks tasks;
+    BlendSpaces spaces(tasks, nullptr, smallPictures);
+    spaces.setEnds(ends({0, 1}));
+    settle(spaces);
+    const auto before = prepared(spaces);
+    const models::Model& lambert = models::findModel("lambert");
+    spaces.setModel(lambert);
+    QVERIFY(!spaces.prepared(Space::parameters) && !spaces.prepared(Space::differential));
+    settle(spaces);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const Space space = spaces.spaces()[i];
+      QCOMPARE(spaces.prepared(space) == before[i], !BlendSpaces::usesModel(space));
+      if (BlendSpaces::usesModel(space)) QVERIFY(spaces.prepared(space)->model == &lambert);
+    }
+    QVERIFY(std::abs(valueAt(spaces, Space::parameters, {0.5, 0.5}) - 0.3) < 1e-3);
+    const auto after = prepared(spaces);
+    spaces.setModel(lambert);
+    QVERIFY(prepared(spaces) == after);
+  }
+
   /// Exchanged materials are blended by what is there; the strip runs the other way.
   void aSwapKeepsEverything() {
     BackgroundTasks tasks;

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "app/gonio/document/edit_steps.h"
+#include "core/models/registry.h"
 #include "tests/app/gonio/interpolation_panel_test_support.h"
 #include "tests/support/test_program.h"
 #include "widgets/inputs/number_field.h"
@@ -19,6 +20,7 @@
 #include "widgets/interpolation/blend_strip.h"
 #include "widgets/interpolation/material_well.h"
 #include "widgets/library/material_drag.h"
+#include "widgets/panels/model_box.h"
 
 namespace interpolation_panel_test {
 using namespace gonio;
@@ -164,8 +166,8 @@ class InterpolationPanelTest : public QObject {
   /// Library materials are taken into the first empty place; a hidden panel leaves the preview alone.
   void materialsFromTheLibrary() {
     Editor editor;
-    editor.panel.take("library:sgd/nickel");
-    editor.panel.take("library:sgd/red-fabric");
+    editor.panel.take({"library:sgd/nickel"});
+    editor.panel.take({"library:sgd/red-fabric"});
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.ends().isComplete(), patienceMilliseconds);
     QCOMPARE(editor.panel.ends().at(0)->name, QStringLiteral("nickel"));
     QCOMPARE(editor.panel.ends().at(1)->name, QStringLiteral("red-fabric"));
@@ -174,6 +176,32 @@ class InterpolationPanelTest : public QObject {
     QSignalSpy changed(&editor.panel, &InterpolationPanel::subjectChanged);
     editor.panel.hide();
     QVERIFY(changed.count() > 0 && !editor.panel.subject());
+  }
+
+  /// Several at once: as many places as there are materials, in their order.
+  void severalFromTheLibrary() {
+    Editor editor;
+    editor.fill(0, "dark", 0.2);
+    editor.panel.take({"library:sgd/nickel", "library:sgd/red-fabric", "library:sgd/chrome"});
+    QCOMPARE(editor.panel.ends().count(), 3);
+    QTRY_VERIFY_WITH_TIMEOUT(!editor.panel.ends().isReading(), patienceMilliseconds);
+    QCOMPARE(editor.panel.ends().at(0)->name, QString("nickel"));
+    QCOMPARE(editor.panel.ends().at(2)->name, QString("chrome"));
+    editor.panel.take({"library:sgd/chrome", "library:sgd/nickel"});
+    QCOMPARE(editor.panel.ends().count(), 2);
+    editor.panel.spaces().pause();
+  }
+
+  /// The choice of a model is there where the space has one.
+  void theModelOfASpace() {
+    Editor editor;
+    QVERIFY(editor.panel.modelBox().isHidden());
+    editor.panel.setSpace(InterpolationSpace::differential);
+    QVERIFY(!editor.panel.modelBox().isHidden());
+    Q_EMIT editor.panel.modelBox().modelChosen(&models::findModel("ward"));
+    QVERIFY(&editor.panel.spaces().model() == &models::findModel("ward"));
+    editor.panel.setSpace(InterpolationSpace::factors);
+    QVERIFY(editor.panel.modelBox().isHidden());
   }
 
   /// Cancelled work says so, and the button does it after all.

@@ -151,7 +151,7 @@ class MainWindowTest : public QObject {
     fit.parameters = models::defaultParameters(fit.model->spec());
     document.adoptFit(fit);
     const auto found = [&](const QString& text) {
-      CommandSearch search(window, searchEntries(window->parts(), window->files()));
+      CommandSearch search(window, searchEntries(window->parts(), window->files(), *window));
       search.findChild<QLineEdit*>()->setText(text);
       QStringList texts;
       for (int i = 0; i < search.list()->count(); ++i) texts << search.list()->item(i)->text();
@@ -164,7 +164,7 @@ class MainWindowTest : public QObject {
     QVERIFY(found("undo").first().startsWith("Edit > "));
     QCOMPARE(found("xyzzy"), QStringList{"Nothing is called \"xyzzy\"."});
     // What is found is done.
-    auto& search = *new CommandSearch(window, searchEntries(window->parts(), window->files()));
+    auto& search = *new CommandSearch(window, searchEntries(window->parts(), window->files(), *window));
     auto* text = search.findChild<QLineEdit*>();
     QTest::keyClicks(text, "shape cylinder");
     QTest::keyClick(text, Qt::Key_Return);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/window/preferences.h"
+
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QUrl>
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "app/gonio/document/autosave.h"
+#include "app/gonio/document/history.h"
+#include "app/gonio/library/thumbnail.h"
+#include "core/math/parallel.h"
+
+namespace gonio::app {
+
+namespace {
+
+const QString themeKey = QStringLiteral("theme"), historyKey = QStringLiteral("history/megabytes"),
+              threadsKey = QStringLiteral("threads");
+constexpr int defaultHistoryMegabytes = int(History::defaultByteLimit >> 20), mostHistoryMegabytes = 1 << 14;
+
+int coreCount() { return std::max(1, int(std::thread::hardware_concurrency())); }
+
+QHBoxLayout* rowOf(QWidget* wide, QWidget* narrow) {
+  auto* row = new QHBoxLayout;
+  row->addWidget(wide, 1);
+  row->addWidget(narrow);
+  return row;
+}
+
+}  // namespace
+
+Preferences Preferences::read(const QSettings& settings) {
+  return {.theme = themeByName(settings.value(themeKey).toString()),
+          .historyMegabytes =
+              std::clamp(settings.value(historyKey, defaultHistoryMegabytes).toInt(), 1, mostHistoryMegabytes),
+          .threads = std::clamp(settings.value(threadsKey, 0).toInt(), 0, coreCount())};
+}
+
+void Preferences::write(QSettings& settings) const {
+  settings.setValue(themeKey, themeName(theme));
+  settings.setValue(historyKey, historyMegabytes);
+  settings.setValue(threadsKey, threads);
+}
+
+void limitThreads(int threads) {
+  static std::unique_ptr<ThreadLimit> limit;
+  limit.reset();
+  if (threads > 0) limit = std::make_unique<ThreadLimit>(threads);
+}
+
+PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QString& graphics, QWidget* parent)
+    : QDialog(parent),
+      m_theme(new QComboBox),
+      m_history(new QSpinBox),
+      m_threads(new QSpinBox),
+      m_thumbnails(new QLabel) {
+  setWindowTitle(tr("Preferences"));
+  m_theme->addItems({tr("As the system"), tr("Light"), tr("Dark")});
+  m_theme->setCurrentIndex(int(preferences.theme));
+  m_history->setRange(1, mostHistoryMegabytes);
+  m_history->setSuffix(tr(" MB"));
+  m_history->setValue(preferences.historyMegabytes);
+  m_history->setToolTip(tr("Of each window; the oldest steps go first"));
+  m_threads->setRange(0, coreCount());
+  m_threads->setSpecialValueText(tr("All %1").arg(coreCount()));
+  m_threads->setValue(preferences.threads);
+  m_threads->setToolTip(tr("How many threads fits, exports and renderings use"));
+  auto* clear = new QPushButton(tr("&Clear"));
+  clear->setAutoDefault(false);
+  clear->setToolTip(tr("They are rendered again when they are needed"));
+  connect(clear, &QPushButton::clicked, this, &PreferencesDialog::clearThumbnails);
+  auto* opengl = new QLabel(graphics.isEmpty() ? tr("Not started") : graphics);
+  opengl->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  opengl->setTextFormat(Qt::PlainText);
+  opengl->setWordWrap(true);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* form = new QFormLayout(this);
+  form->addRow(tr("&Theme"), m_theme);
+  form->addRow(tr("&Undo memory"), m_history);
+  form->addRow(tr("Th&reads"), m_threads);
+  form->addRow(tr("Thumbnails"), rowOf(m_thumbnails, clear));
+  form->addRow(tr("Unsaved work"), folderRow(Autosave::defaultDataFolder()));
+  form->addRow(tr("Settings"), folderRow(QFileInfo(QSettings().fileName()).absolutePath()));
+  form->addRow(tr("OpenGL"), opengl);
+  form->addRow(buttons);
+  setMinimumWidth(fontMetrics().averageCharWidth() * 70);
+  showThumbnailSize();
+}
+
+QWidget* PreferencesDialog::folderRow(const QString& folder) {
+  auto* box = new QWidget;
+  auto* path = new QLabel(folder);
+  path->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  path->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  path->setToolTip(folder);
+  auto* show = new QPushButton(tr("Show"));
+  show->setAutoDefault(false);
+  connect(show, &QPushButton::clicked, this, [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); });
+  auto* row = rowOf(path, show);
+  row->setContentsMargins(0, 0, 0, 0);
+  box->setLayout(row);
+  return box;
+}
+
+void PreferencesDialog::showThumbnailSize() {
+  qint64 bytes = 0;
+  const QFileInfoList files = QDir(thumbnailCacheFolder()).entryInfoList(QDir::Files);
+  for (const QFileInfo& file : files) bytes += file.size();
+  m_thumbnails->setText(files.isEmpty() ? tr("None kept")
+                                        : tr("%1 kept, %2").arg(files.size()).arg(QLocale().formattedDataSize(bytes)));
+  m_thumbnails->setToolTip(thumbnailCacheFolder());
+}
+
+void PreferencesDialog::clearThumbnails() {
+  QDir folder(thumbnailCacheFolder());
+  for (const QString& file : folder.entryList({QStringLiteral("*.png")}, QDir::Files)) folder.remove(file);
+  showThumbnailSize();
+}
+
+Preferences PreferencesDialog::preferences() const {
+  return {Theme(m_theme->currentIndex()), m_history->value(), m_threads->value()};
+}
+
+}  // namespace gonio::app
+
+#include "moc_preferences.cpp"

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QDialog>
+
+#include "app/gonio/window/theme.h"
+
+class QComboBox;
+class QLabel;
+class QSettings;
+class QSpinBox;
+
+namespace gonio::app {
+
+/// What the user sets once for all documents.
+struct Preferences {
+  Theme theme = Theme::system;
+  int historyMegabytes = 0;  ///< of undo steps, for each window
+  int threads = 0;           ///< of computations; 0: all cores
+
+  static Preferences read(const QSettings& settings);
+  void write(QSettings& settings) const;
+  bool operator==(const Preferences&) const = default;
+};
+
+/// Bounds the threads of all parallel loops of the program from now on; 0: all cores.
+void limitThreads(int threads);
+
+/// Edit > Preferences.
+class PreferencesDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// @param graphics what OpenGL says of itself.
+  PreferencesDialog(const Preferences& preferences, const QString& graphics, QWidget* parent);
+
+  Preferences preferences() const;
+
+ private:
+  QWidget* folderRow(const QString& folder);
+  void clearThumbnails();
+  void showThumbnailSize();
+
+  QComboBox* m_theme;
+  QSpinBox *m_history, *m_threads;
+  QLabel* m_thumbnails;
+};
+
+}  // namespace gonio::app

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/window/guide.h"
+
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QTest>
+#include <QTextBrowser>
+#include <set>
+
+#include "tests/support/test_program.h"
+
+namespace guide_test {
+using namespace gonio::app;
+
+QString textOf(const QString& file) {
+  QFile source(":/docs/" + file);
+  return source.open(QIODevice::ReadOnly) ? QString::fromUtf8(source.readAll()) : QString();
+}
+
+/// The anchors of a page: all its headings.
+std::set<QString> anchorsOf(const QString& file) {
+  std::set<QString> anchors;
+  static const QRegularExpression heading(QStringLiteral("^#+ +(.*)$"), QRegularExpression::MultilineOption);
+  for (auto it = heading.globalMatch(textOf(file)); it.hasNext();)
+    anchors.insert(anchorOf(it.next().captured(1).remove('`')));
+  return anchors;
+}
+
+class GuideTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// Every page has one title, which comes first; the editor's page is the first of all.
+  void everyPageHasATitle() {
+    const auto& pages = guidePages();
+    QCOMPARE(pages.front().file, QString("editor.md"));
+    std::set<QString> files;
+    for (const GuidePage& page : pages) {
+      QVERIFY(!page.title.isEmpty());
+      QCOMPARE(files.insert(page.file).second, page.level == 1);
+    }
+    QCOMPARE(files.size(), std::size_t(QDir(":/docs").entryList(QDir::Files).size()));
+  }
+
+  /// Links between the pages lead to pages and headings that are there.
+  void everyLinkLeadsSomewhere() {
+    static const QRegularExpression link(QStringLiteral("\\]\\(([a-z0-9-]+\\.md)?(?:#([^)]+))?\\)"));
+    int count = 0;
+    for (const QString& file : QDir(":/docs").entryList(QDir::Files))
+      for (auto it = link.globalMatch(textOf(file)); it.hasNext(); ++count) {
+        const QRegularExpressionMatch match = it.next();
+        const QString target = match.captured(1).isEmpty() ? file : match.captured(1), anchor = match.captured(2);
+        QVERIFY2(QFile::exists(":/docs/" + target), qPrintable(file + " links to " + target));
+        QVERIFY2(anchor.isEmpty() || anchorsOf(target).contains(anchor),
+                 qPrintable(file + " links to " + target + '#' + anchor));
+      }
+    QVERIFY(count > 20);
+  }
+
+  /// A heading is scrolled to, links are followed to pages and places, and one that leads nowhere changes nothing.
+  void pagesAndHeadings() {
+    GuideWindow guide(nullptr);
+    guide.show();
+    guide.showPage("editor.md", "Export Image");
+    const int there = guide.text().verticalScrollBar()->value();
+    QVERIFY(there > 0);
+    guide.showPage("editor.md");
+    QCOMPARE(guide.text().verticalScrollBar()->value(), 0);
+    Q_EMIT guide.text().anchorClicked(QUrl("formats.md#spectral-rgl-files"));
+    QCOMPARE(guide.page(), QString("formats.md"));
+    QVERIFY(guide.text().verticalScrollBar()->value() > 0);
+    Q_EMIT guide.text().anchorClicked(QUrl("images/none.png"));
+    QCOMPARE(guide.page(), QString("formats.md"));
+    QVERIFY(!guide.text().toPlainText().contains("SPDX"));
+  }
+
+  void anchors() { QCOMPARE(anchorOf("Render MATERIAL (a scene), as-is!"), QString("render-material-a-scene-as-is")); }
+};
+
+GONIO_TEST(GuideTest)
+
+}  // namespace guide_test
+
+#include "guide_test.moc"

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "widgets/panels/model_box.h"
+
+#include <QStandardItemModel>
+#include <algorithm>
+
+#include "widgets/parameters/parameter_text.h"
+
+namespace gonio::widgets {
+
+QString modelToolTip(const models::ModelSpec& spec) {
+  return QStringLiteral("<p><b>%1</b></p><p>%2</p><p><tt>%3</tt></p><p>%4</p>")
+      .arg(fromView(spec.name).toHtmlEscaped(), fromView(spec.description).toHtmlEscaped(),
+           fromView(spec.formula).toHtmlEscaped(), fromView(spec.reference).toHtmlEscaped());
+}
+
+namespace {
+
+QString familyTitle(models::ModelFamily family) {
+  switch (family) {
+    case models::ModelFamily::empirical:
+      return ModelBox::tr("Empirical");
+    case models::ModelFamily::analytic:
+      return ModelBox::tr("Analytic");
+    case models::ModelFamily::series:
+      return ModelBox::tr("Series");
+  }
+  return {};
+}
+
+}  // namespace
+
+ModelBox::ModelBox(QWidget* parent) : QComboBox(parent) {
+  setAccessibleName(tr("Model"));
+  fill();
+  connect(this, &QComboBox::activated, this, [this](int index) { Q_EMIT modelChosen(m_entries[std::size_t(index)]); });
+}
+
+void ModelBox::fill() {
+  auto* items = qobject_cast<QStandardItemModel*>(QComboBox::model());
+  for (const auto family :
+       {models::ModelFamily::empirical, models::ModelFamily::analytic, models::ModelFamily::series}) {
+    // A title is an entry that cannot be chosen.
+    addItem(familyTitle(family));
+    QStandardItem* title = items->item(count() - 1);
+    title->setFlags(Qt::NoItemFlags);
+    QFont bold = font();
+    bold.setBold(true);
+    title->setFont(bold);
+    m_entries.push_back(nullptr);
+    for (const models::Model* one : models::allModels()) {
+      if (one->spec().family != family) continue;
+      addItem(fromView(one->spec().name));
+      setItemData(count() - 1, modelToolTip(one->spec()), Qt::ToolTipRole);
+      m_entries.push_back(one);
+    }
+  }
+  setMaxVisibleItems(int(m_entries.size()));
+}
+
+void ModelBox::setModel(const models::Model* model) {
+  const auto found = std::find(m_entries.begin(), m_entries.end(), model);
+  setCurrentIndex(model && found != m_entries.end() ? int(found - m_entries.begin()) : -1);
+  setToolTip(model ? modelToolTip(model->spec()) : QString());
+}
+
+}  // namespace gonio::widgets
+
+#include "moc_model_box.cpp"
