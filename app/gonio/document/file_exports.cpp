@@ -83,6 +83,17 @@ void FileExports::renderPicture(const PictureExport& picture) {
       [this, path = picture.path](bool) { Q_EMIT exported(path); }, pause);
 }
 
+void FileExports::save(const QString& path, const FileSave& save) {
+  if (refuses(path)) return;
+  run<bool>(
+      tr("Writing %1"), path,
+      [write = save.write, path](const TaskControl& control) {
+        write(path.toStdString(), control);
+        return true;
+      },
+      [this, path](bool) { Q_EMIT exported(path); });
+}
+
 void FileExports::writePng(const QString& path, const QImage& picture, const Caption& caption) {
   if (refuses(path)) return;
   run<bool>(

@@ -6,6 +6,7 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
+#include "app/gonio/document/file_saves.h"
 #include "app/gonio/document/material_export.h"
 #include "app/gonio/document/picture_export.h"
 
@@ -25,6 +26,7 @@ class FileExports : public QObject {
   void writeMaterial(const QString& path, exports::MaterialForm form);
   /// Renders the edited material on the CPU; the user may pause it.
   void renderPicture(const PictureExport& picture);
+  void save(const QString& path, const FileSave& save);
   /// Made in the background.
   using Caption = std::function<QString(const TaskControl&)>;
   /// A picture as it is: 8 bits a channel. @param caption of a line below it.

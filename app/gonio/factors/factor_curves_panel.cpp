@@ -7,7 +7,9 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_terms_view.h"
+#include "core/materials/pdv_file.h"
 #include "widgets/curves/curve_editor.h"
 #include "widgets/curves/curve_legend.h"
 #include "widgets/curves/residual_strip.h"
@@ -44,6 +46,7 @@ FactorCurvesPanel::FactorCurvesPanel(Document& document, BackgroundTasks& tasks,
       m_keepDetail(new QCheckBox(tr("&Keep measured detail"))),
       m_factorise(new QPushButton(tr("&Factorise"))),
       m_resetAll(new QPushButton(tr("&Reset All"))),
+      m_save(new QPushButton(tr("&Save Factors..."))),
       m_columns{new FactorColumn(FactorAxis::theta), new FactorColumn(FactorAxis::deviation),
                 new FactorColumn(FactorAxis::phi)},
       m_terms(new FactorTermsView) {
@@ -72,10 +75,11 @@ void FactorCurvesPanel::buildControls() {
          "Off: the curves alone are the material."));
   m_keepDetail->setChecked(true);
   m_factorise->setToolTip(tr("Finds the factor curves of the open material"));
+  m_save->setToolTip(tr("The curves as they are now, as a file (.pdv) that opens as a material"));
   m_resetAll->setToolTip(tr("All curves as the measurement gave them, with its detail"));
   auto* top = new QHBoxLayout;
   for (QWidget* widget :
-       std::initializer_list<QWidget*>{m_channel, m_form, m_logarithmic, m_keepDetail, m_resetAll, m_factorise})
+       std::initializer_list<QWidget*>{m_channel, m_form, m_logarithmic, m_keepDetail, m_resetAll, m_save, m_factorise})
     top->addWidget(widget);
   top->addStretch();
   top->addWidget(new widgets::CurveLegend);
@@ -110,6 +114,7 @@ void FactorCurvesPanel::connectDocument() {
   connect(m_terms, &FactorTermsView::termsChosen, this, &FactorCurvesPanel::chooseTerms);
   connect(m_form, &QComboBox::activated, this, &FactorCurvesPanel::chooseForm);
   connect(m_resetAll, &QPushButton::clicked, this, &FactorCurvesPanel::resetAll);
+  connect(m_save, &QPushButton::clicked, this, &FactorCurvesPanel::save);
   connect(m_factorise, &QPushButton::clicked, this, [this] {
     m_refused = false;
     request();
@@ -200,6 +205,15 @@ void FactorCurvesPanel::adopt(const MeasuredFactors& measured) {
   refresh();
 }
 
+void FactorCurvesPanel::save() {
+  const Curves curves = current().edited;
+  if (!curves) return;
+  const QString suffix = formatSuffix(materials::FormatId::pdv);
+  Q_EMIT saveRequested(
+      {tr("Save Factors"), m_document.name(), tr("PDV factors (*%1)").arg(suffix), suffix,
+       [curves](const std::filesystem::path& path, const TaskControl&) { materials::writePdv(*curves, path); }});
+}
+
 void FactorCurvesPanel::refresh() {
   const FactorEdit edit = current();
   const bool known = edit.original != nullptr;
@@ -209,6 +223,7 @@ void FactorCurvesPanel::refresh() {
   m_columns[2]->setVisible(!flat);
   m_keepDetail->setChecked(edit.keepDetail);
   m_keepDetail->setEnabled(known);
+  m_save->setEnabled(known);
   m_resetAll->setEnabled(m_document.active<FactorEdit>());
   m_form->setEnabled(m_document.material() != nullptr);
   for (FactorColumn* column : m_columns) {

@@ -6,6 +6,7 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
+#include "app/gonio/document/file_saves.h"
 #include "app/gonio/factors/factor_column.h"
 #include "app/gonio/factors/measured_factors.h"
 #include "widgets/curves/curve_view.h"
@@ -42,6 +43,7 @@ class FactorCurvesPanel : public QWidget {
 
  Q_SIGNALS:
   void failed(const QString& title, const QString& text);
+  void saveRequested(const gonio::app::FileSave& save);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -72,12 +74,13 @@ class FactorCurvesPanel : public QWidget {
   void chooseTerms(int terms);
   void chooseForm();
   void resetAll();
+  void save();
 
   Document& m_document;
   BackgroundTasks& m_tasks;
   QComboBox *m_channel, *m_form;
   QCheckBox *m_logarithmic, *m_keepDetail;
-  QPushButton *m_factorise, *m_resetAll;
+  QPushButton *m_factorise, *m_resetAll, *m_save;
   std::array<FactorColumn*, 3> m_columns;
   FactorTermsView* m_terms;
   std::shared_ptr<const MeasuredFactors> m_measured;

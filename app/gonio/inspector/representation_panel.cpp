@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 
+#include "app/gonio/document/material_files.h"
+#include "core/materials/code_file.h"
 #include "widgets/panels/fact_list.h"
 
 namespace gonio::app {
@@ -39,6 +41,7 @@ RepresentationPanel::RepresentationPanel(Document& document, BackgroundTasks& ta
       m_count(new QLabel),
       m_state(new QLabel),
       m_encode(new QPushButton(tr("E&ncode"))),
+      m_save(new QPushButton(tr("&Save Code..."))),
       m_show(new QCheckBox(tr("Show the en&coded material"))),
       m_facts(new widgets::FactList) {
   m_slider->setRange(0, int(counts.size()) - 1);
@@ -54,6 +57,8 @@ RepresentationPanel::RepresentationPanel(Document& document, BackgroundTasks& ta
       tr("The preview shows the decoded code in the place of the measurement, with the edits on it.\n"
          "Files and exports stay those of the measurement."));
   m_encode->setToolTip(tr("Finds the code of the open material"));
+  m_save->setToolTip(tr("The code of the measurement, without edits, as a file (.code) that opens as a material"));
+  connect(m_save, &QPushButton::clicked, this, &RepresentationPanel::save);
   m_state->setWordWrap(true);
   m_state->setForegroundRole(QPalette::PlaceholderText);
   auto* label = new QLabel(tr("C&oefficients"));
@@ -69,6 +74,7 @@ RepresentationPanel::RepresentationPanel(Document& document, BackgroundTasks& ta
   layout->addWidget(m_state);
   layout->addWidget(m_encode);
   layout->addWidget(m_facts);
+  layout->addWidget(m_save);
   m_delay.setSingleShot(true);
   m_delay.setInterval(encodeDelayMilliseconds);
   setCoefficients(usualCount);
@@ -167,6 +173,16 @@ void RepresentationPanel::refresh() {
   m_facts->setEnabled(current);
   m_facts->setFacts(m_code ? codeFacts(*m_code) : std::vector<widgets::Fact>());
   m_facts->setVisible(m_code != nullptr);
+  m_save->setVisible(m_code != nullptr);
+  m_save->setEnabled(current);
+}
+
+void RepresentationPanel::save() {
+  const QString suffix = formatSuffix(materials::FormatId::code);
+  Q_EMIT saveRequested({tr("Save Code"), m_document.name(), tr("Dictionary codes (*%1)").arg(suffix), suffix,
+                        [code = m_code](const std::filesystem::path& path, const TaskControl&) {
+                          materials::writeCode(code->encoded.code, code->dictionary->id, path);
+                        }});
 }
 
 }  // namespace gonio::app

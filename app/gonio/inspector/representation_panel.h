@@ -8,6 +8,7 @@
 
 #include "app/gonio/document/background_task.h"
 #include "app/gonio/document/document.h"
+#include "app/gonio/document/file_saves.h"
 #include "app/gonio/document/material_code.h"
 
 class QCheckBox;
@@ -45,6 +46,7 @@ class RepresentationPanel : public QWidget {
 
  Q_SIGNALS:
   void shownChanged();
+  void saveRequested(const gonio::app::FileSave& save);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -56,12 +58,13 @@ class RepresentationPanel : public QWidget {
   void stop(const QString& why);
   void forget();
   void refresh();
+  void save();
 
   Document& m_document;
   BackgroundTasks& m_tasks;
   QSlider* m_slider;
   QLabel *m_count, *m_state;
-  QPushButton* m_encode;
+  QPushButton *m_encode, *m_save;
   QCheckBox* m_show;
   widgets::FactList* m_facts;
   QTimer m_delay;

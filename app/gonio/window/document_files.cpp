@@ -171,6 +171,14 @@ void DocumentFiles::exportImage() {
   dialog->open();
 }
 
+void DocumentFiles::saveBeside(const FileSave& save) {
+  const QString path = QFileDialog::getSaveFileName(
+      m_window, save.title, widgets::inDialogFolder(exportPurpose, save.name + save.suffix), save.filter);
+  if (path.isEmpty()) return;
+  widgets::rememberDialogFolder(exportPurpose, path);
+  m_parts.exports.save(withSuffix(path, save.suffix), save);
+}
+
 void DocumentFiles::offerRecovery() {
   const QString folder = Autosave::defaultDataFolder();
   for (const RecoverableWork& work : Autosave::recoverable(folder)) {

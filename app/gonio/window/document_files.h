@@ -18,6 +18,7 @@ class Document;
 class BackgroundTasks;
 class DocumentController;
 class ComparisonController;
+struct FileSave;
 class FileExports;
 class RecentFiles;
 
@@ -53,6 +54,8 @@ class DocumentFiles : public QObject {
   bool saveAs();
   void exportBrdf();
   void exportImage();
+  /// Asks for a name and writes it in the background.
+  void saveBeside(const FileSave& save);
   /// Offers work that an earlier run left behind.
   void offerRecovery();
   /// Asks about unsaved changes and exports under way, and removes the copy of unsaved work. False when the document is

@@ -21,6 +21,7 @@
 #include "app/gonio/export/batch_dialog.h"
 #include "app/gonio/factors/factor_curves_panel.h"
 #include "app/gonio/inspector/inspector.h"
+#include "app/gonio/inspector/representation_panel.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/plots/plots_panel.h"
 #include "app/gonio/scene/scene_panel.h"
@@ -126,10 +127,14 @@ void MainWindow::addMenus() {
   auto* light = new LightMenu(p.environment, p.preview, this);
   auto* view = new ViewMenu(*m_docks, p.comparison, p.preview, light, p.settings, this);
   menuBar()->addMenu(view);
-  menuBar()->addMenu(new MaterialMenu(
-      {p.document, p.controller, p.tasks, p.comparison, *m_docks, p.ranking, p.interpolation, p.acquisition}, this));
+  auto* material = new MaterialMenu(
+      {p.document, p.controller, p.tasks, p.comparison, *m_docks, p.ranking, p.interpolation, p.acquisition}, this);
+  menuBar()->addMenu(material);
   menuBar()->addMenu(new AnalyseMenu(p.document, p.comparison, *m_docks, p.study, this));
   menuBar()->addMenu(new HelpMenu(this, [this] { return searchEntries(m_parts, m_files, *this); }));
+  connect(material, &MaterialMenu::saveRequested, &m_files, &DocumentFiles::saveBeside);
+  connect(&p.factors, &FactorCurvesPanel::saveRequested, &m_files, &DocumentFiles::saveBeside);
+  connect(p.inspector.representation(), &RepresentationPanel::saveRequested, &m_files, &DocumentFiles::saveBeside);
   connect(&p.viewStrip, &ViewStrip::sceneFileWanted, &p.scene, &ScenePanel::askForFile);
   connect(&p.viewStrip, &ViewStrip::environmentFileWanted, light, &LightMenu::askForFile);
   connect(&p.preview.input(), &widgets::PreviewInput::menuRequested, this, [this, view](const QPoint& place) {

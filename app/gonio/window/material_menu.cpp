@@ -6,9 +6,13 @@
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/comparison/comparison_controller.h"
+#include "app/gonio/document/file_saves.h"
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/interpolation/interpolation_panel.h"
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/window/dock_layout.h"
+#include "core/materials/material.h"
+#include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
 
@@ -34,11 +38,29 @@ void MaterialMenu::addFits(const Parts& parts) {
                                 ranking.fitAll();
                               });
   fitAll->setToolTip(tr("Fits every model and ranks them"));
-  const auto update = [&document = parts.document, fit, fitAll] {
+  QAction* save = addAction(tr("&Save Fit..."), this, [this, &document = parts.document] { saveFit(document); });
+  save->setToolTip(tr("The fitted model alone, without the measurement, as a table"));
+  const auto update = [&document = parts.document, fit, fitAll, save] {
     for (QAction* action : {fit, fitAll}) action->setEnabled(document.material() != nullptr);
+    save->setEnabled(document.active<editing::DifferentialEdit>() != nullptr);
   };
   connect(&parts.document, &Document::materialChanged, this, update);
+  connect(&parts.document, &Document::stateChanged, this, update);
   update();
+}
+
+void MaterialMenu::saveFit(const Document& document) {
+  const auto* edit = document.active<editing::DifferentialEdit>();
+  if (!edit) return;
+  const models::Model* model = edit->model;
+  const QString suffix = tableSuffix();
+  Q_EMIT saveRequested(
+      {tr("Save Fit"), tr("%1, %2 fit").arg(document.name(), widgets::fromView(model->spec().name)),
+       tr("MERL tables (*%1)").arg(suffix), suffix,
+       [model, fitted = edit->fitted](const std::filesystem::path& path, const TaskControl& control) {
+         materials::writeMaterial(
+             *bakeTable(*model->instantiate(fitted), HalfDifferenceGrid(), control, editing::bakedAzimuths), path);
+       }});
 }
 
 void MaterialMenu::addBlends(const Parts& parts) {

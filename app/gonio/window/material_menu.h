@@ -13,6 +13,7 @@ class DockLayout;
 class Document;
 class DocumentController;
 class FitRankingPanel;
+struct FileSave;
 class InterpolationPanel;
 
 /// The Material menu: fits, blends, acquisition, and stopping work.
@@ -32,7 +33,11 @@ class MaterialMenu : public QMenu {
   };
   MaterialMenu(const Parts& parts, QWidget* window);
 
+ Q_SIGNALS:
+  void saveRequested(const gonio::app::FileSave& save);
+
  private:
+  void saveFit(const Document& document);
   void addFits(const Parts& parts);
   void addBlends(const Parts& parts);
   void addCancel(const Parts& parts);

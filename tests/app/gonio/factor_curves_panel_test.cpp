@@ -2,7 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
 
@@ -60,6 +63,26 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
     m_document.history().undo();
     QTRY_VERIFY_WITH_TIMEOUT(m_panel->isSettled(), patienceMilliseconds);
     QVERIFY(editor(FactorAxis::theta).axis().valueLabel.contains("ln(1 + ρ)"));
+  }
+
+  /// The curves as they are now, edits too, are a file that reads back to the same.
+  void theCurvesAreSaved() {
+    m_panel->widen(1.3);
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("curves.pdv").toStdString();
+    QSignalSpy saved(m_panel.get(), &FactorCurvesPanel::saveRequested);
+    for (QPushButton* button : m_panel->findChildren<QPushButton*>())
+      if (button->text().contains("Save")) button->click();
+    QCOMPARE(saved.count(), 1);
+    const auto save = saved[0][0].value<FileSave>();
+    QCOMPARE(save.suffix, QString(".pdv"));
+    save.write(path, {});
+    const PdvFactors read = materials::readPdv(path);
+    const PdvFactors& expected = *factorEdit(m_document)->edited;
+    QCOMPARE(read.terms(), expected.terms());
+    for (std::size_t i = 0; i < expected.channels[1][0].f2.size(); ++i)
+      QVERIFY(std::abs(read.channels[1][0].f2[i] - expected.channels[1][0].f2[i]) <=
+              1e-6 * std::abs(expected.channels[1][0].f2[i]));
   }
 
   /// The limits of F2 are those of the angle that is pointed at in F1: 1 -+ sin theta_R.

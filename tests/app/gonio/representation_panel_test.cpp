@@ -3,10 +3,12 @@
 #include "app/gonio/inspector/representation_panel.h"
 
 #include <QCheckBox>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
@@ -70,6 +72,21 @@ class RepresentationPanelTest : public QObject {
       QVERIFY2(told.contains(QString::number(candidate.gammaError, 'g', 3)), qPrintable(told));
     for (const auto& channel : expected.code.channels)
       QVERIFY(told.contains(QStringLiteral("no. %1 ").arg(channel.dictionary + 1)));
+  }
+
+  /// The file has the bytes of the code that is shown.
+  void theCodeIsSaved() {
+    m_document.setMaterial(glossyMaterial(0.3));
+    m_panel->show();
+    settle();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("a.code");
+    QSignalSpy saved(m_panel.get(), &RepresentationPanel::saveRequested);
+    for (QPushButton* button : m_panel->findChildren<QPushButton*>())
+      if (button->text().contains("Save")) button->click();
+    QCOMPARE(saved.count(), 1);
+    saved[0][0].value<FileSave>().write(path.toStdString(), {});
+    QCOMPARE(std::size_t(QFileInfo(path).size()), m_panel->code()->bytes);
   }
 
   /// The slider: more coefficients, more bytes, a smaller error; no number of another count is shown as this one's.
