@@ -4,7 +4,6 @@
 
 #include <QButtonGroup>
 #include <QCheckBox>
-#include <QColorDialog>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
@@ -17,12 +16,12 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
-#include <QSpinBox>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/export/labelled_picture.h"
+#include "app/gonio/export/picture_settings.h"
 #include "widgets/inputs/dialog_folder.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -32,12 +31,9 @@ namespace {
 
 const QString estimateKey = QStringLiteral("image-estimate"), purpose = QStringLiteral("export"),
               settingsGroup = QStringLiteral("image/");
-constexpr int estimateDelayMilliseconds = 250, mostPixelsOfSide = 8192, mostSamples = 1 << 20, mostSeconds = 86'400;
+constexpr int estimateDelayMilliseconds = 250;
 enum Source { rendered, asItIs };
 enum Format { png, exr };
-
-/// Sizes that are offered; that of the preview comes first.
-constexpr QSize offeredSizes[] = {{1024, 1024}, {2048, 2048}, {1920, 1080}, {3840, 2160}};
 
 QString durationText(double seconds) {
   if (seconds < 1) return ImageDialog::tr("less than 1 s");
@@ -46,18 +42,13 @@ QString durationText(double seconds) {
   return ImageDialog::tr("about %1 h").arg(seconds / 3600, 0, 'g', 2);
 }
 
-QSpinBox* countField(int most, const QString& unit = {}) {
-  auto* field = new QSpinBox;
-  field->setRange(1, most);
-  field->setSuffix(unit);
-  field->setGroupSeparatorShown(true);
-  return field;
-}
-
 }  // namespace
 
 ImageDialog::ImageDialog(const Parts& parts, const QString& name, QWidget* parent)
-    : QDialog(parent), m_parts(parts), m_source(new QButtonGroup(this)) {
+    : QDialog(parent),
+      m_parts(parts),
+      m_source(new QButtonGroup(this)),
+      m_settings(new PictureSettings(parts.preview.size())) {
   setWindowTitle(tr("Export Image"));
   build();
   restore(name);
@@ -70,7 +61,7 @@ ImageDialog::~ImageDialog() { m_parts.tasks.drop(estimateKey); }
 void ImageDialog::build() {
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(choiceRow());
-  layout->addWidget(m_page = renderedPage());
+  layout->addWidget(m_settings);
   layout->addWidget(pathRow());
   m_cost = new QLabel;
   m_cost->setWordWrap(true);
@@ -109,64 +100,6 @@ QWidget* ImageDialog::choiceRow() {
   return box;
 }
 
-QWidget* ImageDialog::renderedPage() {
-  auto* page = new QWidget;
-  auto* form = new QFormLayout(page);
-  form->setContentsMargins(0, 0, 0, 0);
-  form->addRow(tr("&Size"), sizeRow());
-  form->addRow(tr("S&amples"), qualityRows());
-  m_backgrounds = new QComboBox;
-  m_backgrounds->addItems({tr("Environment"), tr("Transparent (alpha)"), tr("Colour")});
-  m_colourButton = new QPushButton;
-  m_colourButton->setAutoDefault(false);
-  m_colourButton->setAccessibleName(tr("Colour of the background"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(m_backgrounds, 1);
-  row->addWidget(m_colourButton);
-  auto* label = new QLabel(tr("&Background"));
-  label->setBuddy(m_backgrounds);
-  form->addRow(label, row);
-  return page;
-}
-
-QWidget* ImageDialog::sizeRow() {
-  auto* box = new QWidget;
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  m_sizes = new QComboBox;
-  m_sizes->addItem(tr("As the preview"));
-  for (const QSize& size : offeredSizes)
-    m_sizes->addItem(QStringLiteral("%1 x %2").arg(size.width()).arg(size.height()));
-  m_sizes->addItem(tr("Other"));
-  m_width = countField(mostPixelsOfSide);
-  m_height = countField(mostPixelsOfSide);
-  m_width->setAccessibleName(tr("Width in pixels"));
-  m_height->setAccessibleName(tr("Height in pixels"));
-  row->addWidget(m_sizes, 1);
-  row->addWidget(m_width);
-  row->addWidget(new QLabel(QStringLiteral("x")));
-  row->addWidget(m_height);
-  box->setFocusProxy(m_sizes);
-  return box;
-}
-
-QWidget* ImageDialog::qualityRows() {
-  auto* box = new QWidget;
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  m_samples = countField(mostSamples, tr(" a pixel"));
-  m_samples->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  m_limited = new QCheckBox(tr("Stop &after"));
-  m_limited->setToolTip(tr("The picture is written with the samples that it has by then"));
-  m_seconds = countField(mostSeconds, tr(" s"));
-  m_seconds->setAccessibleName(tr("Longest time in seconds"));
-  row->addWidget(m_samples, 1);
-  row->addWidget(m_limited);
-  row->addWidget(m_seconds);
-  box->setFocusProxy(m_samples);
-  return box;
-}
-
 QWidget* ImageDialog::pathRow() {
   auto* box = new QWidget;
   auto* form = new QFormLayout(box);
@@ -194,17 +127,8 @@ void ImageDialog::connectParts() {
   m_delay.setInterval(estimateDelayMilliseconds);
   connect(&m_delay, &QTimer::timeout, this, &ImageDialog::startEstimate);
   connect(m_source, &QButtonGroup::idToggled, this, &ImageDialog::showChoices);
-  connect(m_sizes, &QComboBox::activated, this, &ImageDialog::chooseSize);
-  for (QSpinBox* side : {m_width, m_height})
-    connect(side, &QSpinBox::valueChanged, this, [this] {
-      showSize();
-      showChoices();
-    });
-  connect(m_samples, &QSpinBox::valueChanged, this, &ImageDialog::showEstimate);
-  connect(m_seconds, &QSpinBox::valueChanged, this, &ImageDialog::showEstimate);
-  connect(m_limited, &QCheckBox::toggled, this, &ImageDialog::showChoices);
-  connect(m_backgrounds, &QComboBox::currentIndexChanged, this, &ImageDialog::showChoices);
-  connect(m_colourButton, &QPushButton::clicked, this, &ImageDialog::chooseColour);
+  connect(m_settings, &PictureSettings::costChanged, this, &ImageDialog::showChoices);
+  connect(m_settings, &PictureSettings::limitsChanged, this, &ImageDialog::showEstimate);
   connect(m_format, &QComboBox::currentIndexChanged, this, [this](int format) {
     const QFileInfo info(m_path->text());
     m_path->setText(info.path() + '/' + info.completeBaseName() + (format == exr ? ".exr" : ".png"));
@@ -224,18 +148,8 @@ void ImageDialog::restore(const QString& name) {
       ->setChecked(true);
   m_labels->setEnabled(comparing);
   m_labels->setChecked(comparing && stored("labels", true).toBool());
-  m_width->setValue(stored("width", 1024).toInt());
-  m_height->setValue(stored("height", 1024).toInt());
-  showSize();
-  m_samples->setValue(stored("samples", 256).toInt());
-  m_limited->setChecked(stored("limited", false).toBool());
-  m_seconds->setValue(stored("seconds", 60).toInt());
-  m_colour = QColor(stored("colour", "#3a3a3c").toString());
   const Scene& scene = m_parts.preview.scene();
-  const PictureBackground background = scene.environment && scene.showEnvironment ? PictureBackground::environment
-                                       : stored("transparent", true).toBool()     ? PictureBackground::transparent
-                                                                                  : PictureBackground::colour;
-  m_backgrounds->setCurrentIndex(int(background));
+  m_settings->restore(s, scene.environment && scene.showEnvironment);
   const int format = stored("format", png).toInt() == exr ? exr : png;
   m_format->setCurrentIndex(format);
   m_path->setText(widgets::inDialogFolder(purpose, name + (format == exr ? ".exr" : ".png")));
@@ -245,35 +159,9 @@ void ImageDialog::remember() {
   QSettings& s = m_parts.settings;
   s.setValue(settingsGroup + "source", m_source->checkedId());
   if (m_labels->isEnabled()) s.setValue(settingsGroup + "labels", m_labels->isChecked());
-  s.setValue(settingsGroup + "width", m_width->value());
-  s.setValue(settingsGroup + "height", m_height->value());
-  s.setValue(settingsGroup + "samples", m_samples->value());
-  s.setValue(settingsGroup + "limited", m_limited->isChecked());
-  s.setValue(settingsGroup + "seconds", m_seconds->value());
-  s.setValue(settingsGroup + "colour", m_colour.name());
-  s.setValue(settingsGroup + "transparent", m_backgrounds->currentIndex() != int(PictureBackground::colour));
+  m_settings->remember(s);
   s.setValue(settingsGroup + "format", m_format->currentIndex());
   widgets::rememberDialogFolder(purpose, m_path->text());
-}
-
-void ImageDialog::chooseSize(int preset) {
-  if (preset > int(std::size(offeredSizes))) return m_width->setFocus();
-  const QSize size = preset == 0 ? m_parts.preview.size() : offeredSizes[preset - 1];
-  m_width->setValue(size.width());
-  m_height->setValue(size.height());
-}
-
-void ImageDialog::showSize() {
-  const QSize size(m_width->value(), m_height->value());
-  const auto* found = std::ranges::find(offeredSizes, size);
-  m_sizes->setCurrentIndex(size == m_parts.preview.size() ? 0 : 1 + int(found - std::begin(offeredSizes)));
-}
-
-void ImageDialog::chooseColour() {
-  const QColor colour = QColorDialog::getColor(m_colour, this, tr("Colour of the background"));
-  if (!colour.isValid()) return;
-  m_colour = colour;
-  showChoices();
 }
 
 void ImageDialog::browse() {
@@ -294,16 +182,9 @@ bool ImageDialog::rendersPicture() const { return m_source->checkedId() == rende
 
 PictureExport ImageDialog::request() const {
   const widgets::PreviewWidget& preview = m_parts.preview;
-  PictureExport picture{.path = m_path->text(),
-                        .scene = preview.scene(),
-                        .overrides = preview.overrides(),
-                        .others = preview.others(),
-                        .width = m_width->value(),
-                        .height = m_height->value()};
-  picture.limits.samples = m_samples->value();
-  if (m_limited->isChecked()) picture.limits.seconds = m_seconds->value();
-  picture.background = PictureBackground(m_backgrounds->currentIndex());
-  picture.colour = m_colour;
+  PictureExport picture{
+      .path = m_path->text(), .scene = preview.scene(), .overrides = preview.overrides(), .others = preview.others()};
+  m_settings->apply(picture);
   picture.exposure = preview.exposure();
   picture.toneMap = preview.toneMap();
   return picture;
@@ -311,16 +192,10 @@ PictureExport ImageDialog::request() const {
 
 void ImageDialog::showChoices() {
   const bool renders = rendersPicture();
-  m_page->setEnabled(renders);
+  m_settings->setEnabled(renders);
   m_format->setEnabled(renders);
   if (!renders) m_format->setCurrentIndex(png);
   m_labels->setEnabled(!renders && m_parts.preview.isComparing());
-  m_seconds->setEnabled(m_limited->isChecked());
-  m_colourButton->setVisible(m_backgrounds->currentIndex() == int(PictureBackground::colour));
-  m_colourButton->setText(m_colour.name());
-  QPixmap swatch(fontMetrics().height(), fontMetrics().height());
-  swatch.fill(m_colour);
-  m_colourButton->setIcon(swatch);
   m_export->setEnabled(!m_path->text().isEmpty());
   m_estimate.reset();
   m_estimateError.clear();
@@ -352,9 +227,10 @@ void ImageDialog::showEstimate() {
   if (!rendersPicture()) return m_cost->setText(QString());
   if (!m_estimateError.isEmpty()) return m_cost->setText(m_estimateError);
   if (!m_estimate) return m_cost->setText(tr("Estimating time and noise..."));
-  int samples = m_samples->value();
-  const double limit = m_seconds->value();
-  const bool stopped = m_limited->isChecked() && m_estimate->seconds(samples) > limit;
+  PictureExport picture;
+  m_settings->apply(picture);
+  auto [samples, limit] = picture.limits;
+  const bool stopped = m_estimate->seconds(samples) > limit;
   if (stopped) samples = std::max(1, int(limit / m_estimate->secondsOfSample));
   const QString noise = QString::number(100 * m_estimate->noise(samples), 'g', 2);
   const QString time = durationText(m_estimate->seconds(samples));

@@ -15,8 +15,6 @@ class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSettings;
-class QSpinBox;
-class QWidget;
 
 namespace gonio::widgets {
 class PreviewWidget;
@@ -25,6 +23,7 @@ class PreviewWidget;
 namespace gonio::app {
 
 class ComparisonController;
+class PictureSettings;
 
 /// File > Export Image: the scene of the preview rendered at a chosen size and quality, with the time and the noise to
 /// expect; or the preview's picture as it is, in a comparison with names, scale and numbers. It remembers the choices.
@@ -59,17 +58,10 @@ class ImageDialog : public QDialog {
  private:
   void build();
   QWidget* choiceRow();
-  QWidget* renderedPage();
-  QWidget* sizeRow();
-  QWidget* qualityRows();
   QWidget* pathRow();
   void connectParts();
   void restore(const QString& name);
   void remember();
-  void chooseSize(int preset);
-  /// Names the size in the list.
-  void showSize();
-  void chooseColour();
   void browse();
   void showChoices();
   void startEstimate();
@@ -81,14 +73,11 @@ class ImageDialog : public QDialog {
   QTimer m_delay;
   std::optional<PictureEstimate> m_estimate;
   QString m_estimateError;
-  QColor m_colour;
   QButtonGroup* m_source;
-  QWidget* m_page;
+  PictureSettings* m_settings;
   QCheckBox* m_labels;
-  QComboBox *m_sizes, *m_backgrounds, *m_format;
-  QSpinBox *m_width, *m_height, *m_samples, *m_seconds;
-  QCheckBox* m_limited;
-  QPushButton *m_colourButton, *m_export;
+  QComboBox* m_format;
+  QPushButton* m_export;
   QLineEdit* m_path;
   QLabel* m_cost;
 };

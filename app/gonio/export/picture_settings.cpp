@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/gonio/export/picture_settings.h"
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <algorithm>
+
+namespace gonio::app {
+
+namespace {
+
+constexpr int mostPixelsOfSide = 8192, mostSamples = 1 << 20, mostSeconds = 86'400;
+const QString settingsGroup = QStringLiteral("image/");
+
+/// Sizes that are offered; that of the preview comes first.
+constexpr QSize offeredSizes[] = {{1024, 1024}, {2048, 2048}, {1920, 1080}, {3840, 2160}};
+
+QSpinBox* countField(int most, const QString& unit = {}) {
+  auto* field = new QSpinBox;
+  field->setRange(1, most);
+  field->setSuffix(unit);
+  field->setGroupSeparatorShown(true);
+  return field;
+}
+
+}  // namespace
+
+PictureSettings::PictureSettings(const QSize& preview, QWidget* parent) : QWidget(parent), m_preview(preview) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(tr("&Size"), sizeRow());
+  form->addRow(tr("S&amples"), qualityRow());
+  m_backgrounds = new QComboBox;
+  m_backgrounds->addItems({tr("Environment"), tr("Transparent (alpha)"), tr("Colour")});
+  m_colourButton = new QPushButton;
+  m_colourButton->setAutoDefault(false);
+  m_colourButton->setAccessibleName(tr("Colour of the background"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(m_backgrounds, 1);
+  row->addWidget(m_colourButton);
+  auto* label = new QLabel(tr("&Background"));
+  label->setBuddy(m_backgrounds);
+  form->addRow(label, row);
+  connectParts();
+}
+
+QWidget* PictureSettings::sizeRow() {
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  m_sizes = new QComboBox;
+  m_sizes->addItem(tr("As the preview"));
+  for (const QSize& size : offeredSizes)
+    m_sizes->addItem(QStringLiteral("%1 x %2").arg(size.width()).arg(size.height()));
+  m_sizes->addItem(tr("Other"));
+  m_width = countField(mostPixelsOfSide);
+  m_height = countField(mostPixelsOfSide);
+  m_width->setAccessibleName(tr("Width in pixels"));
+  m_height->setAccessibleName(tr("Height in pixels"));
+  row->addWidget(m_sizes, 1);
+  row->addWidget(m_width);
+  row->addWidget(new QLabel(QStringLiteral("x")));
+  row->addWidget(m_height);
+  box->setFocusProxy(m_sizes);
+  return box;
+}
+
+QWidget* PictureSettings::qualityRow() {
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  m_samples = countField(mostSamples, tr(" a pixel"));
+  m_samples->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  m_limited = new QCheckBox(tr("Stop &after"));
+  m_limited->setToolTip(tr("The picture is written with the samples that it has by then"));
+  m_seconds = countField(mostSeconds, tr(" s"));
+  m_seconds->setAccessibleName(tr("Longest time in seconds"));
+  row->addWidget(m_samples, 1);
+  row->addWidget(m_limited);
+  row->addWidget(m_seconds);
+  box->setFocusProxy(m_samples);
+  return box;
+}
+
+void PictureSettings::chooseSize(int preset) {
+  if (preset > int(std::size(offeredSizes))) return m_width->setFocus();
+  const QSize size = preset == 0 ? m_preview : offeredSizes[preset - 1];
+  m_width->setValue(size.width());
+  m_height->setValue(size.height());
+}
+
+void PictureSettings::showSize() {
+  const QSize size(m_width->value(), m_height->value());
+  const auto* found = std::ranges::find(offeredSizes, size);
+  m_sizes->setCurrentIndex(size == m_preview ? 0 : 1 + int(found - std::begin(offeredSizes)));
+}
+
+void PictureSettings::chooseColour() {
+  const QColor colour = QColorDialog::getColor(m_colour, this, tr("Colour of the background"));
+  if (!colour.isValid()) return;
+  m_colour = colour;
+  showChoices();
+}
+
+void PictureSettings::connectParts() {
+  connect(m_sizes, &QComboBox::activated, this, &PictureSettings::chooseSize);
+  for (QSpinBox* length : {m_width, m_height})
+    connect(length, &QSpinBox::valueChanged, this, [this] {
+      showSize();
+      Q_EMIT costChanged();
+    });
+  for (QSpinBox* limit : {m_samples, m_seconds})
+    connect(limit, &QSpinBox::valueChanged, this, &PictureSettings::limitsChanged);
+  connect(m_limited, &QCheckBox::toggled, this, [this] {
+    showChoices();
+    Q_EMIT limitsChanged();
+  });
+  connect(m_backgrounds, &QComboBox::currentIndexChanged, this, [this] {
+    showChoices();
+    Q_EMIT costChanged();
+  });
+  connect(m_colourButton, &QPushButton::clicked, this, &PictureSettings::chooseColour);
+}
+
+void PictureSettings::showChoices() {
+  m_seconds->setEnabled(m_limited->isChecked());
+  m_colourButton->setVisible(m_backgrounds->currentIndex() == int(PictureBackground::colour));
+  m_colourButton->setText(m_colour.name());
+  QPixmap swatch(fontMetrics().height(), fontMetrics().height());
+  swatch.fill(m_colour);
+  m_colourButton->setIcon(swatch);
+}
+
+void PictureSettings::restore(const QSettings& settings, bool environmentShown) {
+  const auto stored = [&](const char* key, const QVariant& otherwise) {
+    return settings.value(settingsGroup + key, otherwise);
+  };
+  m_width->setValue(stored("width", 1024).toInt());
+  m_height->setValue(stored("height", 1024).toInt());
+  showSize();
+  m_samples->setValue(stored("samples", 256).toInt());
+  m_limited->setChecked(stored("limited", false).toBool());
+  m_seconds->setValue(stored("seconds", 60).toInt());
+  m_colour = QColor(stored("colour", "#3a3a3c").toString());
+  m_backgrounds->setCurrentIndex(int(environmentShown                       ? PictureBackground::environment
+                                     : stored("transparent", true).toBool() ? PictureBackground::transparent
+                                                                            : PictureBackground::colour));
+  showChoices();
+}
+
+void PictureSettings::remember(QSettings& settings) const {
+  const auto store = [&](const char* key, const QVariant& value) { settings.setValue(settingsGroup + key, value); };
+  store("width", m_width->value());
+  store("height", m_height->value());
+  store("samples", m_samples->value());
+  store("limited", m_limited->isChecked());
+  store("seconds", m_seconds->value());
+  store("colour", m_colour.name());
+  store("transparent", m_backgrounds->currentIndex() != int(PictureBackground::colour));
+}
+
+void PictureSettings::apply(PictureExport& picture) const {
+  picture.width = m_width->value();
+  picture.height = m_height->value();
+  picture.limits.samples = m_samples->value();
+  if (m_limited->isChecked()) picture.limits.seconds = m_seconds->value();
+  picture.background = PictureBackground(m_backgrounds->currentIndex());
+  picture.colour = m_colour;
+}
+
+}  // namespace gonio::app
+
+#include "moc_picture_settings.cpp"
