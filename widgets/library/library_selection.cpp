@@ -82,12 +82,10 @@ bool LibrarySelection::key(int key, Qt::KeyboardModifiers modifiers) {
     toggleLook();
   } else if (key == Qt::Key_Escape && m_look->isVisible()) {
     m_look->hide();
-  } else if (ids.isEmpty()) {
+  } else if (ids.isEmpty() || (key != Qt::Key_Asterisk && key != Qt::Key_Return && key != Qt::Key_Enter)) {
     return false;
   } else if (key == Qt::Key_Asterisk) {
     setFavourites(ids, !areFavourites(ids));
-  } else if (key != Qt::Key_Return && key != Qt::Key_Enter) {
-    return false;
   } else if (modifiers & Qt::ControlModifier) {
     Q_EMIT referenceRequested(current());
   } else if (modifiers & Qt::ShiftModifier && !m_single) {

@@ -20,15 +20,28 @@
 
 namespace gonio::app {
 
+QStringList distinctNames(const QStringList& ids) {
+  QStringList plain, names;
+  for (const QString& id : ids) plain << materialName(id);
+  for (qsizetype i = 0; i < ids.size(); ++i) {
+    const bool bundled = ids[i].startsWith(QLatin1String("library:"));
+    const QString other = bundled ? ids[i].section(':', -1).section('/', -2, -2) : QFileInfo(ids[i]).suffix();
+    QString name = plain.count(plain[i]) > 1 ? plain[i] + '_' + other : plain[i];
+    while (names.contains(name)) name += '_';
+    names << name;
+  }
+  return names;
+}
+
 BatchDialog::BatchDialog(ExportController& controller, QSettings& settings, const QStringList& ids, QWidget* parent)
-    : QDialog(parent), m_controller(controller), m_settings(settings), m_ids(ids) {
+    : QDialog(parent), m_controller(controller), m_settings(settings), m_ids(ids), m_names(distinctNames(ids)) {
   setWindowTitle(ids.size() == 1 ? tr("Export %1").arg(materialName(ids.front()))
                                  : tr("Export %1 Materials").arg(ids.size()));
   build();
   chooseTarget(settings.value(export_settings::target).toString().toStdString());
   m_snr->setValue(settings.value(export_settings::snr, exports::ExportOptions().snr).toDouble());
   m_folder->setText(settings.value(export_settings::folder, QDir::homePath()).toString());
-  for (QComboBox* box : {m_targets}) connect(box, &QComboBox::currentIndexChanged, this, &BatchDialog::showFiles);
+  connect(m_targets, &QComboBox::currentIndexChanged, this, &BatchDialog::showFiles);
   connect(m_folder, &QLineEdit::textChanged, this, &BatchDialog::showFiles);
   connect(m_replace, &QCheckBox::toggled, this, &BatchDialog::showFiles);
   showFiles();
@@ -91,14 +104,14 @@ void BatchDialog::browse() {
   if (!folder.isEmpty()) m_folder->setText(folder);
 }
 
-ExportRequest BatchDialog::request(const QString& id) const {
-  return {&target(), {.snr = m_snr->value()}, QDir(m_folder->text()).filePath(materialName(id))};
+ExportRequest BatchDialog::request(qsizetype index) const {
+  return {&target(), {.snr = m_snr->value()}, QDir(m_folder->text()).filePath(m_names[index])};
 }
 
 QStringList BatchDialog::existing() const {
   QStringList names;
-  for (const QString& id : m_ids)
-    for (const auto& path : target().paths(request(id).name.toStdString(), false))
+  for (qsizetype i = 0; i < m_ids.size(); ++i)
+    for (const auto& path : target().paths(request(i).name.toStdString(), false))
       if (const QFileInfo info(QString::fromStdString(path.string())); info.exists()) names << info.fileName();
   return names;
 }
@@ -111,7 +124,8 @@ void BatchDialog::showFiles() {
   m_export->setEnabled(hasFolder && !blocked);
   constexpr int mostNames = 3;
   QStringList names;
-  for (const QString& id : m_ids.mid(0, mostNames)) names << fileNames(target(), request(id).name);
+  for (qsizetype i = 0; i < std::min(qsizetype(mostNames), m_ids.size()); ++i)
+    names << fileNames(target(), request(i).name);
   if (m_ids.size() > mostNames) names << tr("and those of %1 more").arg(m_ids.size() - mostNames);
   QString text = names.join(QStringLiteral(", "));
   if (!hasFolder) text = tr("Choose a folder that exists.");
@@ -125,7 +139,7 @@ void BatchDialog::accept() {
   m_settings.setValue(export_settings::target, widgets::fromView(target().id));
   m_settings.setValue(export_settings::snr, m_snr->value());
   m_settings.setValue(export_settings::folder, m_folder->text());
-  for (const QString& id : m_ids) m_controller.writeMeasured(id, request(id), m_replace->isChecked());
+  for (qsizetype i = 0; i < m_ids.size(); ++i) m_controller.writeMeasured(m_ids[i], request(i), m_replace->isChecked());
   QDialog::accept();
 }
 

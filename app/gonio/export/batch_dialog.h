@@ -16,6 +16,9 @@ class QSettings;
 
 namespace gonio::app {
 
+/// Names of exports, each another: materials of one name are told apart by their source or suffix.
+QStringList distinctNames(const QStringList& ids);
+
 /// Exports several materials of the library, as measured, to one target and one folder: each a task of its own, which
 /// can be stopped alone. It remembers target, SNR and folder, with File > Export for Renderer.
 class BatchDialog : public QDialog {
@@ -36,13 +39,13 @@ class BatchDialog : public QDialog {
   void build();
   void browse();
   void showFiles();
-  ExportRequest request(const QString& id) const;
+  ExportRequest request(qsizetype index) const;
   /// Names of files that are there already.
   QStringList existing() const;
 
   ExportController& m_controller;
   QSettings& m_settings;
-  const QStringList m_ids;
+  const QStringList m_ids, m_names;
   QComboBox* m_targets;
   QDoubleSpinBox* m_snr;
   QLineEdit* m_folder;

@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <QTimer>
 #include <map>
+#include <tuple>
 
 #include "app/gonio/export/export_controller.h"
 
@@ -50,7 +51,7 @@ class ExportDialog : public QDialog {
     std::string_view suffix;
     double snr;
     static Key of(const exports::ExportTarget& target, double snr) { return {target.suffixes.front(), snr}; }
-    auto operator<=>(const Key&) const = default;
+    bool operator<(const Key& other) const { return std::tie(suffix, snr) < std::tie(other.suffix, other.snr); }
   };
 
   QWidget* targetList();

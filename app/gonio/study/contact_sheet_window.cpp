@@ -21,8 +21,7 @@ namespace gonio::app {
 
 namespace {
 
-const QString renderKey = QStringLiteral("contact-sheet"), mapsKey = QStringLiteral("contact-sheet-maps"),
-              pairKey = QStringLiteral("contact-sheet-pair"), purpose = QStringLiteral("plot");
+const QString purpose = QStringLiteral("plot");
 constexpr int side = 256, samples = 32, firstCount = 8, smallestTile = 96, largestTile = 384, firstTile = 160;
 constexpr int savedTile = 320, savedColumns = 6;
 
@@ -47,6 +46,11 @@ SheetSource bestFirst(SheetSource source) {
 
 ContactSheetWindow::ContactSheetWindow(BackgroundTasks& tasks, SheetSource source, QWidget* parent)
     : QDialog(parent), m_tasks(tasks), m_source(bestFirst(std::move(source))), m_sheet(new widgets::ContactSheet) {
+  // Several sheets may be open.
+  const QString key = QStringLiteral("contact-sheet %1 ").arg(quintptr(this));
+  m_renderKey = key + "pictures";
+  m_mapsKey = key + "maps";
+  m_pairKey = key + "pair";
   setWindowTitle(tr("Contact Sheet: %1").arg(QString::fromStdString(m_source.material->material.name)));
   m_tiles.push_back({QString::fromStdString(m_source.material->material.name), sourceKind(*m_source.material), {}, {}});
   for (const SheetEntry& entry : m_source.entries) m_tiles.push_back({entry.name, entry.numbers, {}, {}});
@@ -56,7 +60,7 @@ ContactSheetWindow::ContactSheetWindow(BackgroundTasks& tasks, SheetSource sourc
 }
 
 ContactSheetWindow::~ContactSheetWindow() {
-  for (const QString& key : {renderKey, mapsKey, pairKey}) m_tasks.drop(key);
+  for (const QString& key : {m_renderKey, m_mapsKey, m_pairKey}) m_tasks.drop(key);
 }
 
 void ContactSheetWindow::build() {
@@ -118,7 +122,7 @@ std::size_t ContactSheetWindow::shownCount() const {
 
 void ContactSheetWindow::start() {
   m_tasks.run<std::shared_ptr<const RenderedComparison>>(
-      {tr("Rendering the contact sheet"), renderKey},
+      {tr("Rendering the contact sheet"), m_renderKey},
       [material = m_source.material](const TaskControl& control) {
         const RenderOptions options{.width = side, .height = side, .samples = samples, .lobe = {}};
         return std::make_shared<const RenderedComparison>(*material->material.brdf, options, control);
@@ -137,7 +141,7 @@ void ContactSheetWindow::renderNext() {
   if (next == m_source.entries.size()) return makeMaps();
   if (next == shownCount()) makeMaps();
   m_tasks.run<Image>(
-      {tr("Rendering %1").arg(m_source.entries[next].name), renderKey},
+      {tr("Rendering %1").arg(m_source.entries[next].name), m_renderKey},
       [comparison = m_comparison, brdf = m_source.entries[next].brdf](const TaskControl& control) {
         return comparison->render(*brdf, control).image;
       },
@@ -158,7 +162,7 @@ void ContactSheetWindow::makeMaps() {
     double range;
   };
   m_tasks.run<Made>(
-      {.title = tr("Comparing the pictures"), .key = mapsKey, .live = true},
+      {.title = tr("Comparing the pictures"), .key = m_mapsKey, .live = true},
       [comparison = m_comparison,
        pictures = std::vector(m_pictures.begin(), m_pictures.begin() + std::ptrdiff_t(count))](const TaskControl&) {
         const ErrorMaps maps = errorMaps(comparison->reference(), pictures);
@@ -185,7 +189,7 @@ void ContactSheetWindow::compareSelected() {
   const std::array<QString, 2> names{m_tiles[std::size_t(tiles[0])].name, m_tiles[std::size_t(tiles[1])].name};
   using Pair = std::array<widgets::PreviewSubject, 2>;
   m_tasks.run<Pair>(
-      {tr("Preparing %1 and %2").arg(names[0], names[1]), pairKey},
+      {tr("Preparing %1 and %2").arg(names[0], names[1]), m_pairKey},
       [source = m_source, tiles](const TaskControl& control) {
         return Pair{subjectOf(source, tiles[0], control.between(0, 0.5)),
                     subjectOf(source, tiles[1], control.between(0.5, 1))};

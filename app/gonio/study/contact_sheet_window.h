@@ -66,6 +66,7 @@ class ContactSheetWindow : public QDialog {
 
   BackgroundTasks& m_tasks;
   const SheetSource m_source;
+  QString m_renderKey, m_mapsKey, m_pairKey;               ///< of its tasks
   std::shared_ptr<const RenderedComparison> m_comparison;  ///< null until the material is rendered
   std::vector<Image> m_pictures;                           ///< of the entries, as far as they are rendered
   std::vector<widgets::SheetTile> m_tiles;

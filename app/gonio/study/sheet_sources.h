@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/gonio/study/contact_sheet_window.h"
+#include "core/study/accuracy_study.h"
 
 namespace gonio::app {
 

@@ -97,6 +97,13 @@ class BatchDialogTest : public QObject {
     QCOMPARE(QFileInfo(editor.ids[1]).size(), size);
   }
 
+  /// Materials of one name do not replace each other.
+  void namesAreDistinct() {
+    QCOMPARE(distinctNames({"library:rgl/paper", "library:rgl-copy/paper", "library:sgd/gold"}),
+             QStringList({"paper_rgl", "paper_rgl-copy", "gold"}));
+    QCOMPARE(distinctNames({"/a/x.binary", "/a/x.bsdf", "/b/x.bsdf"}), QStringList({"x_binary", "x_bsdf", "x_bsdf_"}));
+  }
+
   void namesOfMaterials() {
     QCOMPARE(materialName("library:merl-copy/red.paint"), QString("red.paint"));
     QCOMPARE(materialName("/data/paint2.bsdf"), QString("paint2"));
