@@ -6,6 +6,7 @@
 
 #include "app/gonio/document/autosave.h"
 
+class QSettings;
 class QWidget;
 
 namespace gonio::widgets {
