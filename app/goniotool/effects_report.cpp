@@ -15,12 +15,18 @@ Json planJson(const EffectPlan& plan, const EffectCosts* costs) {
     if (costs) {
       const EffectCost& cost = costs->effects[i];
       one["seconds"] = cost.seconds;
+      one["secondsNoise"] = cost.secondsNoise;
       one["difference"] = cost.difference;
       one["noise"] = cost.noise;
     }
     list.push_back(std::move(one));
   }
   return list;
+}
+
+std::string timeText(const EffectCost& cost) {
+  const std::string time = number(cost.seconds) + " +- " + number(cost.secondsNoise) + " s";
+  return cost.isWithinNoise() ? time + " (within noise)" : time;
 }
 
 std::string planText(const EffectPlan& plan, const EffectCosts* costs) {
@@ -31,7 +37,7 @@ std::string planText(const EffectPlan& plan, const EffectCosts* costs) {
     if (decision.simulated != decision.calledFor) text += " (forced)";
     text += ", " + decision.reason;
     if (costs)
-      text += "; " + number(costs->effects[i].seconds) + " s, changes the picture by " +
+      text += "; " + timeText(costs->effects[i]) + ", changes the picture by " +
               number(100 * costs->effects[i].difference) + " % (noise " + number(100 * costs->effects[i].noise) + " %)";
     text += "\n";
   }

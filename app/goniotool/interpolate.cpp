@@ -47,6 +47,7 @@ std::vector<std::vector<double>> weightsOf(const InterpolateArguments& options) 
   std::vector<std::vector<double>> all;
   if (!options.weights.empty()) return {options.weights};
   if (options.steps == 0) return {between(options.at)};
+  all.reserve(std::size_t(options.steps));
   for (int step = 0; step < options.steps; ++step) all.push_back(between(double(step) / (options.steps - 1)));
   return all;
 }

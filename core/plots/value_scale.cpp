@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 
 namespace gonio::plots {
 
@@ -28,14 +28,15 @@ double ValueScale::value(double share) const {
   return logarithmic ? min * std::pow(max / min, share) : min + share * (max - min);
 }
 
-ValueScale scaleFor(std::span<const double> values, bool logarithmic, int maxDecades) {
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
-  for (const double value : values) {
-    if (!(value > 0) || !std::isfinite(value)) continue;
-    smallest = std::min(smallest, value);
-    largest = std::max(largest, value);
-  }
-  if (!(largest > 0)) return {logarithmic, logarithmic ? 0.1 : 0.0, 1};
+ValueScale scaleFor(std::span<const double> values, bool logarithmic, int maxDecades, double shown) {
+  std::vector<double> positive;
+  std::ranges::copy_if(values, std::back_inserter(positive),
+                       [](double value) { return value > 0 && std::isfinite(value); });
+  if (positive.empty()) return {logarithmic, logarithmic ? 0.1 : 0.0, 1};
+  const double smallest = std::ranges::min(positive);
+  const auto end = positive.begin() + std::ptrdiff_t(shown * double(positive.size() - 1));
+  std::ranges::nth_element(positive, end);
+  const double largest = *end;
   if (!logarithmic) return {false, 0, largest * 1.05};
   const double top = std::ceil(std::log10(largest) - 1e-9);
   const double bottom = std::clamp(std::floor(std::log10(smallest) + 1e-9), top - maxDecades, top - 1);

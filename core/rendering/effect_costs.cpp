@@ -2,17 +2,25 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/rendering/effect_costs.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 namespace gonio {
 
 namespace {
 
+/// A picture with the times of its repeats.
 struct Timed {
   Image picture;
-  double seconds = std::numeric_limits<double>::infinity();
+  std::vector<double> times;
+
+  double seconds() const { return std::ranges::min(times); }
+  double spread() const {
+    std::vector<double> sorted = times;
+    std::ranges::sort(sorted);
+    return sorted[sorted.size() / 2] - sorted.front();
+  }
 };
 
 Timed renderOnce(const PathTracer& tracer, const EffectCostOptions& options, const TaskControl& control) {
@@ -20,7 +28,7 @@ Timed renderOnce(const PathTracer& tracer, const EffectCostOptions& options, con
   const auto start = std::chrono::steady_clock::now();
   tracer.accumulate(film, options.samples, {control.stop, {}});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return {film.image(), seconds};
+  return {film.image(), {seconds}};
 }
 
 double relativeDifference(const Image& a, const Image& b) {
@@ -59,16 +67,22 @@ EffectCosts measureEffectCosts(const Scene& scene, const std::vector<std::shared
   };
   // In turn, so that what else the machine does falls on all of them.
   for (int repeat = 0; repeat < options.repeats; ++repeat)
-    for (std::size_t i = 0; i < tracers.size(); ++i)
-      if (Timed one = render(tracers[i]); one.seconds < timed[i].seconds) timed[i] = std::move(one);
+    for (std::size_t i = 0; i < tracers.size(); ++i) {
+      Timed one = render(tracers[i]);
+      timed[i].picture = std::move(one.picture);
+      timed[i].times.push_back(one.times.front());
+    }
   const Timed& planned = timed[0];
   const double noise = relativeDifference(planned.picture, render(tracerOf(overrides, 2)).picture);
-  EffectCosts costs{planned.seconds, {}};
+  EffectCosts costs{planned.seconds(), {}};
   for (std::size_t i = 0; i < effectCount; ++i) {
     const Timed& changed = timed[i + 1];
-    const double added = changed.seconds - planned.seconds;
-    costs.effects.push_back({Effect(i), plan.decisions[i].simulated ? -added : added,
-                             relativeDifference(planned.picture, changed.picture), noise});
+    const double added = changed.seconds() - planned.seconds();
+    costs.effects.push_back({.effect = Effect(i),
+                             .seconds = plan.decisions[i].simulated ? -added : added,
+                             .secondsNoise = std::hypot(changed.spread(), planned.spread()),
+                             .difference = relativeDifference(planned.picture, changed.picture),
+                             .noise = noise});
   }
   return costs;
 }

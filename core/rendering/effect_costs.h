@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cmath>
+
 #include "core/rendering/path_tracer.h"
 
 namespace gonio {
@@ -9,14 +11,19 @@ namespace gonio {
 /// A picture with one effect as its plan has it, against the picture with it the other way round.
 struct EffectCost {
   Effect effect;
-  double seconds = 0;     ///< what the effect adds to the picture's time; less than the timer's noise counts as it is
-  double difference = 0;  ///< RMS of the two pictures' difference over the RMS of the picture
-  double noise = 0;       ///< the same of two pictures of different seeds: what chance alone differs by
+  double seconds = 0;       ///< what the effect adds to the picture's time, as it was measured
+  double secondsNoise = 0;  ///< by how much that is uncertain: both pictures' spreads, see EffectCostOptions::repeats
+  double difference = 0;    ///< RMS of the two pictures' difference over the RMS of the picture
+  double noise = 0;         ///< the same of two pictures of different seeds: what chance alone differs by
+
+  /// Whether the time tells nothing: the effect may cost this much or nothing.
+  bool isWithinNoise() const { return std::abs(seconds) <= secondsNoise; }
 };
 
 struct EffectCostOptions {
   int width = 128, height = 128, samples = 16;
-  int repeats = 3;  ///< of each picture; the shortest time counts
+  /// Of each picture: the shortest time counts, what lies between it and the median is its spread.
+  int repeats = 3;
   EffectThresholds thresholds;
 };
 

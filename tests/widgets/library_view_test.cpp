@@ -59,7 +59,7 @@ class LibraryViewTest : public QObject {
     view.resize(400, 400);
     view.show();
     model.setItems(threeMaterials());
-    QSignalSpy opened(&view, &LibraryView::openRequested);
+    QSignalSpy opened(&view.selection(), &LibrarySelection::openRequested);
     QCOMPARE(idsOf(view), QStringList({"b", "c", "a"}));
     model.setLook("a", look(45, 0.2));
     model.setLook("b", look(-1, 0.01));
@@ -110,7 +110,8 @@ class LibraryViewTest : public QObject {
     view.resize(400, 400);
     view.show();
     model.setItems(threeMaterials());
-    QSignalSpy interpolate(&view, &LibraryView::interpolationRequested), open(&view, &LibraryView::openRequested);
+    QSignalSpy interpolate(&view.selection(), &LibrarySelection::interpolationRequested),
+        open(&view.selection(), &LibrarySelection::openRequested);
     QTest::keyClick(view.list(), Qt::Key_A, Qt::ControlModifier);
     QCOMPARE(view.selection().ids(), QStringList({"b", "c", "a"}));
     QTest::keyClick(view.list(), Qt::Key_Return, Qt::ShiftModifier);
@@ -154,7 +155,7 @@ class LibraryViewTest : public QObject {
     LibraryView view(&model);
     view.show();
     model.setItems(threeMaterials());
-    QSignalSpy wanted(&view, &LibraryView::largePictureRequested);
+    QSignalSpy wanted(&view.selection(), &LibrarySelection::largePictureRequested);
     const QuickLook& look = view.selection().quickLook();
     view.selectItem("b");
     QTest::keyClick(view.list(), Qt::Key_Space);
@@ -228,7 +229,7 @@ class LibraryViewTest : public QObject {
     LibraryModel model;
     LibraryView view(&model);
     model.setItems(threeMaterials());
-    QSignalSpy changed(&view, &LibraryView::favouritesChanged);
+    QSignalSpy changed(&view.selection(), &LibrarySelection::favouritesChanged);
     view.selectItem("b");
     QTest::keyClick(view.list(), Qt::Key_Asterisk);
     QCOMPARE(changed[0][0].toStringList(), QStringList{"b"});
@@ -264,7 +265,7 @@ class LibraryViewTest : public QObject {
     QCOMPARE(rows(), QStringList({"# Fabric", "felt", "# Metal", "chrome", "gold"}));
     view.search()->setText("metal");  // a kind; the heading of what does not match goes
     QCOMPARE(rows(), QStringList({"# Metal", "chrome", "gold"}));
-    QSignalSpy opened(&view, &LibraryView::openRequested);
+    QSignalSpy opened(&view.selection(), &LibrarySelection::openRequested);
     QTest::keyClick(view.search(), Qt::Key_Return);
     QCOMPARE(opened.count(), 1);
     QCOMPARE(opened[0][0].toString(), QStringLiteral("b"));  // the first material, not the heading

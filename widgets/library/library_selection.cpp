@@ -18,7 +18,7 @@ LibrarySelection::LibrarySelection(QListView& list, LibraryModel& model, QWidget
   m_list.setContextMenuPolicy(Qt::CustomContextMenu);
   m_list.installEventFilter(this);
   connect(&m_list, &QListView::customContextMenuRequested, this, &LibrarySelection::showMenu);
-  connect(&m_list, &QListView::doubleClicked, this, [this] { Q_EMIT openRequested(current()); });
+  connect(&m_list, &QListView::doubleClicked, this, &LibrarySelection::openCurrent);
   connect(m_list.selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     if (m_look->isVisible()) showLook();
   });
@@ -30,6 +30,10 @@ void LibrarySelection::setSingle() {
 }
 
 QString LibrarySelection::current() const { return m_list.currentIndex().data(LibraryModel::IdRole).toString(); }
+
+void LibrarySelection::openCurrent() {
+  if (m_list.currentIndex().isValid()) Q_EMIT openRequested(current());
+}
 
 void LibrarySelection::setFavourites(const QStringList& ids, bool favourite) {
   for (const QString& id : ids) m_model.setFavourite(id, favourite);
@@ -91,7 +95,7 @@ bool LibrarySelection::key(int key, Qt::KeyboardModifiers modifiers) {
   } else if (modifiers & Qt::ShiftModifier && !m_single) {
     Q_EMIT interpolationRequested(ids);
   } else {
-    Q_EMIT openRequested(current());
+    openCurrent();
   }
   return true;
 }

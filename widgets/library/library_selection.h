@@ -25,14 +25,20 @@ class LibrarySelection : public QObject {
   void setSingle();
   /// In the order in which they are shown.
   QStringList ids() const;
+  /// As Enter does; nothing where no material is current.
+  void openCurrent();
   QuickLook& quickLook() const { return *m_look; }
 
  Q_SIGNALS:
   void openRequested(const QString& id);
+  /// As the reference of comparisons.
   void referenceRequested(const QString& id);
+  /// As materials to interpolate between.
   void interpolationRequested(const QStringList& ids);
+  /// The first is to be opened, the second compared with it.
   void pairRequested(const QString& first, const QString& second);
   void exportRequested(const QStringList& ids);
+  /// A large picture for the quick look, by its setPicture().
   void largePictureRequested(const QString& id);
   void favouritesChanged(const QStringList& ids);
 

@@ -124,13 +124,6 @@ void LibraryView::connectList() {
   m_list->setAccessibleName(tr("Materials"));
   m_list->viewport()->installEventFilter(this);
   m_selection = new LibrarySelection(*m_list, *m_model, *this);
-  connect(m_selection, &LibrarySelection::openRequested, this, &LibraryView::openRequested);
-  connect(m_selection, &LibrarySelection::referenceRequested, this, &LibraryView::referenceRequested);
-  connect(m_selection, &LibrarySelection::interpolationRequested, this, &LibraryView::interpolationRequested);
-  connect(m_selection, &LibrarySelection::pairRequested, this, &LibraryView::pairRequested);
-  connect(m_selection, &LibrarySelection::exportRequested, this, &LibraryView::exportRequested);
-  connect(m_selection, &LibrarySelection::largePictureRequested, this, &LibraryView::largePictureRequested);
-  connect(m_selection, &LibrarySelection::favouritesChanged, this, &LibraryView::favouritesChanged);
 
   m_visibleTimer.setSingleShot(true);
   m_visibleTimer.setInterval(visibleDelayMilliseconds);
@@ -157,10 +150,6 @@ void LibraryView::filterChanged() {
   m_visibleTimer.start();
 }
 
-void LibraryView::openIndex(const QModelIndex& index) {
-  if (index.isValid()) Q_EMIT openRequested(index.data(LibraryModel::IdRole).toString());
-}
-
 QModelIndex LibraryView::firstMaterial() const {
   for (int row = 0; row < m_proxy->rowCount(); ++row)
     if (const QModelIndex index = m_proxy->index(row, 0); index.flags() & Qt::ItemIsEnabled) return index;
@@ -179,7 +168,7 @@ bool LibraryView::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_search && (key == Qt::Key_Down || enter)) {
     if (!m_list->currentIndex().isValid() || enter) m_list->setCurrentIndex(firstMaterial());
     m_list->setFocus();
-    if (enter) openIndex(m_list->currentIndex());
+    if (enter) m_selection->openCurrent();
     return true;
   }
   return QWidget::eventFilter(watched, event);

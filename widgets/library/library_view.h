@@ -42,6 +42,7 @@ class LibraryView : public QWidget {
   int grouping() const;
   void selectItem(const QString& id);
   QStringList visibleIds() const;
+  /// What the user asks for.
   LibrarySelection& selection() const { return *m_selection; }
   /// Whether the buttons that choose what is shown are in sight.
   void setChipsShown(bool shown);
@@ -52,18 +53,7 @@ class LibraryView : public QWidget {
   QLineEdit* search() const { return m_search; }
 
  Q_SIGNALS:
-  void openRequested(const QString& id);
-  /// As the reference of comparisons: Ctrl + Enter, or the context menu.
-  void referenceRequested(const QString& id);
-  /// As one of the materials to interpolate between: Shift + Enter, or the context menu.
-  void interpolationRequested(const QStringList& ids);
-  /// The first is to be opened, the second compared with it.
-  void pairRequested(const QString& first, const QString& second);
-  void exportRequested(const QStringList& ids);
-  /// A large picture for the quick look, by its setPicture().
-  void largePictureRequested(const QString& id);
   void visibleIdsChanged(const QStringList& ids);
-  void favouritesChanged(const QStringList& ids);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -74,7 +64,6 @@ class LibraryView : public QWidget {
   void buildControls();
   void connectList();
   void updateEmptyState();
-  void openIndex(const QModelIndex& index);
   /// The first material, behind a heading.
   QModelIndex firstMaterial() const;
   void filterChanged();

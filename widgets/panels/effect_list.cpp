@@ -37,6 +37,7 @@ constexpr EffectText texts[effectCount] = {
 };
 
 QString costText(const EffectCosts& costs, const EffectCost& cost) {
+  if (cost.isWithinNoise()) return EffectList::tr("within noise");
   const double share = costs.seconds > 0 ? 100 * cost.seconds / costs.seconds : 0;
   return EffectList::tr("%1 ms (%2 %)").arg(1000 * cost.seconds, 0, 'f', 1).arg(share, 0, 'f', 0);
 }
@@ -103,13 +104,14 @@ void EffectList::setCosts(const std::optional<EffectCosts>& costs) {
     QLabel& label = *m_rows[i].cost;
     label.setEnabled(costs.has_value());
     label.setText(costs ? costText(*costs, costs->effects[i]) : tr("-"));
-    label.setToolTip(
-        costs
-            ? tr("The picture's time with it less that without it, on the CPU. It changes the picture by %1 %; chance "
-                 "alone by %2 %.")
-                  .arg(100 * costs->effects[i].difference, 0, 'g', 2)
-                  .arg(100 * costs->effects[i].noise, 0, 'g', 2)
-            : tr("Not measured yet"));
+    label.setToolTip(costs ? tr("The picture's time with it less that without it, on the CPU: %3 ms, uncertain by %4 "
+                                "ms. It changes the "
+                                "picture by %1 %; chance alone by %2 %.")
+                                 .arg(100 * costs->effects[i].difference, 0, 'g', 2)
+                                 .arg(100 * costs->effects[i].noise, 0, 'g', 2)
+                                 .arg(1000 * costs->effects[i].seconds, 0, 'f', 1)
+                                 .arg(1000 * costs->effects[i].secondsNoise, 0, 'f', 1)
+                           : tr("Not measured yet"));
   }
 }
 

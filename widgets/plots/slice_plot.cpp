@@ -19,6 +19,15 @@ namespace gonio::widgets {
 namespace {
 /// Of a logarithmic colour scale: a few cells near 0 must not take the contrast from all others.
 constexpr int maxDecades = 5;
+/// Where the scale ends: the grazing peak of a few cells would leave the rest dark.
+constexpr double shownShare = 0.99;
+
+double largestOf(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  return largest;
+}
 }  // namespace
 
 SlicePlot::SlicePlot(QWidget* parent)
@@ -105,7 +114,8 @@ void SlicePlot::refresh() {
   for (const auto& series : m_series)
     for (std::size_t i = 0; i < series.data.cells.values.size(); ++i)
       values.push_back(series.data.cells.at(i, settings().channel));
-  m_scale = plots::scaleFor(values, settings().logarithmic, maxDecades);
+  m_scale = plots::scaleFor(values, settings().logarithmic, maxDecades, shownShare);
+  m_largest = largestOf(values);
   m_bar->setDataScaleType(settings().logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
   m_bar->setDataRange(QCPRange(m_scale.min, m_scale.max));
   for (std::size_t i = 0; i < m_panels.size(); ++i) fillPanel(m_panels[i], m_series[i].data);
@@ -139,7 +149,9 @@ void SlicePlot::apply(const PlotStyle& style) {
   styleChart(*m_chart, style, font());
   styleAxis(*m_bar->axis(), style, font());
   setLogarithmic(*m_bar->axis(), settings().logarithmic);
-  m_bar->axis()->setLabel(valueTitle(settings()));
+  m_bar->axis()->setLabel(m_largest > m_scale.max
+                              ? tr("%1; last colour: up to %2").arg(valueTitle(settings()), formatNumber(m_largest))
+                              : valueTitle(settings()));
   for (std::size_t i = 0; i < m_panels.size(); ++i) {
     const Panel& panel = m_panels[i];
     const plots::Slice& slice = m_series[i].data;

@@ -63,6 +63,7 @@ class SlicePlot final : public Plot {
 
   PlotSeriesList<plots::Slice> m_series;
   plots::ValueScale m_scale;
+  double m_largest = 0;  ///< of all panels: may lie beyond the scale
   QCustomPlot* m_chart;
   QCPMarginGroup* m_margins;
   QCPColorScale* m_bar;

@@ -33,8 +33,8 @@ ReferenceDialog::ReferenceDialog(widgets::LibraryModel& library, QWidget* parent
     accept();
     Q_EMIT chosen(id);
   };
-  connect(view, &widgets::LibraryView::openRequested, this, choose);
-  connect(view, &widgets::LibraryView::referenceRequested, this, choose);
+  connect(&view->selection(), &widgets::LibrarySelection::openRequested, this, choose);
+  connect(&view->selection(), &widgets::LibrarySelection::referenceRequested, this, choose);
   connect(buttons, &QDialogButtonBox::accepted, this, [=] {
     const QModelIndex index = view->list()->currentIndex();
     if (index.isValid()) choose(index.data(widgets::LibraryModel::IdRole).toString());

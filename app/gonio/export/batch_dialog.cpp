@@ -56,9 +56,7 @@ void BatchDialog::build() {
   m_folder->setMinimumWidth(fontMetrics().averageCharWidth() * 48);
   m_replace = new QCheckBox(tr("Re&place files that exist"));
   for (QLabel** label : {&m_description, &m_files}) {
-    *label = new QLabel;
-    (*label)->setWordWrap(true);
-    (*label)->setTextFormat(Qt::PlainText);
+    *label = exportText();
     (*label)->setMinimumHeight(2 * fontMetrics().lineSpacing());
   }
   auto* browse = new QPushButton(tr("&Browse..."));

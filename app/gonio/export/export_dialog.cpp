@@ -39,14 +39,6 @@ QString exportBytesText(std::uint64_t bytes) {
   return QLocale().formattedDataSize(qint64(bytes), 1, QLocale::DataSizeSIFormat);
 }
 
-QLabel* exportText() {
-  auto* label = new QLabel;
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
 }  // namespace
 
 ExportDialog::ExportDialog(ExportController& controller, QSettings& settings, const Scene& scene, QWidget* parent)

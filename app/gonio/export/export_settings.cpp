@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QDoubleSpinBox>
+#include <QLabel>
 
 namespace gonio::app {
 
@@ -18,6 +19,14 @@ QDoubleSpinBox* exportSnrField() {
                                                 "The rendered SNR that the files should reach: a higher one takes "
                                                 "larger files. Some targets cannot reach it."));
   return field;
+}
+
+QLabel* exportText() {
+  auto* label = new QLabel;
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
 }
 
 }  // namespace gonio::app

@@ -5,6 +5,7 @@
 #include <QString>
 
 class QDoubleSpinBox;
+class QLabel;
 
 namespace gonio::app {
 
@@ -16,5 +17,7 @@ inline const QString target = QStringLiteral("export/target"), snr = QStringLite
 
 /// A field of the rendered SNR that files should reach, dB.
 QDoubleSpinBox* exportSnrField();
+/// A text that wraps and can be copied.
+QLabel* exportText();
 
 }  // namespace gonio::app

@@ -112,18 +112,19 @@ void EditorParts::use(const gonio::study::Representation& representation) {
 void EditorParts::connectLibrary() {
   QObject::connect(&library, &LibraryController::titleChanged, &libraryView, &widgets::LibraryView::setTitle);
   QObject::connect(&libraryView, &widgets::LibraryView::visibleIdsChanged, &library, &LibraryController::setVisible);
-  QObject::connect(&libraryView, &widgets::LibraryView::favouritesChanged, &libraryView,
+  QObject::connect(&libraryView.selection(), &widgets::LibrarySelection::favouritesChanged, &libraryView,
                    [this](const QStringList& ids) { settings.setValue(favouritesKey, ids); });
-  QObject::connect(&libraryView, &widgets::LibraryView::referenceRequested, &comparison,
+  QObject::connect(&libraryView.selection(), &widgets::LibrarySelection::referenceRequested, &comparison,
                    &ComparisonController::openReference);
   QObject::connect(&controller, &DocumentController::opened, &libraryView, [this] {
     const QString id = QString::fromStdString(document.material()->material.source.path.string());
     libraryView.selectItem(id);
     library.setReference(id);
   });
-  QObject::connect(&libraryView, &widgets::LibraryView::largePictureRequested, &library, [this](const QString& id) {
-    library.makeLargePicture(id, int(widgets::QuickLook::side * libraryView.devicePixelRatioF()));
-  });
+  QObject::connect(&libraryView.selection(), &widgets::LibrarySelection::largePictureRequested, &library,
+                   [this](const QString& id) {
+                     library.makeLargePicture(id, int(widgets::QuickLook::side * libraryView.devicePixelRatioF()));
+                   });
   QObject::connect(&library, &LibraryController::largePictureMade, &libraryView.selection().quickLook(),
                    &widgets::QuickLook::setPicture);
   acquisition.controls().training().setShownIds([this] {

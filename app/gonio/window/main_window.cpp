@@ -41,6 +41,7 @@
 #include "app/gonio/window/status_line.h"
 #include "app/gonio/window/undo_keys.h"
 #include "app/gonio/window/view_menu.h"
+#include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"
 #include "widgets/panels/message_bar.h"
 #include "widgets/preview/comparison_bar.h"
@@ -219,19 +220,21 @@ void MainWindow::comparePair(const QString& first, const QString& second) {
 
 /// What a part wants of the window: another file, a dock, a dialog.
 void MainWindow::connectRequests() {
-  connect(&m_parts.libraryView, &widgets::LibraryView::openRequested, &m_files, &DocumentFiles::open);
-  connect(&m_parts.libraryView, &widgets::LibraryView::interpolationRequested, this, [this](const QStringList& ids) {
-    m_docks->show(QStringLiteral("interpolation"));
-    m_parts.interpolation.take(ids);
-  });
+  connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::openRequested, &m_files, &DocumentFiles::open);
+  connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::interpolationRequested, this,
+          [this](const QStringList& ids) {
+            m_docks->show(QStringLiteral("interpolation"));
+            m_parts.interpolation.take(ids);
+          });
   connect(&m_parts.study, &StudyPanel::contactSheetRequested, this, &MainWindow::openContactSheet);
   connect(&m_parts.ranking, &FitRankingPanel::contactSheetRequested, this, &MainWindow::openContactSheet);
-  connect(&m_parts.libraryView, &widgets::LibraryView::pairRequested, this, &MainWindow::comparePair);
-  connect(&m_parts.libraryView, &widgets::LibraryView::exportRequested, this, [this](const QStringList& ids) {
-    auto* dialog = new BatchDialog(m_parts.exporter, m_parts.settings, ids, this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
-  });
+  connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::pairRequested, this, &MainWindow::comparePair);
+  connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::exportRequested, this,
+          [this](const QStringList& ids) {
+            auto* dialog = new BatchDialog(m_parts.exporter, m_parts.settings, ids, this);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            dialog->open();
+          });
   connect(&m_parts.inspector, &Inspector::factorEditWanted, this, [this] {
     m_docks->show(QStringLiteral("factors"));
     m_parts.factors.addEdit();

@@ -58,6 +58,13 @@ class PlotNumbersTest : public QObject {
 
   void scalesOfOddValues() {
     const double none[] = {0, -2, std::nan("")};
+    // Of a hundred values the largest one is left out of 99 %, and of all of them none.
+    std::vector<double> hundred;
+    for (int i = 1; i <= 100; ++i) hundred.push_back(i);
+    hundred.back() = 1e6;
+    QCOMPARE(scaleFor(hundred, false, 8, 0.99).max, 99 * 1.05);
+    QCOMPARE(scaleFor(hundred, false).max, 1e6 * 1.05);
+    QCOMPARE(scaleFor(hundred, true, 8, 0.99).max, 100.0);
     QVERIFY(scaleFor(none, false).max == 1 && scaleFor(none, true).min == 0.1);
     const double wide[] = {1e-30, 1e6};
     QVERIFY(std::abs(std::log10(scaleFor(wide, true).min) + 2) < 1e-9);  // eight decades

@@ -32,7 +32,7 @@ class EffectCostsTest : public QObject {
     for (std::size_t i = 0; i < effectCount; ++i) {
       const EffectCost& cost = costs.effects[i];
       QCOMPARE(cost.effect, Effect(i));
-      QVERIFY(std::isfinite(cost.seconds) && cost.noise > 0);
+      QVERIFY(std::isfinite(cost.seconds) && cost.secondsNoise >= 0 && cost.noise > 0);
       const bool matters = cost.effect == Effect::environmentLight || cost.effect == Effect::selfShadowing ||
                            cost.effect == Effect::interreflection;
       QVERIFY2(matters ? cost.difference > 0.03 : cost.difference < 2 * cost.noise, effectId(cost.effect));
@@ -40,6 +40,15 @@ class EffectCostsTest : public QObject {
     QCOMPARE(costs.effects[std::size_t(Effect::directLight)].difference, 0.0);
     QVERIFY(std::abs(costs.effects[std::size_t(Effect::environmentLight)].difference - 1) < 1e-12);
     QVERIFY(costs.seconds > 0);
+  }
+
+  /// A time counts where it is larger than its uncertainty, whatever its sign.
+  void timesWithinTheirNoise() {
+    const auto within = [](double seconds, double noise) {
+      return EffectCost{.effect = Effect::directLight, .seconds = seconds, .secondsNoise = noise}.isWithinNoise();
+    };
+    QVERIFY(within(0.01, 0.02) && within(-0.01, 0.02) && within(0, 0));
+    QVERIFY(!within(0.03, 0.02) && !within(-0.03, 0.02));
   }
 
   /// Around what the user forces, and the thresholds that are asked for.
