@@ -13,6 +13,7 @@
 #include "widgets/curves/curve_editor.h"
 #include "widgets/curves/curve_legend.h"
 #include "widgets/curves/residual_strip.h"
+#include "widgets/inputs/flow_layout.h"
 
 namespace gonio::app {
 
@@ -46,7 +47,7 @@ FactorCurvesPanel::FactorCurvesPanel(Document& document, BackgroundTasks& tasks,
       m_keepDetail(new QCheckBox(tr("&Keep measured detail"))),
       m_factorise(new QPushButton(tr("&Factorise"))),
       m_resetAll(new QPushButton(tr("&Reset All"))),
-      m_save(new QPushButton(tr("&Save Factors..."))),
+      m_save(new QPushButton(tr("&Save..."))),
       m_columns{new FactorColumn(FactorAxis::theta), new FactorColumn(FactorAxis::deviation),
                 new FactorColumn(FactorAxis::phi)},
       m_terms(new FactorTermsView) {
@@ -77,11 +78,10 @@ void FactorCurvesPanel::buildControls() {
   m_factorise->setToolTip(tr("Finds the factor curves of the open material"));
   m_save->setToolTip(tr("The curves as they are now, as a file (.pdv) that opens as a material"));
   m_resetAll->setToolTip(tr("All curves as the measurement gave them, with its detail"));
-  auto* top = new QHBoxLayout;
+  auto* top = new widgets::FlowLayout;
   for (QWidget* widget :
        std::initializer_list<QWidget*>{m_channel, m_form, m_logarithmic, m_keepDetail, m_resetAll, m_save, m_factorise})
     top->addWidget(widget);
-  top->addStretch();
   top->addWidget(new widgets::CurveLegend);
   auto* columns = new QHBoxLayout;
   for (FactorColumn* column : m_columns) columns->addWidget(column, 3);

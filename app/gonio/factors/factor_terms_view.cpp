@@ -36,7 +36,7 @@ class FactorTermsView::Chart : public QWidget {
                      area.bottom() - area.height() * measured.residual(terms) / highest);
     };
     painter.setPen(style.text);
-    painter.drawText(QRectF(4, 2, width() - 8.0, line), Qt::AlignLeft, tr("Error, % (by number of terms)"));
+    painter.drawText(QRectF(4, 2, width() - 8.0, line), Qt::AlignLeft, tr("Error, % by terms"));
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     for (int terms = 1; terms <= count; ++terms) {
       const bool chosen = terms == m_view.terms();
