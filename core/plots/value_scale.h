@@ -20,8 +20,8 @@ struct ValueScale {
 /// A scale that shows all of the values: linear from 0 to a little more than the largest; logarithmic over whole
 /// decades from the smallest positive to the largest value, at most `maxDecades` of them. NaN and infinities are left
 /// out; a scale without positive values is [0, 1] or [0.1, 1].
-/// @param shown (0, 1]: of the positive values this share, the smallest ones, decides where the scale ends, so that a few
-/// that are far larger do not darken the rest
+/// @param shown (0, 1]: of the positive values this share, the smallest ones, decides where the scale ends, so that a
+/// few that are far larger do not darken the rest
 ValueScale scaleFor(std::span<const double> values, bool logarithmic, int maxDecades = 8, double shown = 1);
 
 /// Round values inside the scale for ticks, ascending: 1, 2 or 5 times a power of ten apart, about `count` of them; on
