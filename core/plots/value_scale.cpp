@@ -6,18 +6,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/math/round_number.h"
+
 namespace gonio::plots {
-
-namespace {
-
-/// 1, 2 or 5 times a power of ten, at least `step`.
-double roundStep(double step) {
-  const double power = std::pow(10, std::floor(std::log10(step)));
-  const double share = step / power;
-  return power * (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10);
-}
-
-}  // namespace
 
 double ValueScale::share(double value) const {
   if (!logarithmic) return (value - min) / (max - min);
@@ -52,7 +43,7 @@ std::vector<double> scaleTicks(const ValueScale& scale, int count) {
     for (int exponent = last; exponent >= first; exponent -= step) ticks.insert(ticks.begin(), std::pow(10, exponent));
     return ticks;
   }
-  const double step = roundStep((scale.max - scale.min) / count);
+  const double step = roundedUp((scale.max - scale.min) / count);
   for (double i = std::ceil(scale.min / step - 1e-9); i * step <= scale.max * (1 + 1e-12); ++i)
     if (i != 0) ticks.push_back(i * step);
   return ticks;

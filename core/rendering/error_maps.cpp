@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/math/round_number.h"
 #include "core/math/types.h"
 #include "core/rendering/false_colour.h"
 
@@ -32,15 +33,6 @@ double commonRange(const Image& reference, std::span<const Image> pictures) {
 }
 
 }  // namespace
-
-double roundedUp(double value) {
-  if (!(value > 0)) return 0;
-  const double power = std::pow(10, std::floor(std::log10(value)));
-  constexpr double tolerance = 1 + 1e-12;  // 0.2 is no larger than 2 * 0.1
-  for (const double step : {1.0, 2.0, 5.0})
-    if (value <= step * power * tolerance) return step * power;
-  return 10 * power;
-}
 
 ErrorMaps errorMaps(const Image& reference, std::span<const Image> pictures) {
   ErrorMaps result{.range = commonRange(reference, pictures)};

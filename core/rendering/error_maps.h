@@ -21,7 +21,4 @@ struct ErrorMaps {
 /// Contract: all pictures have the reference's size.
 ErrorMaps errorMaps(const Image& reference, std::span<const Image> pictures);
 
-/// The smallest 1, 2 or 5 times a power of ten that is no smaller; 0 of 0.
-double roundedUp(double value);
-
 }  // namespace gonio

@@ -4,10 +4,10 @@
 
 #include <QListView>
 #include <QPainter>
-#include <QPixmapCache>
 #include <cmath>
 
 #include "core/math/types.h"
+#include "widgets/inputs/scaled_pixmap.h"
 #include "widgets/library/library_model.h"
 
 namespace gonio::widgets {
@@ -28,16 +28,6 @@ void paintPlaceholder(QPainter& painter, const QRectF& area, QColor colour, bool
   const QPointF middle = area.center(), along(reach, reach), across(reach, -reach);
   painter.drawLine(middle - along, middle + along);
   painter.drawLine(middle - across, middle + across);
-}
-/// Averaged over areas, which drawing a large pixmap small is not, and kept.
-QPixmap scaled(const QPixmap& pixmap, const QSize& size) {
-  const QString key = QStringLiteral("library/%1/%2").arg(pixmap.cacheKey()).arg(size.width());
-  QPixmap result;
-  if (!QPixmapCache::find(key, &result)) {
-    result = pixmap.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-    QPixmapCache::insert(key, result);
-  }
-  return result;
 }
 
 /// Lets "blue-metallic-paint" break after a hyphen, and "ch_mint_rgb" after an underscore.
@@ -140,7 +130,7 @@ void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& o
   if (pixmap.isNull())
     paintPlaceholder(*painter, picture, text, failed);
   else
-    painter->drawPixmap(picture, scaled(pixmap, QSize(m_tile, m_tile) * painter->device()->devicePixelRatioF()));
+    painter->drawPixmap(picture, scaledPixmap(pixmap, QSize(m_tile, m_tile) * painter->device()->devicePixelRatioF()));
 
   const QRect label(option.rect.left() + margin / 2, picture.bottom() + margin, option.rect.width() - margin,
                     labelLines * option.fontMetrics.height());

@@ -13,6 +13,14 @@ constexpr int margin = 8, barHeight = 10, gap = 4;
 constexpr QColor paper(0, 0, 0, 150), ink(232, 232, 232);
 }  // namespace
 
+void drawColourBar(QPainter& painter, const QRect& bar, DifferenceKind kind) {
+  for (int x = 0; x < bar.width(); ++x) {
+    const double share = x / std::max(1.0, bar.width() - 1.0);
+    const DisplayColour colour = kind == DifferenceKind::signedValue ? signedColour(2 * share - 1) : viridis(share);
+    painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), QColor(colour[0], colour[1], colour[2]));
+  }
+}
+
 FalseColourLegend::FalseColourLegend(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setDifference(DifferenceKind::absolute, 1);
@@ -45,11 +53,7 @@ void FalseColourLegend::paintEvent(QPaintEvent*) {
   const QRect bar(inner.left(), inner.top() + line + gap, inner.width(), barHeight);
   const bool isSigned = m_kind == DifferenceKind::signedValue;
   painter.setRenderHint(QPainter::Antialiasing, false);
-  for (int x = 0; x < bar.width(); ++x) {
-    const double share = x / std::max(1.0, bar.width() - 1.0);
-    const DisplayColour colour = isSigned ? signedColour(2 * share - 1) : viridis(share);
-    painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), QColor(colour[0], colour[1], colour[2]));
-  }
+  drawColourBar(painter, bar, m_kind);
   const QRect numbers(inner.left(), bar.bottom() + 1 + gap, inner.width(), line);
   const double first = isSigned ? -m_range : 0;
   painter.drawText(numbers, Qt::AlignLeft,

@@ -8,6 +8,9 @@
 
 namespace gonio::widgets {
 
+/// A bar of the colours of a kind of difference, from the first to the last.
+void drawColourBar(QPainter& painter, const QRect& bar, DifferenceKind kind);
+
 /// What the colours of a difference mean: a bar of the map with its numbers, the quantity and its unit.
 class FalseColourLegend : public QWidget {
   Q_OBJECT

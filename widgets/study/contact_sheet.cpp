@@ -3,13 +3,12 @@
 #include "widgets/study/contact_sheet.h"
 
 #include <QKeyEvent>
-#include <QLinearGradient>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 
-#include "core/rendering/false_colour.h"
-#include "widgets/inputs/number_field.h"
+#include "widgets/inputs/scaled_pixmap.h"
+#include "widgets/preview/false_colour_legend.h"
 
 namespace gonio::widgets {
 
@@ -125,11 +124,10 @@ void ContactSheet::draw(QPainter& painter, const Layout& layout, const QColor& t
 void ContactSheet::drawTile(QPainter& painter, const Layout& layout, std::size_t index) const {
   const SheetTile& tile = m_tiles[index];
   const QRect place = layout.tile(int(index));
-  const auto drawSquare = [&](const QImage& image, int top) {
+  const auto drawSquare = [&](const QPixmap& image, int top) {
     const QRect square(place.left(), top, layout.side, layout.side);
     if (image.isNull()) return;
-    const QSize size = square.size() * painter.device()->devicePixelRatioF();
-    painter.drawImage(square, image.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    painter.drawPixmap(square, scaledPixmap(image, square.size() * painter.device()->devicePixelRatioF()));
   };
   drawSquare(tile.picture, place.top());
   if (layout.scale) drawSquare(tile.map, place.top() + layout.side);
@@ -149,17 +147,11 @@ void ContactSheet::drawTile(QPainter& painter, const Layout& layout, std::size_t
 void ContactSheet::drawScale(QPainter& painter, const Layout& layout) const {
   const QRect bar(layout.gap, layout.tilesBottom(), std::min(4 * layout.side, layout.size().width() - 2 * layout.gap),
                   layout.line / 2);
-  QLinearGradient colours(bar.topLeft(), bar.topRight());
-  constexpr int stops = 16;
-  for (int i = 0; i <= stops; ++i) {
-    const DisplayColour colour = viridis(double(i) / stops);
-    colours.setColorAt(double(i) / stops, QColor(colour[0], colour[1], colour[2]));
-  }
-  painter.fillRect(bar, colours);
+  drawColourBar(painter, bar, DifferenceKind::absolute);
   const QRect text(bar.left(), bar.bottom() + 2, bar.width(), layout.line);
   painter.drawText(text, Qt::AlignLeft, QStringLiteral("0"));
-  painter.drawText(text, Qt::AlignHCenter, tr("Absolute difference of luminance"));
-  painter.drawText(text, Qt::AlignRight, QStringLiteral("≥ ") + formatNumber(m_range));
+  painter.drawText(text, Qt::AlignHCenter, differenceTitle(DifferenceKind::absolute));
+  painter.drawText(text, Qt::AlignRight, tr("≥ %1").arg(differenceNumber(DifferenceKind::absolute, m_range)));
 }
 
 void ContactSheet::paintEvent(QPaintEvent*) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QImage>
+#include <QPixmap>
 #include <QWidget>
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace gonio::widgets {
 struct SheetTile {
   QString name;
   QString numbers;  ///< a line or two below the name
-  QImage picture;
-  QImage map;  ///< of its error; null: none
+  QPixmap picture;
+  QPixmap map;  ///< of its error; null: none
 };
 
 /// Pictures of one material's representations side by side, with maps of their errors on one scale, names and numbers;

@@ -77,7 +77,7 @@ void FileExports::renderPicture(const PictureExport& picture) {
   run<bool>(
       tr("Rendering %1"), picture.path,
       [material, base = m_document.base(), edits = m_document.edits(), picture, pause](const TaskControl& control) {
-        app::renderPicture(picture, editing::applyEdits(base, edits), material->material.name, control, *pause);
+        writeRenderedPicture(picture, editing::applyEdits(base, edits), material->material.name, control, *pause);
         return true;
       },
       [this, path = picture.path](bool) { Q_EMIT exported(path); }, pause);

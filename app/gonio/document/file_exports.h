@@ -26,6 +26,7 @@ class FileExports : public QObject {
   void writeMaterial(const QString& path, exports::MaterialForm form);
   /// Renders the edited material on the CPU; the user may pause it.
   void renderPicture(const PictureExport& picture);
+  /// What a panel shows beside the material.
   void save(const QString& path, const FileSave& save);
   /// Made in the background.
   using Caption = std::function<QString(const TaskControl&)>;

@@ -30,8 +30,8 @@ PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<cons
   return planned;
 }
 
-void renderPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited, const std::string& name,
-                   const TaskControl& control, const Pause& pause) {
+void writeRenderedPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited,
+                          const std::string& name, const TaskControl& control, const Pause& pause) {
   constexpr std::uint64_t seed = 1;
   const PicturePlan planned = planPicture(request, edited);
   const PathTracer tracer(planned.scene, planned.materials, planned.plan, seed);

@@ -41,8 +41,8 @@ PicturePlan planPicture(const PictureExport& request, const std::shared_ptr<cons
 
 /// Renders and writes it, atomically. Not for the GUI thread.
 /// @param edited the document's material with its edits, named `name`. @throws Error naming the file; Cancelled.
-void renderPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited, const std::string& name,
-                   const TaskControl& control, const Pause& pause);
+void writeRenderedPicture(const PictureExport& request, const std::shared_ptr<const Brdf>& edited,
+                          const std::string& name, const TaskControl& control, const Pause& pause);
 
 /// An image over a colour: straight sRGB bytes, mixed in linear light; alpha 255.
 void composeOver(const QColor& colour, std::span<std::uint8_t> rgba);

@@ -48,7 +48,7 @@ ImageDialog::ImageDialog(const Parts& parts, const QString& name, QWidget* paren
     : QDialog(parent),
       m_parts(parts),
       m_source(new QButtonGroup(this)),
-      m_settings(new PictureSettings(parts.preview.size())) {
+      m_settings(new PictureSettings(parts.preview.size() * parts.preview.devicePixelRatioF())) {
   setWindowTitle(tr("Export Image"));
   build();
   restore(name);
@@ -117,6 +117,7 @@ QWidget* ImageDialog::pathRow() {
   row->addWidget(button);
   auto* label = new QLabel(tr("F&ile"));
   label->setBuddy(m_path);
+  label->setMinimumWidth(m_settings->labelWidth());
   form->addRow(tr("&Format"), m_format);
   form->addRow(label, row);
   return box;
@@ -227,9 +228,7 @@ void ImageDialog::showEstimate() {
   if (!rendersPicture()) return m_cost->setText(QString());
   if (!m_estimateError.isEmpty()) return m_cost->setText(m_estimateError);
   if (!m_estimate) return m_cost->setText(tr("Estimating time and noise..."));
-  PictureExport picture;
-  m_settings->apply(picture);
-  auto [samples, limit] = picture.limits;
+  auto [samples, limit] = m_settings->limits();
   const bool stopped = m_estimate->seconds(samples) > limit;
   if (stopped) samples = std::max(1, int(limit / m_estimate->secondsOfSample));
   const QString noise = QString::number(100 * m_estimate->noise(samples), 'g', 2);

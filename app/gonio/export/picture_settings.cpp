@@ -166,11 +166,24 @@ void PictureSettings::remember(QSettings& settings) const {
   store("transparent", m_backgrounds->currentIndex() != int(PictureBackground::colour));
 }
 
+RefinementLimits PictureSettings::limits() const {
+  RefinementLimits limits{.samples = m_samples->value()};
+  if (m_limited->isChecked()) limits.seconds = m_seconds->value();
+  return limits;
+}
+
+int PictureSettings::labelWidth() const {
+  int widest = 0;
+  const auto& form = *qobject_cast<QFormLayout*>(layout());
+  for (int row = 0; row < form.rowCount(); ++row)
+    widest = std::max(widest, form.itemAt(row, QFormLayout::LabelRole)->widget()->sizeHint().width());
+  return widest;
+}
+
 void PictureSettings::apply(PictureExport& picture) const {
   picture.width = m_width->value();
   picture.height = m_height->value();
-  picture.limits.samples = m_samples->value();
-  if (m_limited->isChecked()) picture.limits.seconds = m_seconds->value();
+  picture.limits = limits();
   picture.background = PictureBackground(m_backgrounds->currentIndex());
   picture.colour = m_colour;
 }

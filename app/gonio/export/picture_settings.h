@@ -26,6 +26,9 @@ class PictureSettings : public QWidget {
   /// @param environmentShown whether the preview shows the environment behind the objects: then the picture does.
   void restore(const QSettings& settings, bool environmentShown);
   void remember(QSettings& settings) const;
+  RefinementLimits limits() const;
+  /// Of the widest label, so that other rows can stand below them.
+  int labelWidth() const;
   /// Sets what is chosen here.
   void apply(PictureExport& picture) const;
 

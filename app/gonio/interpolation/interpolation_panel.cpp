@@ -171,9 +171,12 @@ void InterpolationPanel::moveTo(const QPointF& place) {
 }
 
 void InterpolationPanel::take(const QStringList& ids) {
+  if (ids.size() > widgets::mostBlended)
+    return Q_EMIT failed(tr("Cannot interpolate %1 materials").arg(ids.size()),
+                         tr("At most %1 can be blended. Select fewer.").arg(widgets::mostBlended));
   touched();
   if (ids.size() > 1) {
-    const int count = std::min(int(ids.size()), widgets::mostBlended);
+    const int count = int(ids.size());
     while (m_ends.count() < count) m_ends.addPlace();
     while (m_ends.count() > count) m_ends.removePlace(m_ends.count() - 1);
     for (int i = 0; i < count; ++i) m_ends.read(i, ids[i]);

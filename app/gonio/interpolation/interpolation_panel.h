@@ -51,8 +51,8 @@ class InterpolationPanel : public QWidget {
   void setShownInPreview(bool shown);
   bool isShownInPreview() const;
 
-  /// Puts a material, by its id, in the next empty place: the last one when all are filled. Of several, up to four, the
-  /// places are made to fit, and each is filled anew.
+  /// Puts a material, by its id, in the next empty place: the last one when all are filled. Of several the places
+  /// are made to fit, and each is filled anew; more than widgets::mostBlended fail.
   void take(const QStringList& ids);
   /// The document's material in the first place, if that is empty.
   void begin();

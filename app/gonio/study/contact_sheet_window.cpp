@@ -129,7 +129,7 @@ void ContactSheetWindow::start() {
       },
       [this](const std::shared_ptr<const RenderedComparison>& comparison) {
         m_comparison = comparison;
-        m_tiles[0].picture = displayedImage(comparison->reference());
+        m_tiles[0].picture = QPixmap::fromImage(displayedImage(comparison->reference()));
         renderNext();
       },
       [this](const QString& error) { Q_EMIT failed(tr("Cannot render the contact sheet"), error); });
@@ -146,7 +146,7 @@ void ContactSheetWindow::renderNext() {
         return comparison->render(*brdf, control).image;
       },
       [this, next](const Image& picture) {
-        m_tiles[next + 1].picture = displayedImage(picture);
+        m_tiles[next + 1].picture = QPixmap::fromImage(displayedImage(picture));
         m_pictures.push_back(picture);
         renderNext();
       },
@@ -171,7 +171,7 @@ void ContactSheetWindow::makeMaps() {
         return made;
       },
       [this](const Made& made) {
-        for (std::size_t i = 0; i < made.maps.size(); ++i) m_tiles[i + 1].map = made.maps[i];
+        for (std::size_t i = 0; i < made.maps.size(); ++i) m_tiles[i + 1].map = QPixmap::fromImage(made.maps[i]);
         m_range = made.range;
         m_complete = true;
         showTiles();

@@ -31,7 +31,8 @@ std::vector<GuidePage> headingsOf(const QString& file) {
   bool isCode = false;
   for (const QString& line : read(file).split('\n')) {
     if (line.startsWith(QLatin1String("```"))) isCode = !isCode;
-    const int level = int(line.size() - QString(line).remove(QRegularExpression(QStringLiteral("^#+"))).size());
+    int level = 0;
+    while (level < line.size() && line[level] == '#') ++level;
     if (isCode || level == 0 || level > lastListedLevel) continue;
     pages.push_back({file, line.mid(level).remove('`').trimmed(), level});
   }

@@ -189,6 +189,9 @@ class InterpolationPanelTest : public QObject {
     QCOMPARE(editor.panel.ends().at(2)->name, QString("chrome"));
     editor.panel.take({"library:sgd/chrome", "library:sgd/nickel"});
     QCOMPARE(editor.panel.ends().count(), 2);
+    QSignalSpy failed(&editor.panel, &InterpolationPanel::failed);
+    editor.panel.take({"a", "b", "c", "d", "e"});
+    QVERIFY(failed.count() == 1 && editor.panel.ends().count() == 2);
     editor.panel.spaces().pause();
   }
 

@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include "core/math/round_number.h"
 #include "core/rendering/false_colour.h"
 #include "tests/support/test_program.h"
 
