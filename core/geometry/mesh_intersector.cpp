@@ -2,30 +2,16 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/geometry/mesh_intersector.h"
 
-#include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "core/support/error.h"
+#include "core/geometry/embree_device.h"
 
 namespace gonio {
 
 namespace {
-
-/// One for the process: it lives as long as any thread may trace.
-RTCDevice device() {
-  static const RTCDevice shared = rtcNewDevice(nullptr);
-  return shared;
-}
-
-void throwIfFailed() {
-  if (const RTCError error = rtcGetDeviceError(device()); error != RTC_ERROR_NONE)
-    throw Error("mesh: the bounding volumes could not be built (Embree's error " + std::to_string(int(error)) +
-                (error == RTC_ERROR_OUT_OF_MEMORY ? ", out of memory)" : ")"));
-}
 
 RTCRayHit emptyHit(const RTCRay& ray) {
   RTCRayHit hit{};
@@ -50,13 +36,13 @@ glm::dvec2 exactWeights(const glm::dvec3& origin, const glm::dvec3& direction, c
 }  // namespace
 
 struct MeshIntersector::Scene {
-  RTCScene scene = rtcNewScene(device());
+  RTCScene scene = rtcNewScene(embreeDevice());
   glm::dvec3 centre;
   double radius;
 
   explicit Scene(const TriangleMesh& mesh)
       : centre(mesh.boundingSphere().centre), radius(mesh.boundingSphere().radius) {
-    RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry geometry = rtcNewGeometry(embreeDevice(), RTC_GEOMETRY_TYPE_TRIANGLE);
     try {
       fill(geometry, mesh);
     } catch (...) {
@@ -75,7 +61,7 @@ struct MeshIntersector::Scene {
                                                                  3 * sizeof(float), mesh.positions().size()));
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles().size()));
-    throwIfFailed();
+    throwIfEmbreeFailed();
     for (const glm::vec3& p : mesh.positions())
       for (int i = 0; i < 3; ++i) *vertices++ = float((double(p[i]) - centre[i]) / radius);
     for (const TriangleIndices& t : mesh.triangles())
@@ -87,7 +73,7 @@ struct MeshIntersector::Scene {
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
     tbb::task_arena alone(1);
     alone.execute([&] { rtcCommitScene(scene); });
-    throwIfFailed();
+    throwIfEmbreeFailed();
   }
 
   /// The part of a ray that lies in the bounding sphere, where that is the unit sphere; none where the ray passes by.

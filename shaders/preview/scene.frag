@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// Ray-casts a scene of spheres and rectangles and adds the radiance of `sampleCount` samples a pixel; alpha adds the
+// Ray-casts a scene of spheres, meshes and rectangles: adds the radiance of `sampleCount` samples a pixel; alpha adds the
 // coverage. Twin of core/rendering/path_tracer.h. Assembled by widgets/preview/scene_uniforms and preview_renderer: a
 // variant holds only what its scene calls for.
-//   SPHERES, RECTANGLES  how many objects of a kind
+//   SPHERES, MESHES, RECTANGLES  how many objects of a kind
+//   SEVERAL_MATERIALS    the pass draws what is seen of the materials in `drawnSlots`
 //   DIFFUSE_OBJECTS      some are Lambertian, others are looked at
 //   LIGHT_ENVIRONMENT    environment light by multiple importance sampling
 //   SHOW_ENVIRONMENT     the environment behind the objects
@@ -73,13 +74,6 @@ uniform int reflections;
 const int reflections = 1;
 #endif
 
-struct Surface {
-  int object;
-  vec3 position;
-  mat3 frame;
-  vec3 wo;  // local
-};
-
 vec3 reflectance(Surface surface, vec3 wi) {
 #ifdef DIFFUSE_OBJECTS
   vec4 colour = objectColours[surface.object];
@@ -121,21 +115,21 @@ float weightOverDensity(float density, float other) {
 
 // Density of a place drawn on the lamp, seen along a direction at a distance, 1/sr; 0 behind it.
 float lampDensity(int lamp, vec3 direction, float t) {
-  int i = lamp - SPHERES;
+  int i = lamp - firstRectangle;
   vec3 normal = cross(rectangleSides[2 * i], rectangleSides[2 * i + 1]);
   float cosineArea = -4.0 * dot(normal, direction);
   return cosineArea > 0.0 ? t * t / cosineArea : 0.0;
 }
 
 vec3 lampLight(Surface surface, int lamp, vec2 u) {
-  int i = lamp - SPHERES;
+  int i = lamp - firstRectangle;
   vec3 place = rectangleCentres[i] + (2.0 * u.x - 1.0) * rectangleSides[2 * i] + (2.0 * u.y - 1.0) * rectangleSides[2 * i + 1];
   vec3 way = place - surface.position;
   float t = length(way);
   vec3 direction = way / t;
   vec3 wi = direction * surface.frame;
   float density = lampDensity(lamp, direction, t);
-  if (wi.z <= 0.0 || density <= 0.0 || isBlocked(surface.object, surface.position, direction, t * 0.9999)) return vec3(0.0);
+  if (!leaves(surface, direction, wi) || density <= 0.0 || isBlocked(surface, direction, t * 0.9999)) return vec3(0.0);
   return reflectance(surface, wi) * objectColours[lamp].rgb * (wi.z * weightOverDensity(density, drawnDensity(surface, wi)));
 }
 #endif
@@ -147,7 +141,7 @@ vec3 drawnLights(Surface surface, int index, uvec3 hash) {
 #if DISTANT_LIGHTS > 0
   for (int i = 0; i < DISTANT_LIGHTS; ++i) {
     vec3 wi = distantDirections[i] * surface.frame;
-    if (wi.z > 0.0 && !isBlocked(surface.object, surface.position, distantDirections[i], never))
+    if (leaves(surface, distantDirections[i], wi) && !isBlocked(surface, distantDirections[i], never))
       sum += reflectance(surface, wi) * distantIrradiances[i] * wi.z;
   }
 #endif
@@ -156,7 +150,7 @@ vec3 drawnLights(Surface surface, int index, uvec3 hash) {
     vec3 way = pointPositions[i] - surface.position;
     float t = length(way);
     vec3 wi = (way / t) * surface.frame;
-    if (wi.z > 0.0 && !isBlocked(surface.object, surface.position, way / t, t))
+    if (leaves(surface, way, wi) && !isBlocked(surface, way / t, t))
       sum += reflectance(surface, wi) * pointIntensities[i] * (wi.z / (t * t));
   }
 #endif
@@ -166,7 +160,7 @@ vec3 drawnLights(Surface surface, int index, uvec3 hash) {
 #ifdef LIGHT_ENVIRONMENT
   Light light = drawnLight(index);
   vec3 wi = light.direction * surface.frame;
-  if (wi.z > 0.0 && !isBlocked(surface.object, surface.position, light.direction, never))
+  if (leaves(surface, light.direction, wi) && !isBlocked(surface, light.direction, never))
     sum += reflectance(surface, wi) * light.radiance * (wi.z * weightOverDensity(light.density, drawnDensity(surface, wi)));
 #endif
   return sum;
@@ -186,17 +180,17 @@ vec3 reflected(Surface surface, vec4 numbers, uvec3 hash) {
     sum += throughput * drawnLights(surface, index, hash);
     vec3 wi = drawDirection(surface, u);
     float density = drawnDensity(surface, wi);
-    if (wi.z <= 0.0 || density <= 0.0) break;
     vec3 direction = surface.frame * wi;
+    if (!leaves(surface, direction, wi) || density <= 0.0) break;
     vec3 value = throughput * reflectance(surface, wi) * wi.z;
-    float t = never;
-    int met = -1;
+    Hit hit;
+    hit.object = -1;
 #if defined(SHADOWS) || defined(LIGHT_LAMPS) || defined(INTERREFLECTION)
-    met = firstObject(surface.object, surface.position, direction, t);
+    hit = firstObject(surface.object, surface.position, direction);
 #endif
 #ifdef LIGHT_ENVIRONMENT
 #ifdef SHADOWS
-    bool open = met < 0;
+    bool open = hit.object < 0;
 #else
     const bool open = true;
 #endif
@@ -205,14 +199,14 @@ vec3 reflected(Surface surface, vec4 numbers, uvec3 hash) {
       sum += value * light.radiance * weightOverDensity(density, light.density);
     }
 #endif
-    if (met < 0) break;
-    if (met >= firstLamp) {
+    if (hit.object < 0) break;
+    if (hit.object >= firstLamp) {
 #ifdef LIGHT_LAMPS
-      float other = lampDensity(met, direction, t);
+      float other = lampDensity(hit.object, direction, hit.t);
 #ifdef DRAW_LAMPS
-      if (other > 0.0) sum += value * objectColours[met].rgb * weightOverDensity(density, other);
+      if (other > 0.0) sum += value * objectColours[hit.object].rgb * weightOverDensity(density, other);
 #else
-      if (other > 0.0) sum += value * objectColours[met].rgb / density;
+      if (other > 0.0) sum += value * objectColours[hit.object].rgb / density;
 #endif
 #endif
       break;
@@ -226,15 +220,26 @@ vec3 reflected(Surface surface, vec4 numbers, uvec3 hash) {
       if (numbersOf(hashed(next)).x >= kept) break;
       throughput /= kept;
     }
-    vec3 place = surface.position + t * direction;
-    mat3 frame = objectFrame(met, objectNormal(met, place));
-    surface = Surface(met, place, frame, -direction * frame);
+    surface = surfaceAt(hit, surface.position, direction);
   }
 #else
   if (surface.wo.z > 0.0) sum = drawnLights(surface, 0, hash);
 #endif
   return sum;
 }
+
+#ifdef SEVERAL_MATERIALS
+uniform int drawnSlots;  // bits; what has no slot, and the background, belong to slot 0
+
+bool isDrawn(int object) {
+  vec4 colour = objectColours[object];
+  return ((drawnSlots >> (colour.w == materialSlot ? int(colour.x) : 0)) & 1) != 0;
+}
+bool drawsBackground() { return (drawnSlots & 1) != 0; }
+#else
+bool isDrawn(int object) { return true; }
+bool drawsBackground() { return true; }
+#endif
 
 void main() {
   uvec3 hash = hashed(uvec3(uvec2(gl_FragCoord.xy), 0x9E3779B9u));
@@ -243,25 +248,20 @@ void main() {
     vec2 at = ((position * pictureSize + pixelOffsets[i]) / pictureSize * 2.0 - 1.0) * viewExtent;
     vec3 origin = eye + (orthographic ? cameraAxes * vec3(at, 0.0) : vec3(0.0));
     vec3 direction = orthographic ? cameraAxes[2] : normalize(cameraAxes * vec3(at, 1.0));
-    float t;
-    int met = firstObject(-1, origin, direction, t);
-    if (met >= 0) {
-      vec3 place = origin + t * direction;
-      vec3 normal = objectNormal(met, place);
+    Hit hit = firstObject(-1, origin, direction);
+    if (hit.object >= 0) {
+      if (!isDrawn(hit.object)) continue;
       sum.a += 1.0;
-#if LAMPS > 0
-      if (met >= firstLamp) {
+      if (hit.object >= firstLamp) {
 #ifdef SHOW_LAMPS
-        if (dot(normal, direction) < 0.0) sum.rgb += objectColours[met].rgb;
+        if (dot(objectNormal(hit.object, vec3(0.0)), direction) < 0.0) sum.rgb += objectColours[hit.object].rgb;
 #endif
         continue;
       }
-#endif
-      mat3 frame = objectFrame(met, normal);
-      sum.rgb += reflected(Surface(met, place, frame, -direction * frame), sampleNumbers[i], hash);
+      sum.rgb += reflected(surfaceAt(hit, origin, direction), sampleNumbers[i], hash);
     }
 #ifdef SHOW_ENVIRONMENT
-    else {
+    else if (drawsBackground()) {
       sum += vec4(environmentRadiance(direction), 1.0);
     }
 #endif

@@ -108,12 +108,13 @@ class PreviewRendererTest : public QObject {
       plan.reflections = std::min(plan.reflections, widgets::SceneUniforms::mostReflections);
       renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table)));
       renderer_->setScene(scene, plan);
-      renderer_->setSize({side / 2, side / 2});  // so that each target is a new one: none may unbind a texture
-      renderer_->setSize({side, side});
-      for (int i = 0; i < 16; ++i) renderer_->accumulate(64);
-      Film film(side, side);
+      constexpr int small = side / 3;
+      renderer_->setSize({side, side});  // so that each target is a new one: none may unbind a texture
+      renderer_->setSize({small, small});
+      for (int i = 0; i < 32; ++i) renderer_->accumulate(64);
+      Film film(small, small);
       const std::vector slotMaterials(2, material);
-      PathTracer(scene, bindMaterials(scene, slotMaterials), plan, 7).accumulate(film, 512);
+      PathTracer(scene, bindMaterials(scene, slotMaterials), plan, 7).accumulate(film, 2048);
       const double snr = metrics::signalToNoiseRatio(film.image(), renderer_->readPicture());
       qInfo("%s: %.1f dB", name.c_str(), snr);
       QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name.c_str()).arg(snr)));

@@ -51,20 +51,27 @@ class PreviewWidgetTest : public QObject {
     QCOMPARE(picture.pixel(2, 2), picture.pixel(110, 4));
   }
 
-  /// A mesh is traced in the background: coarse first, then to the end; the plan says what it calls for.
-  void aMeshIsTraced() {
+  /// The plan of a mesh says what it calls for; OpenGL draws it.
+  void aMeshIsDrawn() {
     QSignalSpy planned(widget_.get(), &PreviewWidget::planChanged);
-    widget_->showScene(openScene("bowl"));
-    QVERIFY(widget_->isTraced() && planned.count() > 0);
-    QVERIFY(widget_->plan().simulates(Effect::selfShadowing) && !widget_->plan().simulates(Effect::castShadows));
     widget_->setSubject(widgets::measuredSubject(table_));
-    QSignalSpy rendered(widget_.get(), &PreviewWidget::frameRendered);
-    QTRY_VERIFY_WITH_TIMEOUT(!rendered.isEmpty() && rendered.last()[1].toInt() >= 16, 20000);
-    const Image picture = widget_->linearPicture();
-    QCOMPARE(picture.width, widget_->width());
-    QVERIFY(picture.at(110, 110).x > 0.02f && picture.at(4, 4).x == 0);
-    widget_->showScene(openScene("sphere"));
+    widget_->showScene(openScene("bowl"));
+    QVERIFY(!widget_->isTraced() && planned.count() > 0);
+    QVERIFY(widget_->plan().simulates(Effect::selfShadowing) && !widget_->plan().simulates(Effect::castShadows));
+    showsSomethingAfter(4);
+    QVERIFY(widget_->linearPicture().at(4, 4).x == 0);
+  }
+
+  /// Several materials are traced in the background: coarse first, then to the end.
+  void severalMaterialsAreTraced() {
+    widget_->setSubject(widgets::measuredSubject(table_));
+    widget_->showScene(openScene("two-spheres", 2));
+    widget_->setOthers({diffuseMaterial(Rgb(0.2))});
+    QVERIFY(widget_->isTraced());
+    showsSomethingAfter(16);
+    widget_->setOthers({});
     QVERIFY(!widget_->isTraced());
+    widget_->showScene(openScene("sphere"));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
   }
 
@@ -296,6 +303,14 @@ class PreviewWidgetTest : public QObject {
   }
 
  private:
+  void showsSomethingAfter(int samples) {
+    QSignalSpy rendered(widget_.get(), &PreviewWidget::frameRendered);
+    QTRY_VERIFY_WITH_TIMEOUT(!rendered.isEmpty() && rendered.last()[1].toInt() >= samples, 20000);
+    const Image picture = widget_->linearPicture();
+    QCOMPARE(picture.width, widget_->width());
+    QVERIFY(picture.at(110, 110).x > 0.02f);
+  }
+
   std::shared_ptr<const TabulatedBrdf> table_;
   std::unique_ptr<PreviewWidget> widget_;
 };

@@ -52,7 +52,7 @@ class PreviewContent : public QObject {
   const EffectOverrides& overrides() const { return m_overrides; }
   /// Of the first subject; for a grey surface until its material is known.
   const EffectPlan& plan() const { return m_first.plan(); }
-  /// Whether the scene is traced on the CPU: the shader knows neither meshes nor several materials.
+  /// Whether the scene is traced on the CPU: the shader knows one material.
   bool isTraced() const;
 
   /// Of the whole viewport, in pixels.

@@ -13,10 +13,10 @@ namespace gonio::widgets {
 class PreviewOverlay;
 
 /// The preview viewport: a material in a scene, converging while nothing changes, restarting when something does; or
-/// two subjects against each other, in one scene. Only the effects that the scene calls for are simulated. Scenes of
-/// spheres and rectangles are drawn by the shader, others traced on the CPU; both in other threads: the widget shows
-/// the newest finished picture (PictureThread), with facts about it (PreviewOverlay). What is shown stands in its
-/// content(), what the hand does to it in its input().
+/// two subjects against each other, in one scene. Only the effects that the scene calls for are simulated. Scenes in
+/// one material are drawn by the shader, others traced on the CPU; both in other threads: the widget shows the newest
+/// finished picture (PictureThread), with facts about it (PreviewOverlay). What is shown stands in its content(), what
+/// the hand does to it in its input().
 class PreviewWidget : public QOpenGLWidget {
   Q_OBJECT
 

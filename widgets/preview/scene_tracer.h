@@ -12,7 +12,7 @@
 
 namespace gonio::widgets {
 
-/// Traces scenes that the shader cannot draw (meshes, several materials) in another thread: a coarse picture first,
+/// Traces scenes that the shader cannot draw (several materials) in another thread: a coarse picture first,
 /// then full size with ever more samples. The newest request alone is worked on.
 class SceneTracer : public QObject {
   Q_OBJECT

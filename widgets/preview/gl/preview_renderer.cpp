@@ -19,6 +19,8 @@ namespace gonio::widgets {
 namespace {
 
 constexpr int maxSamples = 64;  // of scene.frag
+// A pass in which rays search meshes is short: Mesa's software renderer leaves a shader's loops after 65,535 rounds.
+constexpr int maxMeshSamples = 8;
 constexpr double bandMilliseconds = 12;
 constexpr int mostBands = 16;  // waiting for each has its cost too
 QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d.z)}; }
@@ -174,6 +176,7 @@ void PreviewRenderer::bindLobe(QOpenGLShaderProgram& program) {
 }
 
 void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
+  if (!sceneUniforms_.meshes().empty()) resources_->bindMeshes(program, sceneUniforms_.meshes());
   if (!sceneUniforms_.usesEnvironment()) return;
   resources_->bindEnvironment(scene_.environment);
   program.setUniformValue("environment", environmentUnit);
@@ -206,7 +209,6 @@ void PreviewRenderer::prepareTarget() {
 
 void PreviewRenderer::accumulate(int count) {
   if (!hasMaterial() || count <= 0) return;
-  count = std::min(count, maxSamples);
   QOpenGLShaderProgram& program = sceneProgram();
   program.bind();
   createTarget();
@@ -214,12 +216,16 @@ void PreviewRenderer::accumulate(int count) {
   bindTextures(program);
   setCameraUniforms(program);
   prepareTarget();
-  setSampleUniforms(program, count);
-  drawInBands();
+  const int most = sceneUniforms_.meshes().empty() ? maxSamples : maxMeshSamples;
+  for (int left = count; left > 0; left -= most) {
+    const int pass = std::min(left, most);
+    setSampleUniforms(program, pass);
+    drawInBands();
+    samples_ += pass;
+  }
   glDisable(GL_BLEND);
   program.release();
   accumulation_->release();
-  samples_ += count;
 }
 
 /// The time of a band tells how many rows the next one has.

@@ -51,6 +51,8 @@ void PreviewResources::release() {
   bases_.clear();
   mixtures_.clear();
   uploadedEnvironment_.reset();
+  uploadedMeshes_.clear();
+  meshTexture_.reset();
   initialized_ = false;
 }
 
@@ -132,6 +134,16 @@ void PreviewResources::bindEnvironment(const std::shared_ptr<const EnvironmentMa
   glBindTexture(GL_TEXTURE_2D, lightPoolTexture_);
   glActiveTexture(GL_TEXTURE0 + lightPoolRadianceUnit);
   glBindTexture(GL_TEXTURE_2D, lightPoolRadianceTexture_);
+}
+
+void PreviewResources::bindMeshes(QOpenGLShaderProgram& program, const std::vector<MeshShape>& meshes) {
+  if (meshes != uploadedMeshes_ || !meshTexture_) {
+    meshTexture_.reset();
+    QOpenGLFunctions_4_1_Core& gl = *this;
+    meshTexture_ = std::make_unique<MeshTexture>(gl, meshes);
+    uploadedMeshes_ = meshes;
+  }
+  meshTexture_->bind(*this, program);
 }
 
 void PreviewResources::bindColourMap(bool isSigned) {

@@ -12,6 +12,7 @@
 #include "core/editing/interpolation/interpolation.h"
 #include "core/rendering/environment.h"
 #include "widgets/preview/gl/code_decoder.h"
+#include "widgets/preview/gl/mesh_texture.h"
 #include "widgets/preview/gl/shader_base.h"
 
 namespace gonio::widgets {
@@ -38,6 +39,7 @@ enum TextureUnit {
   // While a picture is drawn nothing is decoded.
   lobeCellUnit = firstDecoderUnit,
   lobeRowUnit,
+  meshUnit = colourMapUnit,
 };
 
 /// A table on the graphics card; freed with its last user, in whose hands the context must be current.
@@ -56,8 +58,8 @@ struct MixtureTextures {
   std::vector<std::unique_ptr<TableTexture>> tables;
 };
 
-/// What all pictures of one OpenGL context share: linked shaders, the environment's textures, tables that several
-/// pictures show. Every call needs that context to be current.
+/// What all pictures of one OpenGL context share: linked shaders, the textures of the environment and of meshes, tables
+/// that several pictures show. Every call needs that context to be current.
 class PreviewResources : protected QOpenGLFunctions_4_1_Core {
  public:
   /// @throws Error when the context has no OpenGL 4.1 core functions.
@@ -88,6 +90,8 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   void setDecodesCodes(bool decodes) { decodesCodes_ = decodes; }
   /// Binds the environment's pictures to their units, uploading them when it is another one than before.
   void bindEnvironment(const std::shared_ptr<const EnvironmentMap>& environment);
+  /// Binds a scene's meshes, uploading them when they are others than before.
+  void bindMeshes(QOpenGLShaderProgram& program, const std::vector<MeshShape>& meshes);
   /// Binds viridis or the signed map (core/rendering/false_colour.h) to its unit.
   void bindColourMap(bool isSigned);
 
@@ -106,6 +110,8 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
   std::map<std::weak_ptr<const editing::TransformedMixture>, std::weak_ptr<const MixtureTextures>, std::owner_less<>>
       mixtures_;
   std::shared_ptr<const EnvironmentMap> uploadedEnvironment_;
+  std::vector<MeshShape> uploadedMeshes_;
+  std::unique_ptr<MeshTexture> meshTexture_;
 };
 
 }  // namespace gonio::widgets

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <glm/vec4.hpp>
 
+#include "widgets/preview/gl/mesh_texture.h"
+
 namespace gonio::widgets {
 
 namespace {
@@ -14,15 +16,16 @@ constexpr float materialSlot = 0, diffuse = 1, emitting = 2;  // of preview/scen
 glm::vec4 colourOf(const SceneObject& object) {
   if (object.emits()) return glm::vec4(object.radiance, emitting);
   if (const auto* surface = std::get_if<Diffuse>(&object.material)) return glm::vec4(surface->reflectance, diffuse);
-  return {0, 0, 0, materialSlot};
+  return {float(std::get<MaterialSlot>(object.material).number), 0, 0, materialSlot};
 }
 
-/// The shader's numbers of the objects: spheres, rectangles, lamps.
+/// The shader's numbers of the objects: spheres, meshes, rectangles, lamps.
 std::vector<std::size_t> drawnOrder(const Scene& scene) {
   std::vector<std::size_t> order;
   const auto rank = [&](std::size_t i) {
     const SceneObject& object = scene.objects[i];
-    return object.emits() ? 2 : std::holds_alternative<Sphere>(object.shape) ? 0 : 1;
+    if (object.emits()) return 3;
+    return std::holds_alternative<Sphere>(object.shape) ? 0 : std::holds_alternative<MeshShape>(object.shape) ? 1 : 2;
   };
   for (std::size_t i = 0; i < scene.objects.size(); ++i) order.push_back(i);
   std::ranges::stable_sort(order, {}, rank);
@@ -32,10 +35,12 @@ std::vector<std::size_t> drawnOrder(const Scene& scene) {
 }  // namespace
 
 bool SceneUniforms::canDraw(const Scene& scene) {
-  const auto analytic = [](const SceneObject& object) { return !std::holds_alternative<MeshShape>(object.shape); };
+  std::size_t triangles = 0;
+  for (const SceneObject& object : scene.objects)
+    if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) triangles += (*mesh)->mesh().triangles().size();
   return !scene.objects.empty() && scene.objects.size() <= mostObjects &&
          scene.directionalLights.size() <= mostLights && scene.pointLights.size() <= mostLights &&
-         std::ranges::all_of(scene.objects, analytic);
+         triangles <= MeshTexture::mostTriangles;
 }
 
 SceneUniforms::SceneUniforms(const Scene& scene, const EffectPlan& plan) {
@@ -59,6 +64,8 @@ void SceneUniforms::addObjects(const Scene& scene, const EffectPlan& plan) {
     lamps_ += object.emits();
     if (const auto* sphere = std::get_if<Sphere>(&object.shape)) {
       spheres_.emplace_back(sphere->centre, sphere->radius);
+    } else if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
+      meshes_.push_back(*mesh);
     } else {
       const auto& rectangle = std::get<Rectangle>(object.shape);
       centres_.emplace_back(rectangle.centre);
@@ -100,8 +107,11 @@ void SceneUniforms::addLights(const Scene& scene, const EffectPlan& plan) {
 
 QStringList SceneUniforms::definitions() const {
   const auto count = [](const char* name, std::size_t number) { return QString("%1 %2").arg(name).arg(number); };
-  QStringList result{count("SPHERES", spheres_.size()), count("RECTANGLES", centres_.size()),
-                     count("DISTANT_LIGHTS", distantDirections_.size()), count("POINT_LIGHTS", pointPositions_.size()),
+  QStringList result{count("SPHERES", spheres_.size()),
+                     count("MESHES", meshes_.size()),
+                     count("RECTANGLES", centres_.size()),
+                     count("DISTANT_LIGHTS", distantDirections_.size()),
+                     count("POINT_LIGHTS", pointPositions_.size()),
                      count("LAMPS", std::size_t(lamps_))};
   for (const auto& [wanted, name] : {std::pair{diffuse_, "DIFFUSE_OBJECTS"},
                                      {lightEnvironment_, "LIGHT_ENVIRONMENT"},
@@ -123,6 +133,9 @@ void SceneUniforms::set(QOpenGLShaderProgram& program) const {
     if (!values.empty()) program.setUniformValueArray(name, &values.front().x, int(values.size()), 4);
   };
   wide("spheres", spheres_);
+  std::vector<float> radii;
+  for (const MeshShape& mesh : meshes_) radii.push_back(float(mesh->mesh().boundingSphere().radius));
+  if (!radii.empty()) program.setUniformValueArray("meshRadii", radii.data(), int(radii.size()), 1);
   wide("objectColours", colours_);
   vectors("rectangleCentres", centres_);
   vectors("rectangleSides", sides_);

@@ -9,15 +9,14 @@
 
 namespace gonio::widgets {
 
-/// A scene as preview/scene.frag draws it: spheres and rectangles alone, the lamps last. Every material that is looked
-/// at is the preview's subject.
+/// A scene as preview/scene.frag draws it: spheres, meshes, rectangles, the lamps last.
 class SceneUniforms {
  public:
   /// Reflections that the shader follows at most: what a driver compiles and a frame bears.
   static constexpr int mostReflections = 8;
   static constexpr std::size_t mostObjects = 24, mostLights = 8;
 
-  /// Whether the shader can draw the scene; others are traced on the CPU.
+  /// Whether the shader can draw the scene; larger ones are traced on the CPU.
   static bool canDraw(const Scene& scene);
 
   SceneUniforms() = default;
@@ -31,6 +30,7 @@ class SceneUniforms {
   /// Whether the shader draws directions of reflection.
   bool drawsDirections() const { return lightEnvironment_ || lightLamps_ || reflections_ > 1; }
   int reflections() const { return reflections_; }
+  const std::vector<MeshShape>& meshes() const { return meshes_; }
   bool operator==(const SceneUniforms&) const = default;
 
  private:
@@ -38,6 +38,7 @@ class SceneUniforms {
   void addLights(const Scene& scene, const EffectPlan& plan);
 
   std::vector<glm::vec4> spheres_, colours_;
+  std::vector<MeshShape> meshes_;
   std::vector<glm::vec3> centres_, sides_;
   std::vector<int> blockers_;  ///< bits by object; empty: no shadow is simulated
   std::vector<glm::vec3> distantDirections_, distantIrradiances_, pointPositions_, pointIntensities_;
