@@ -74,6 +74,20 @@ uniform int reflections;
 const int reflections = 1;
 #endif
 
+#ifdef SEVERAL_MATERIALS
+uniform int drawnSlots;  // bits; what has no slot, and the background, belong to slot 0
+
+bool hasDrawnSlot(int object) { return ((drawnSlots >> int(objectColours[object].x)) & 1) != 0; }
+bool drawsBackground() { return (drawnSlots & 1) != 0; }
+bool isDrawn(int object) { return objectColours[object].w == materialSlot ? hasDrawnSlot(object) : drawsBackground(); }
+// Whether light is followed that comes from there: that of another pass's material is not.
+bool isKnown(int object) { return objectColours[object].w != materialSlot || hasDrawnSlot(object); }
+#else
+bool drawsBackground() { return true; }
+bool isDrawn(int object) { return true; }
+bool isKnown(int object) { return true; }
+#endif
+
 vec3 reflectance(Surface surface, vec3 wi) {
 #ifdef DIFFUSE_OBJECTS
   vec4 colour = objectColours[surface.object];
@@ -211,6 +225,7 @@ vec3 reflected(Surface surface, vec4 numbers, uvec3 hash) {
 #endif
       break;
     }
+    if (!isKnown(hit.object)) break;
     throughput = value / density;
     uvec3 next = hashed(hash ^ 0x9E3779B9u);
     u = numbersOf(next);
@@ -227,19 +242,6 @@ vec3 reflected(Surface surface, vec4 numbers, uvec3 hash) {
 #endif
   return sum;
 }
-
-#ifdef SEVERAL_MATERIALS
-uniform int drawnSlots;  // bits; what has no slot, and the background, belong to slot 0
-
-bool isDrawn(int object) {
-  vec4 colour = objectColours[object];
-  return ((drawnSlots >> (colour.w == materialSlot ? int(colour.x) : 0)) & 1) != 0;
-}
-bool drawsBackground() { return (drawnSlots & 1) != 0; }
-#else
-bool isDrawn(int object) { return true; }
-bool drawsBackground() { return true; }
-#endif
 
 void main() {
   uvec3 hash = hashed(uvec3(uvec2(gl_FragCoord.xy), 0x9E3779B9u));

@@ -18,6 +18,7 @@ class FrameBudgetTest : public QObject {
     const auto first = budget.next(1e6, 0, 1024, false);
     QCOMPARE(first.scale, 0.5);
     QVERIFY(first.samples >= 1);
+    QCOMPARE(budget.next(4e7, 0, 1024, false).scale, 0.25);  // 15 ns a sample at first: 0.15 s at half
     QCOMPARE(budget.next(1e6, 0, 1024, true).scale, 1.0);
     QCOMPARE(budget.next(1e6, 8, 1024, false).scale, 1.0);
   }

@@ -121,6 +121,22 @@ class PreviewRendererTest : public QObject {
     }
   }
 
+  /// Each material has a pass of its own: light that is reflected once is all there.
+  void severalMaterials() {
+    const auto other = bakedModel("ggx", {{"roughness", 0.6}, {"f0", 0.2}});
+    const widgets::PreviewSubject edited{widgets::EditedMaterial{other, {rougherEdit("ggx", "roughness", 0.4)}},
+                                         std::make_shared<const TabulatedLobe>(*other)};
+    const auto traced = std::make_shared<const RenderMaterial>(widgets::subjectBrdf(edited), edited.lobe);
+    for (const char* name : {"two-spheres", "row"}) checkTwoMaterials(name, edited, traced, 1);
+  }
+
+  /// So is light between objects of one material and those that have no material of the slots; what a black one sends
+  /// to others is none.
+  void reflectionsBesideAnotherMaterial() {
+    const auto black = bakedModel("lambert", {{"diffuse", 0}});
+    checkTwoMaterials("row", widgets::measuredSubject(black), diffuseMaterial(Rgb(0)), 8);
+  }
+
   void orthographicViewWithTheEnvironmentShown() {
     Scene scene = sphereScene(skyEnvironment(), {.fieldOfView = 0});
     scene.showEnvironment = true;
@@ -377,6 +393,26 @@ class PreviewRendererTest : public QObject {
   }
 
  private:
+  /// A scene of two materials against the path tracer.
+  void checkTwoMaterials(const char* name, const widgets::PreviewSubject& other,
+                         const std::shared_ptr<const RenderMaterial>& tracedOther, int reflections) {
+    const auto table = bakedModel("ggx", {{"roughness", 0.3}, {"f0", 0.6}});
+    const Scene scene = openScene(name, 2);
+    const RenderMaterials slots{std::make_shared<const RenderMaterial>(table), tracedOther};
+    const RenderMaterials bound = bindMaterials(scene, slots);
+    EffectPlan plan = planEffects(scene, bound);
+    plan.reflections = std::min(plan.reflections, reflections);
+    renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table)));
+    renderer_->setScene(scene, plan, {other});
+    renderer_->setSize({side / 2, side / 2});
+    for (int i = 0; i < 16; ++i) renderer_->accumulate(64);
+    Film film(side / 2, side / 2);
+    PathTracer(scene, bound, plan, 7).accumulate(film, 1024);
+    const double snr = metrics::signalToNoiseRatio(film.image(), renderer_->readPicture());
+    qInfo("%s: %.1f dB", name, snr);
+    QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name).arg(snr)));
+  }
+
   std::unique_ptr<test::OffscreenSpheres> spheres_;
   widgets::PreviewRenderer* renderer_ = nullptr;
 };

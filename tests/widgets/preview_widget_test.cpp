@@ -18,6 +18,7 @@
 namespace preview_widget_test {
 using namespace gonio;
 using widgets::PreviewWidget;
+using widgets::Tracing;
 
 std::shared_ptr<const TabulatedBrdf> grey() {
   const models::Model& model = models::findModel("lambert");
@@ -56,21 +57,27 @@ class PreviewWidgetTest : public QObject {
     QSignalSpy planned(widget_.get(), &PreviewWidget::planChanged);
     widget_->setSubject(widgets::measuredSubject(table_));
     widget_->showScene(openScene("bowl"));
-    QVERIFY(!widget_->isTraced() && planned.count() > 0);
+    QVERIFY(widget_->tracing() != Tracing::always && planned.count() > 0);
     QVERIFY(widget_->plan().simulates(Effect::selfShadowing) && !widget_->plan().simulates(Effect::castShadows));
     showsSomethingAfter(4);
     QVERIFY(widget_->linearPicture().at(4, 4).x == 0);
   }
 
-  /// Several materials are traced in the background: coarse first, then to the end.
-  void severalMaterialsAreTraced() {
+  /// Materials that reflect each other are drawn at once and traced at rest, to the end; a change draws again.
+  void severalMaterialsAreTracedAtRest() {
     widget_->setSubject(widgets::measuredSubject(table_));
     widget_->showScene(openScene("two-spheres", 2));
-    widget_->setOthers({diffuseMaterial(Rgb(0.2))});
-    QVERIFY(widget_->isTraced());
+    const auto other = grey();
+    widget_->setOthers({{widgets::measuredSubject(other), std::make_shared<const RenderMaterial>(other)}});
+    QVERIFY(widget_->tracing() == Tracing::atRest);
+    showsSomethingAfter(1);
+    QVERIFY(!widget_->showsFilm());
+    QTRY_VERIFY_WITH_TIMEOUT(widget_->showsFilm(), 20000);
     showsSomethingAfter(16);
+    QTest::keyClick(widget_.get(), Qt::Key_Right);
+    QTRY_VERIFY_WITH_TIMEOUT(!widget_->showsFilm(), 20000);
     widget_->setOthers({});
-    QVERIFY(!widget_->isTraced());
+    QVERIFY(widget_->tracing() == Tracing::never);
     widget_->showScene(openScene("sphere"));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
   }

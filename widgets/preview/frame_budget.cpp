@@ -12,7 +12,10 @@ FrameBudget::Frame FrameBudget::next(double pixels, int accumulated, int wanted,
     return std::clamp(static_cast<int>(budget / std::max(1.0, nsPerSample_ * atPixels)), 1, maxSamplesPerFrame);
   };
   const int full = affordable(pixels);
-  if (accumulated == 0 && !resting && full < fewestFirstSamples) return {affordable(pixels / 4), 0.5};
+  if (accumulated == 0 && !resting && full < fewestFirstSamples) {
+    const double scale = nsPerSample_ * pixels / 4 > longestFirstMs * 1e6 ? 0.25 : 0.5;
+    return {affordable(pixels * scale * scale), scale};
+  }
   return {std::min(full, std::max(1, wanted - accumulated)), 1.0};
 }
 

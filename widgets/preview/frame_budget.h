@@ -11,12 +11,14 @@ class FrameBudget {
   static constexpr double interactiveMs = 30;
   static constexpr double restingMs = 80;
   static constexpr int maxSamplesPerFrame = 64;
-  /// Below this many samples the first frame is drawn at half the resolution instead.
+  /// Below this many samples the first frame is drawn at half the resolution instead; at a quarter of it where a sample
+  /// at half takes longer than this.
   static constexpr int fewestFirstSamples = 6;
+  static constexpr double longestFirstMs = 100;
 
   struct Frame {
     int samples;
-    double scale;  ///< of the resolution: 1 or 0.5
+    double scale;  ///< of the resolution: 1, 0.5 or 0.25
   };
   /// @param pixels of the picture at full scale; @param accumulated samples so far (0: first frame after a change);
   /// @param wanted samples of the converged picture; @param resting nothing has changed for a while.

@@ -7,7 +7,9 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr std::chrono::milliseconds rest{120};  // without a change: the picture is at rest
+bool isAtRest(const PictureRequest& request) {
+  return std::chrono::steady_clock::now() - request.changed >= timeToRest;
+}
 }  // namespace
 
 PictureDrawer::PictureDrawer()
@@ -33,19 +35,19 @@ void PictureDrawer::take(const PictureRequest& request) {
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     Side& side = sides_[i];
     const PictureRequest::Side& wanted = request.sides[i];
-    // A film stays until the one of the new subject comes.
-    const bool keepsFilm = request.traced && !wanted.subject.isEmpty();
-    if (wanted.subjectNumber != side.subjectNumber && !keepsFilm) {
-      side.picture.setSubject(wanted.subject);
-      side.subjectNumber = wanted.subjectNumber;
-    }
-    if (request.traced != traced_) {
+    // Of a scene that is not drawn, the film before stays until the next one comes.
+    if (!request.isDrawn && !wanted.subject.isEmpty()) continue;
+    if (side.film && !wanted.film) {
       side.picture.restart();
       side.film.reset();
     }
-    if (!request.traced) side.picture.setScene(request.scene, wanted.plan);
+    if (wanted.film) continue;
+    if (wanted.subjectNumber != side.subjectNumber) {
+      side.picture.setSubject(wanted.subject);
+      side.subjectNumber = wanted.subjectNumber;
+    }
+    if (request.isDrawn) side.picture.setScene(request.scene, wanted.plan, request.others);
   }
-  traced_ = request.traced;
   if (request.comparison.difference != comparison_.difference || request.comparison.range != comparison_.range)
     range_ = 0;
   comparison_ = request.comparison;
@@ -54,37 +56,36 @@ void PictureDrawer::take(const PictureRequest& request) {
 PictureState PictureDrawer::addFrame(const PictureRequest& request) {
   take(request);
   PictureState state{.number = request.number};
-  if (request.traced)
-    takeFilms(request, state);
-  else
-    addSamples(request, state);
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    if (takeFilm(sides_[i], request.sides[i]) && i == 0) state.isNew = true;
+  addSamples(request, state);
   updateRange(request);
   state.range = range_;
   for (std::size_t i = 0; i < sides_.size(); ++i)
-    state.sides[i] = {sides_[i].picture.size(), sides_[i].picture.samples()};
+    state.sides[i] = {sides_[i].picture.size(), sides_[i].picture.samples(), sides_[i].film != nullptr};
   return state;
 }
 
-void PictureDrawer::takeFilms(const PictureRequest& request, PictureState& state) {
-  for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const std::shared_ptr<const Film>& film = request.sides[i].film;
-    if (film == sides_[i].film || !film) continue;
-    sides_[i].film = film;
-    sides_[i].picture.showTraced(*film);
-    if (i == 0) state.isNew = true;
-  }
+/// @returns whether it is a new one.
+bool PictureDrawer::takeFilm(Side& side, const PictureRequest::Side& wanted) {
+  if (!wanted.film || wanted.film == side.film) return false;
+  side.film = wanted.film;
+  side.picture.showTraced(*wanted.film);
+  return true;
 }
 
 bool PictureDrawer::needsSamples(const PictureRequest& request, std::size_t side) const {
-  if (request.traced || request.sides[0].subject.isEmpty() || (side == 1 && !request.comparing)) return false;
+  if (!request.isDrawn || request.sides[side].film) return false;
+  if (request.sides[0].subject.isEmpty() || (side == 1 && !request.comparing)) return false;
   const PreviewRenderer& picture = sides_[side].picture;
+  if (!request.drawsAtRest && picture.samples() > 0 && isAtRest(request)) return false;
   return picture.size() != request.picture || picture.samples() < request.wantedSamples;
 }
 
 void PictureDrawer::addSamples(const PictureRequest& request, PictureState& state) {
   const std::array needs{needsSamples(request, 0), needsSamples(request, 1)};
   if (!needs[0] && !needs[1]) return;
-  const bool resting = std::chrono::steady_clock::now() - request.changed >= rest;
+  const bool resting = request.drawsAtRest && isAtRest(request);
   const double pixels = double(request.picture.width()) * request.picture.height() * (needs[0] + needs[1]);
   const int wanted = request.wantedSamples;
   const int accumulated =
@@ -94,7 +95,7 @@ void PictureDrawer::addSamples(const PictureRequest& request, PictureState& stat
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     if (!needs[i]) continue;
-    sides_[i].picture.setSize(coarse_ ? request.picture / 2 : request.picture);
+    sides_[i].picture.setSize(request.picture * frame.scale);
     sides_[i].picture.accumulate(frame.samples);
   }
   state.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -105,7 +106,7 @@ void PictureDrawer::addSamples(const PictureRequest& request, PictureState& stat
 std::optional<int> PictureDrawer::nextFrame(const PictureRequest& request) const {
   if (!needsSamples(request, 0) && !needsSamples(request, 1)) return std::nullopt;
   // A frame at half the resolution stands until the hand rests; others are refined at once.
-  return coarse_ ? int(rest.count()) : 0;
+  return coarse_ ? int(timeToRest.count()) : 0;
 }
 
 void PictureDrawer::updateRange(const PictureRequest& request) {

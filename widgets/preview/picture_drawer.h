@@ -37,11 +37,11 @@ class PictureDrawer {
     explicit Side(const std::shared_ptr<PreviewResources>& resources) : picture(resources) {}
     PreviewRenderer picture;
     int subjectNumber = -1;
-    std::shared_ptr<const Film> film;  ///< as the picture has it
+    std::shared_ptr<const Film> film;  ///< that the picture shows; null: what is drawn
   };
 
   void take(const PictureRequest& request);
-  void takeFilms(const PictureRequest& request, PictureState& state);
+  bool takeFilm(Side& side, const PictureRequest::Side& wanted);
   void addSamples(const PictureRequest& request, PictureState& state);
   void updateRange(const PictureRequest& request);
   bool needsSamples(const PictureRequest& request, std::size_t side) const;
@@ -51,7 +51,6 @@ class PictureDrawer {
   PreviewDisplay display_;
   FrameBudget budget_;
   PreviewComparison comparison_;
-  bool traced_ = false;
   bool coarse_ = false;   ///< the last frame has half the resolution
   double range_ = 0;      ///< 0: not found yet
   int rangeSamples_ = 0;  ///< at which the range was found

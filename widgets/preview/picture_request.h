@@ -14,20 +14,25 @@
 
 namespace gonio::widgets {
 
+/// A picture is at rest after so long without a change.
+inline constexpr std::chrono::milliseconds timeToRest{120};
+
 /// What is to be seen: a value that the GUI thread hands to the thread that draws.
 struct PictureRequest {
   struct Side {
     PreviewSubject subject;
     int subjectNumber = 0;  ///< another number: another subject, or another lobe of it
     EffectPlan plan;
-    std::shared_ptr<const Film> film;  ///< of a traced scene, as far as it has come; null before its first picture
+    std::shared_ptr<const Film> film;  ///< traced on the CPU, to be shown in place of what is drawn; or null
   };
 
   int number = 0;  ///< of the request, rising
   std::array<Side, 2> sides;
   Scene scene;
-  bool traced = false;     ///< the sides show their films
-  bool comparing = false;  ///< the second side is wanted
+  std::vector<PreviewSubject> others = {};  ///< in the scene's slots, see PreviewRenderer::setScene()
+  bool isDrawn = true;                      ///< by the shader; else films alone are shown
+  bool drawsAtRest = true;                  ///< else a film comes then
+  bool comparing = false;                   ///< the second side is wanted
   bool flickering = false;
   PreviewComparison comparison;
   DisplaySettings display;
@@ -41,6 +46,7 @@ struct PictureState {
   struct Side {
     QSize size;
     int samples = 0;
+    bool isTraced = false;  ///< a film is shown
   };
 
   int number = 0;  ///< of the request

@@ -8,7 +8,25 @@
 
 namespace gonio::widgets {
 
+namespace {
+
+/// A film with fewer is noisier than what a graphics card has drawn by then.
+constexpr int fewestFilmSamples = 16;
+
+bool hasMeshes(const Scene& scene) {
+  return std::ranges::any_of(scene.objects,
+                             [](const SceneObject& object) { return std::holds_alternative<MeshShape>(object.shape); });
+}
+
+}  // namespace
+
 PreviewContent::PreviewContent(QObject* parent) : QObject(parent) {
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(timeToRest);
+  connect(&m_rest, &QTimer::timeout, this, [this] {
+    startTracing(m_first);
+    startTracing(m_second);
+  });
   connectSide(m_first);
   connectSide(m_second);
   showScene(openScene(bundledSceneNames().front()));
@@ -52,7 +70,7 @@ bool PreviewContent::isComparing() const {
 /// What the side's picture simulates.
 void PreviewContent::plan(PreviewSide& side) {
   static const std::shared_ptr<const RenderMaterial> grey = diffuseMaterial(Rgb(0.5));
-  adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, m_others));
+  adoptPlan(side, previewPlan(m_scene, side.material() ? side.material() : grey, m_overrides, others()));
 }
 
 void PreviewContent::adoptPlan(PreviewSide& side, const EffectPlan& plan) {
@@ -62,9 +80,15 @@ void PreviewContent::adoptPlan(PreviewSide& side, const EffectPlan& plan) {
 }
 
 void PreviewContent::trace(PreviewSide& side) {
-  if (!isTraced() || !side.material() || side.subject().isEmpty()) return side.tracer().stop();
+  if (tracing() == Tracing::always) return startTracing(side);
+  side.tracer().stop();
+  if (tracing() == Tracing::atRest) m_rest.start();
+}
+
+void PreviewContent::startTracing(PreviewSide& side) {
+  if (tracing() == Tracing::never || !side.material() || side.subject().isEmpty()) return side.tracer().stop();
   if (&side == &m_second && !isComparing()) return;
-  side.tracer().trace(m_scene, materialsInSlots(m_scene, side.material(), m_others), side.plan(), pictureSize(),
+  side.tracer().trace(m_scene, materialsInSlots(m_scene, side.material(), others()), side.plan(), pictureSize(),
                       wantedSamples());
 }
 
@@ -137,17 +161,34 @@ void PreviewContent::setBackgroundShown(bool shown) {
   setScene(scene);
 }
 
-bool PreviewContent::isTraced() const {
-  if (!SceneUniforms::canDraw(m_scene)) return true;
+bool PreviewContent::showsOthers() const {
   const auto shown = std::min(m_others.size(), std::size_t(std::max(1, materialSlotCount(m_scene)) - 1));
   return std::any_of(m_others.begin(), m_others.begin() + std::ptrdiff_t(shown),
-                     [](const auto& material) { return material != nullptr; });
+                     [](const SceneMaterial& other) { return other.material != nullptr; });
 }
 
-void PreviewContent::setOthers(const RenderMaterials& others) {
-  if (others == m_others) return;
+Tracing PreviewContent::tracing() const {
+  if (!SceneUniforms::canDraw(m_scene)) return Tracing::always;
+  // The shader leaves out what one material reflects of another.
+  const bool leavesOut = showsOthers() && m_first.plan().reflections > 1;
+  return leavesOut || (m_software && hasMeshes(m_scene)) ? Tracing::atRest : Tracing::never;
+}
+
+void PreviewContent::setSoftware(bool software) {
+  if (software == m_software) return;
+  m_software = software;
+  traceBoth();
+}
+
+void PreviewContent::setOthers(const std::vector<SceneMaterial>& others) {
   m_others = others;
   setScene(m_scene);
+}
+
+RenderMaterials PreviewContent::others() const {
+  RenderMaterials materials;
+  for (const SceneMaterial& other : m_others) materials.push_back(other.material);
+  return materials;
 }
 
 void PreviewContent::setOverrides(const EffectOverrides& overrides) {
@@ -178,15 +219,33 @@ int PreviewContent::wantedSamples() const {
 
 bool PreviewContent::isBusy() const {
   const auto busy = [this](const PreviewSide& side) {
-    return side.isEstimating() || (isTraced() && !side.tracer().isDone());
+    return side.isEstimating() || (tracing() != Tracing::never && !side.tracer().isDone());
   };
   return busy(m_first) || (isComparing() && busy(m_second));
 }
 
+bool PreviewContent::isWorthShowing(const PreviewSide& side) const {
+  const SceneTracer& tracer = side.tracer();
+  if (tracing() == Tracing::always) return tracer.film() != nullptr;
+  return tracing() == Tracing::atRest && tracer.isCurrent() &&
+         QSize(tracer.film()->width, tracer.film()->height) == pictureSize() &&
+         tracer.film()->samples >= (m_software ? 1 : fewestFilmSamples);
+}
+
 PictureRequest PreviewContent::request() const {
-  return {.sides = {m_first.request(), m_second.request()},
+  PictureRequest::Side first = m_first.request(), second = m_second.request();
+  // What is compared comes from one renderer.
+  if (isWorthShowing(m_first) && (!isComparing() || isWorthShowing(m_second))) {
+    first.film = m_first.tracer().film();
+    if (isComparing()) second.film = m_second.tracer().film();
+  }
+  std::vector<PreviewSubject> others;
+  for (const SceneMaterial& other : m_others) others.push_back(other.subject);
+  return {.sides = {first, second},
           .scene = m_scene,
-          .traced = isTraced(),
+          .others = others,
+          .isDrawn = tracing() != Tracing::always,
+          .drawsAtRest = !m_software || tracing() == Tracing::never,
           .comparing = isComparing(),
           .comparison = m_comparison,
           .display = {},

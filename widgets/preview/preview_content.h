@@ -2,12 +2,27 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QTimer>
+
 #include "widgets/preview/preview_side.h"
 
 namespace gonio::widgets {
 
+/// A material beside the subject in scenes of several: as the shader and as the path tracer take it.
+struct SceneMaterial {
+  PreviewSubject subject = {};  ///< with its lobe; empty: none
+  std::shared_ptr<const RenderMaterial> material = nullptr;
+};
+
+/// What the path tracer is for.
+enum class Tracing {
+  never,   ///< the shader draws it all
+  atRest,  ///< to take the place of what the shader draws: it is more exact, or faster
+  always,  ///< the shader cannot draw the scene
+};
+
 /// What the preview shows: a subject, or two against each other, in one scene. Plans the effects that the scene calls
-/// for, and has traced what the shader cannot draw. Knows neither OpenGL nor the widget.
+/// for, and has traced what the shader does not draw, or not as well. Knows neither OpenGL nor the widget.
 class PreviewContent : public QObject {
   Q_OBJECT
 
@@ -44,16 +59,17 @@ class PreviewContent : public QObject {
   bool isEnvironmentChosen() const { return m_environment.has_value(); }
   /// Whether the environment is seen behind the objects, in this scene and all that follow.
   void setBackgroundShown(bool shown);
-  /// What the scene's other places show: number i is others[i - 1]; the subject itself where that is null or missing.
-  void setOthers(const RenderMaterials& others);
-  const RenderMaterials& others() const { return m_others; }
+  /// What the scene's other places show: number i is others[i - 1]; the subject itself where that is empty or missing.
+  void setOthers(const std::vector<SceneMaterial>& others);
+  RenderMaterials others() const;
   /// Effects that the user forces on or off.
   void setOverrides(const EffectOverrides& overrides);
   const EffectOverrides& overrides() const { return m_overrides; }
   /// Of the first subject; for a grey surface until its material is known.
   const EffectPlan& plan() const { return m_first.plan(); }
-  /// Whether the scene is traced on the CPU: the shader knows one material.
-  bool isTraced() const;
+  Tracing tracing() const;
+  /// Whether OpenGL runs on the CPU: meshes are traced at rest then, which is twice as fast.
+  void setSoftware(bool software);
 
   /// Of the whole viewport, in pixels.
   void setViewport(const QSize& pixels);
@@ -83,8 +99,11 @@ class PreviewContent : public QObject {
   void connectSide(PreviewSide& side);
   void plan(PreviewSide& side);
   void adoptPlan(PreviewSide& side, const EffectPlan& plan);
+  bool showsOthers() const;
   void trace(PreviewSide& side);
   void traceBoth();
+  void startTracing(PreviewSide& side);
+  bool isWorthShowing(const PreviewSide& side) const;
   void tellSceneChange();
   void light(Scene& scene) const;
 
@@ -94,8 +113,10 @@ class PreviewContent : public QObject {
   std::optional<std::shared_ptr<const EnvironmentMap>> m_environment;  ///< by the user
   std::optional<bool> m_backgroundShown;                               ///< likewise
   EffectOverrides m_overrides;
-  RenderMaterials m_others;
+  std::vector<SceneMaterial> m_others;
   QSize m_viewport{1, 1};
+  QTimer m_rest;  ///< runs out when the hand has rested: what is traced at rest begins
+  bool m_software = false;
 };
 
 }  // namespace gonio::widgets

@@ -30,7 +30,7 @@ class PreviewSide : public QObject {
   const SceneTracer& tracer() const { return m_tracer; }
   bool isEstimating() const { return m_estimator.isBusy(); }
 
-  PictureRequest::Side request() const { return {m_subject, m_number, m_plan, m_tracer.film()}; }
+  PictureRequest::Side request() const { return {m_subject, m_number, m_plan, nullptr}; }
 
  Q_SIGNALS:
   /// The material is known, maybe another density of its samples too.

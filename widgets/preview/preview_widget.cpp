@@ -135,7 +135,8 @@ void PreviewWidget::adopt(const PictureState& state) {
   if (isComparing() && comparison().mode == CompareMode::difference && state.range > 0)
     m_overlay->setRange(comparison().difference, state.range);
   if (state.isNew && hasMaterial()) {
-    const double milliseconds = isTraced() ? m_content.first().tracer().millisecondsOfSample() : state.milliseconds;
+    const bool isTraced = state.sides[0].isTraced;
+    const double milliseconds = isTraced ? m_content.first().tracer().millisecondsOfSample() : state.milliseconds;
     showStatus(milliseconds);
     Q_EMIT frameRendered(milliseconds, state.sides[0].samples);
   }
@@ -157,6 +158,7 @@ void PreviewWidget::initializeGL() {
   for (const GLenum name : {GL_RENDERER, GL_VENDOR, GL_VERSION})
     facts << QString::fromUtf8(reinterpret_cast<const char*>(m_gl.glGetString(name)));
   m_graphics = facts.join(QStringLiteral("; "));
+  m_content.setSoftware(CodeDecoder::isSoftware(m_gl));
   m_state = {};
   m_thread.start(*context());
 }
@@ -183,8 +185,9 @@ void PreviewWidget::showOverlay() {
 
 void PreviewWidget::showStatus(double milliseconds) {
   const QString curve = QString::fromUtf8(toneMapName(m_settings.toneMap).data());
-  const int followed = isTraced() ? plan().reflections : SceneUniforms::mostReflections;
   const bool second = m_flickering && isComparing();
+  const PictureState::Side& shown = m_state.sides[second ? 1 : 0];
+  const int followed = shown.isTraced ? plan().reflections : SceneUniforms::mostReflections;
   const QString& name = (second ? m_content.second() : m_content.first()).name();
   m_overlay->setStatus(tr("%1%2 | exposure %3 | %4 | %5 ms%6 | %7\n%8")
                            .arg(name.isEmpty() ? QString() : tr("%1 | ").arg(name))
@@ -192,8 +195,8 @@ void PreviewWidget::showStatus(double milliseconds) {
                            .arg(m_settings.exposure, 0, 'f', 1)
                            .arg(curve)
                            .arg(milliseconds, 0, 'f', 1)
-                           .arg(isTraced() ? tr(" a sample, on the CPU") : QString())
-                           .arg(samplesText(m_state.sides[second ? 1 : 0].samples), effectsText(plan(), followed)));
+                           .arg(shown.isTraced ? tr(" a sample, on the CPU") : QString())
+                           .arg(samplesText(shown.samples), effectsText(plan(), followed)));
 }
 
 }  // namespace gonio::widgets

@@ -13,10 +13,10 @@ namespace gonio::widgets {
 class PreviewOverlay;
 
 /// The preview viewport: a material in a scene, converging while nothing changes, restarting when something does; or
-/// two subjects against each other, in one scene. Only the effects that the scene calls for are simulated. Scenes in
-/// one material are drawn by the shader, others traced on the CPU; both in other threads: the widget shows the newest
-/// finished picture (PictureThread), with facts about it (PreviewOverlay). What is shown stands in its content(), what
-/// the hand does to it in its input().
+/// two subjects against each other, in one scene. Only the effects that the scene calls for are simulated. The shader
+/// draws at once, the path tracer takes over at rest where Tracing says so; both in other threads: the widget shows the
+/// newest finished picture (PictureThread), with facts about it (PreviewOverlay). What is shown stands in its
+/// content(), what the hand does to it in its input().
 class PreviewWidget : public QOpenGLWidget {
   Q_OBJECT
 
@@ -44,12 +44,12 @@ class PreviewWidget : public QOpenGLWidget {
   void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
     m_content.setEnvironment(environment);
   }
-  void setOthers(const RenderMaterials& others) { m_content.setOthers(others); }
-  const RenderMaterials& others() const { return m_content.others(); }
+  void setOthers(const std::vector<SceneMaterial>& others) { m_content.setOthers(others); }
+  RenderMaterials others() const { return m_content.others(); }
   void setOverrides(const EffectOverrides& overrides) { m_content.setOverrides(overrides); }
   const EffectOverrides& overrides() const { return m_content.overrides(); }
   const EffectPlan& plan() const { return m_content.plan(); }
-  bool isTraced() const { return m_content.isTraced(); }
+  Tracing tracing() const { return m_content.tracing(); }
   const std::shared_ptr<const RenderMaterial>& material() const { return m_content.first().material(); }
   bool hasMaterial() const { return m_content.hasMaterial(); }
   void setPicking(bool picking) { m_input->setPicking(picking); }
@@ -79,6 +79,8 @@ class PreviewWidget : public QOpenGLWidget {
   QString graphics() const { return m_graphics; }
   /// Whether the picture has all the samples that it will get.
   bool converged() const;
+  /// Whether the picture was traced on the CPU.
+  bool showsFilm() const { return m_state.sides[0].isTraced; }
   /// Pictures are requested with rising numbers: that of the last request, and of the picture that is shown.
   int lastRequest() const { return m_number; }
   int shownRequest() const { return m_state.number; }

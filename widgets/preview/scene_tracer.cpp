@@ -48,7 +48,7 @@ SceneTracer::~SceneTracer() {
 void SceneTracer::stop() {
   m_stop.request_stop();
   ++m_request;
-  m_isDone = false;
+  m_isCurrent = m_isDone = false;
 }
 
 void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials, const EffectPlan& plan,
@@ -77,6 +77,7 @@ void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials
 void SceneTracer::adopt(int request, std::shared_ptr<const Film> film, double milliseconds) {
   if (request != m_request) return;
   m_film = std::move(film);
+  m_isCurrent = true;
   m_milliseconds = milliseconds;
   m_isDone = m_film->samples >= m_samples;
   Q_EMIT advanced();

@@ -12,8 +12,8 @@
 
 namespace gonio::widgets {
 
-/// Traces scenes that the shader cannot draw (several materials) in another thread: a coarse picture first,
-/// then full size with ever more samples. The newest request alone is worked on.
+/// Traces a scene in another thread: a coarse picture first, then full size with ever more samples. The
+/// newest request alone is worked on.
 class SceneTracer : public QObject {
   Q_OBJECT
 
@@ -26,7 +26,9 @@ class SceneTracer : public QObject {
              int samples);
   void stop();
 
-  /// Whether the picture that was last asked for is there with all its samples.
+  /// Whether film() is of the picture that was last asked for, and not stopped since.
+  bool isCurrent() const { return m_isCurrent; }
+  /// Whether it is there with all its samples.
   bool isDone() const { return m_isDone; }
   /// The picture reached so far; null before the first. Smaller than asked for while it is coarse.
   const std::shared_ptr<const Film>& film() const { return m_film; }
@@ -47,7 +49,7 @@ class SceneTracer : public QObject {
   QFuture<void> m_future;
   double m_milliseconds = 0;
   int m_request = 0, m_samples = 0;
-  bool m_isDone = false;
+  bool m_isCurrent = false, m_isDone = false;
 };
 
 }  // namespace gonio::widgets

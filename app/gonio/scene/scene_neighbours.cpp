@@ -42,22 +42,27 @@ void SceneNeighbours::showScene(const Scene& scene) {
   setVisible(shown > 0);
 }
 
-RenderMaterials SceneNeighbours::materials() const {
-  RenderMaterials materials;
-  for (const Place& place : m_places) materials.push_back(place.neighbour ? place.neighbour->traced : nullptr);
+std::vector<widgets::SceneMaterial> SceneNeighbours::materials() const {
+  std::vector<widgets::SceneMaterial> materials;
+  for (const Place& place : m_places)
+    materials.push_back(place.neighbour ? place.neighbour->shown : widgets::SceneMaterial{});
   return materials;
 }
 
-SceneNeighbours::Neighbour SceneNeighbours::traced(BlendEnd end) {
-  auto material = std::make_shared<const RenderMaterial>(end.material.table);
-  return {std::move(end), std::move(material)};
+/// In its own form, with what sampling needs.
+SceneNeighbours::Neighbour SceneNeighbours::prepared(BlendEnd end) {
+  const std::shared_ptr<const Brdf> brdf = end.material.material();
+  const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);
+  widgets::PreviewSubject subject = widgets::measuredSubject(end.material.table, lobe);
+  if (end.material.base) subject.shown = widgets::EditedMaterial{end.material.base, end.material.edits};
+  return {std::move(end), {subject, std::make_shared<const RenderMaterial>(brdf, lobe)}};
 }
 
 void SceneNeighbours::fill(int place, const QString& name, std::function<BlendEnd(const TaskControl&)> make) {
   m_places[std::size_t(place)].failure.clear();
   m_tasks.run<Neighbour>(
       {tr("Opening %1 for the scene").arg(name), taskKey(place)},
-      [make = std::move(make)](const TaskControl& control) { return traced(make(control)); },
+      [make = std::move(make)](const TaskControl& control) { return prepared(make(control)); },
       [this, place](const Neighbour& neighbour) {
         m_places[std::size_t(place)].neighbour = neighbour;
         show(place);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/gonio/interpolation/blend_ends.h"
-#include "core/rendering/render_material.h"
+#include "widgets/preview/preview_content.h"
 
 namespace gonio::widgets {
 class MaterialWell;
@@ -27,8 +27,8 @@ class SceneNeighbours : public QWidget {
 
   /// Shows the wells of the places that a scene has.
   void showScene(const Scene& scene);
-  /// One a place; null where the edited material stands.
-  RenderMaterials materials() const;
+  /// One a place; empty where the edited material stands.
+  std::vector<widgets::SceneMaterial> materials() const;
   /// A file, a .gonio document, or a library's material by its id.
   void read(int place, const QString& id);
   widgets::MaterialWell& well(int place) const { return *m_places[std::size_t(place)].well; }
@@ -40,14 +40,14 @@ class SceneNeighbours : public QWidget {
  private:
   struct Neighbour {
     BlendEnd end;
-    std::shared_ptr<const RenderMaterial> traced;
+    widgets::SceneMaterial shown;
   };
   struct Place {
     widgets::MaterialWell* well;
     std::optional<Neighbour> neighbour;
     QString failure;
   };
-  static Neighbour traced(BlendEnd end);
+  static Neighbour prepared(BlendEnd end);
   void fill(int place, const QString& name, std::function<BlendEnd(const TaskControl&)> make);
   void takeCurrent(int place);
   void clear(int place);

@@ -120,21 +120,21 @@ class ScenePanelTest : public QObject {
         app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36});
     document_->replaceMaterial(material, {});
     preview_->setSubject(widgets::measuredSubject(material->base));
-    QTRY_VERIFY(preview_->material() && !preview_->isTraced());
+    QTRY_VERIFY(preview_->material() && preview_->tracing() == widgets::Tracing::never);
     panel_->neighbours().well(0).currentButton()->click();
-    QTRY_VERIFY(preview_->isTraced());
+    QTRY_VERIFY(preview_->tracing() == widgets::Tracing::atRest);
     QVERIFY(preview_->others()[0] && preview_->others()[0] != preview_->material());
     QVERIFY(!panel_->neighbours().well(0).content().name.isEmpty());
     choose("sphere");
-    QTRY_VERIFY(!preview_->isTraced());  // it has no second place
+    QTRY_VERIFY(preview_->tracing() == widgets::Tracing::never);  // it has no second place
     choose("two-spheres");
-    QTRY_VERIFY(preview_->isTraced());
+    QTRY_VERIFY(preview_->tracing() == widgets::Tracing::atRest);
     panel_->neighbours().well(0).clearButton()->click();
-    QVERIFY(!preview_->isTraced() && panel_->neighbours().well(0).content().name.isEmpty());
+    QVERIFY(preview_->tracing() == widgets::Tracing::never && panel_->neighbours().well(0).content().name.isEmpty());
     QSignalSpy failed(panel_.get(), &ScenePanel::failed);
     panel_->neighbours().read(0, "/nowhere/metal.binary");
     QTRY_COMPARE(failed.count(), 1);
-    QVERIFY(panel_->neighbours().well(0).content().failed && !preview_->isTraced());
+    QVERIFY(panel_->neighbours().well(0).content().failed && preview_->tracing() == widgets::Tracing::never);
   }
 
   void aSceneThatCannotBeReadIsTold() {

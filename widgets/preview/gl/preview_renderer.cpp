@@ -41,13 +41,9 @@ void PreviewRenderer::initialize() {
 
 void PreviewRenderer::release() {
   accumulation_.reset();
-  tableTexture_.reset();
-  shaderBase_.reset();
-  lobeTextures_.reset();
-  uploadedBase_.reset();
-  uploadedLobe_.reset();
-  blendTextures_.release();
-  if (resources_->isInitialized()) editChain_.release(*this);
+  QOpenGLFunctions_4_1_Core* const gl = resources_->isInitialized() ? this : nullptr;
+  textures_.release(gl);
+  for (SubjectTextures& other : otherTextures_) other.release(gl);
   if (resources_.use_count() == 1) resources_->release();
   restart();
 }
@@ -62,11 +58,16 @@ void PreviewRenderer::setLobe(std::shared_ptr<const TabulatedLobe> lobe) {
   restart();
 }
 
-void PreviewRenderer::setScene(const Scene& scene, const EffectPlan& plan) {
+void PreviewRenderer::setScene(const Scene& scene, const EffectPlan& plan, const std::vector<PreviewSubject>& others) {
   SceneUniforms uniforms(scene, plan);
+  const auto sameMaterial = [](const PreviewSubject& a, const PreviewSubject& b) {
+    return a.lobe == b.lobe && sameSubject(a, b);
+  };
   const bool same = scene.camera == scene_.camera && scene.environment == scene_.environment &&
-                    scene.environmentRotation == scene_.environmentRotation && uniforms == sceneUniforms_;
+                    scene.environmentRotation == scene_.environmentRotation && uniforms == sceneUniforms_ &&
+                    std::ranges::equal(others, others_, sameMaterial);
   scene_ = scene;
+  others_ = others;
   sceneUniforms_ = std::move(uniforms);
   if (!same) restart();
 }
@@ -78,16 +79,23 @@ void PreviewRenderer::setSize(const QSize& size) {
   restart();
 }
 
-QOpenGLShaderProgram& PreviewRenderer::sceneProgram() {
-  QStringList definitions = sceneUniforms_.definitions(), preamble;
-  if (const auto* edited = std::get_if<EditedMaterial>(&subject_.shown)) {
-    addShaderBase(*edited->base, definitions, preamble);
-    EditChain::addVariant(edited->edits, definitions, preamble, factorization::pdvFactorsOf(*edited->base).get());
-  } else if (const auto* alone = std::get_if<ModelAlone>(&subject_.shown)) {
-    addModelAlone(*alone->model, alone->parameters, definitions, preamble);
-  } else if (const auto* blend = std::get_if<PreviewBlend>(&subject_.shown)) {
-    BlendTextures::addVariant(*blend, definitions, preamble);
+std::vector<PreviewRenderer::Pass> PreviewRenderer::passes() {
+  while (otherTextures_.size() < others_.size()) otherTextures_.emplace_back();
+  std::vector<Pass> all{{subject_, textures_, 1}};
+  for (int slot = 1; slot < materialSlotCount(scene_); ++slot) {
+    const auto other = std::size_t(slot - 1);
+    if (other < others_.size() && !others_[other].isEmpty())
+      all.push_back({others_[other], otherTextures_[other], 1 << slot});
+    else
+      all.front().slots |= 1 << slot;
   }
+  return all;
+}
+
+QOpenGLShaderProgram& PreviewRenderer::sceneProgram(const PreviewSubject& subject, bool isOnly) {
+  QStringList definitions = sceneUniforms_.definitions(), preamble;
+  if (!isOnly) definitions << "SEVERAL_MATERIALS";
+  SubjectTextures::addVariant(subject, definitions, preamble);
   return resources_->program("preview/scene.frag", definitions, preamble);
 }
 
@@ -108,25 +116,12 @@ void PreviewRenderer::setCameraUniforms(QOpenGLShaderProgram& program) {
   sceneUniforms_.set(program);
 }
 
-/// Uniforms and textures of what is shown.
-void PreviewRenderer::bindMaterial(QOpenGLShaderProgram& program) {
-  if (const auto* edited = std::get_if<EditedMaterial>(&subject_.shown)) {
-    bindBase(program, *edited);
-    editChain_.bind(*this, program, edited->edits, factorUnit, factorization::pdvFactorsOf(*edited->base));
-  } else if (const auto* alone = std::get_if<ModelAlone>(&subject_.shown)) {
-    setModelParameters(program, "modelParameters", *alone->model, alone->parameters);
-  } else if (const auto* blend = std::get_if<PreviewBlend>(&subject_.shown)) {
-    blendTextures_.bind(*this, program, *resources_, *blend);
-  }
-  if (sceneUniforms_.drawsDirections()) bindLobe(program);
-}
-
-void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count) {
+void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int first, int count) {
   QVector4D numbers[maxSamples];
   QVector2D offsets[maxSamples];
   constexpr int dimensions = 5;
   for (int i = 0; i < count; ++i) {
-    const int index = samples_ + i;
+    const int index = first + i;
     const auto number = [&](int d) { return float(additiveRecurrence(dimensions, d, index)); };
     numbers[i] = {number(0), number(1), number(2), float(index)};
     offsets[i] = {number(3) - 0.5f, number(4) - 0.5f};
@@ -134,45 +129,6 @@ void PreviewRenderer::setSampleUniforms(QOpenGLShaderProgram& program, int count
   program.setUniformValue("sampleCount", count);
   program.setUniformValueArray("sampleNumbers", numbers, count);
   program.setUniformValueArray("pixelOffsets", offsets, count);
-}
-
-void PreviewRenderer::bindBase(QOpenGLShaderProgram& program, const EditedMaterial& material) {
-  if (material.base->asTable()) return bindTable(program, material);
-  if (material.base != uploadedBase_ || !shaderBase_) {
-    shaderBase_ = resources_->base(material.base);
-    uploadedBase_ = material.base;
-  }
-  shaderBase_->bind(*this, program);
-}
-
-void PreviewRenderer::bindTable(QOpenGLShaderProgram& program, const EditedMaterial& material) {
-  glActiveTexture(GL_TEXTURE0 + tableUnit);
-  if (material.base != uploadedBase_ || !tableTexture_) {
-    tableTexture_ = resources_->table({material.base, material.base->asTable()}, material.code);
-    uploadedBase_ = material.base;
-  }
-  glActiveTexture(GL_TEXTURE0 + tableUnit);
-  glBindTexture(GL_TEXTURE_3D, tableTexture_->name);
-  program.setUniformValue("table", tableUnit);
-  program.setUniformValue("phiPeriod", float(tableTexture_->phiPeriod));
-}
-
-/// The density of the drawn directions; cosine-weighted while it is not known.
-void PreviewRenderer::bindLobe(QOpenGLShaderProgram& program) {
-  program.setUniformValue("lobeCells", lobeCellUnit);
-  program.setUniformValue("lobeRows", lobeRowUnit);
-  program.setUniformValue("lobeCosineShare", subject_.lobe ? float(TabulatedLobe::cosineShare) : 1.f);
-  const GrainLobe grain = subject_.lobe ? subject_.lobe->grain() : GrainLobe{};
-  program.setUniformValue("lobeGrainShare", float((1 - TabulatedLobe::cosineShare) * grain.share));
-  program.setUniformValue("lobeGrain", QVector4D(float(grain.alphaX), float(grain.alphaY),
-                                                 float(std::cos(grain.rotation)), float(std::sin(grain.rotation))));
-  if (!lobeTextures_) lobeTextures_ = std::make_unique<TextureSet>();
-  if (subject_.lobe && subject_.lobe != uploadedLobe_) {
-    uploadWarp(*this, *lobeTextures_, subject_.lobe->warp(), lobeCellUnit, lobeRowUnit);
-    uploadedLobe_ = subject_.lobe;
-  }
-  lobeTextures_->bind(*this, 0, GL_TEXTURE_3D, lobeCellUnit);
-  lobeTextures_->bind(*this, 1, GL_TEXTURE_2D, lobeRowUnit);
 }
 
 void PreviewRenderer::bindTextures(QOpenGLShaderProgram& program) {
@@ -194,12 +150,12 @@ void PreviewRenderer::createTarget() {
   samples_ = 0;
 }
 
-void PreviewRenderer::prepareTarget() {
+void PreviewRenderer::prepareTarget(bool isFirstPass) {
   accumulation_->bind();
   glViewport(0, 0, size_.width(), size_.height());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
-  if (samples_ == 0) {
+  if (samples_ == 0 && isFirstPass) {
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
   }
@@ -209,19 +165,24 @@ void PreviewRenderer::prepareTarget() {
 
 void PreviewRenderer::accumulate(int count) {
   if (!hasMaterial() || count <= 0) return;
-  QOpenGLShaderProgram& program = sceneProgram();
-  program.bind();
   createTarget();
-  bindMaterial(program);
+  const std::vector<Pass> all = passes();
+  for (const Pass& pass : all) addSamples(pass, all.size() == 1, count);
+  samples_ += count;
+}
+
+void PreviewRenderer::addSamples(const Pass& pass, bool isOnly, int count) {
+  QOpenGLShaderProgram& program = sceneProgram(pass.subject, isOnly);
+  program.bind();
+  pass.textures.bind(*this, program, *resources_, pass.subject, sceneUniforms_.drawsDirections());
   bindTextures(program);
   setCameraUniforms(program);
-  prepareTarget();
+  if (!isOnly) program.setUniformValue("drawnSlots", pass.slots);
+  prepareTarget(&pass.subject == &subject_);
   const int most = sceneUniforms_.meshes().empty() ? maxSamples : maxMeshSamples;
-  for (int left = count; left > 0; left -= most) {
-    const int pass = std::min(left, most);
-    setSampleUniforms(program, pass);
+  for (int done = 0; done < count; done += most) {
+    setSampleUniforms(program, samples_ + done, std::min(most, count - done));
     drawInBands();
-    samples_ += pass;
   }
   glDisable(GL_BLEND);
   program.release();

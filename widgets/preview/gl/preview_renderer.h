@@ -4,21 +4,19 @@
 
 #include <QOpenGLFramebufferObject>
 #include <QSize>
+#include <deque>
 
 #include "core/rendering/film.h"
-#include "widgets/preview/gl/blend_textures.h"
-#include "widgets/preview/gl/edit_chain.h"
-#include "widgets/preview/gl/preview_resources.h"
-#include "widgets/preview/gl/preview_subject.h"
 #include "widgets/preview/gl/scene_uniforms.h"
-#include "widgets/preview/gl/warp_textures.h"
+#include "widgets/preview/gl/subject_textures.h"
 
 namespace gonio::widgets {
 
 /// Draws one subject in a scene with OpenGL 4.1 core into an accumulation buffer: the twin of
 /// core/rendering/path_tracer.h. Knows no widget: tests drive it with an offscreen surface. The shader of a frame
-/// contains only what the scene and the subject call for. The setters need no context; what reads or draws needs the
-/// one of initialize().
+/// contains only what the scene and the subject call for. Of several materials in a scene each has a pass of its own,
+/// which draws what is seen of it; light that goes from one of them to another is left out. The setters need no
+/// context; what reads or draws needs the one of initialize().
 class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
  public:
   /// Draws the lone sphere in a distant light until it is told another scene.
@@ -39,7 +37,8 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   /// mirror is dark with sparkles.
   void setLobe(std::shared_ptr<const TabulatedLobe> lobe);
   /// A scene of which SceneUniforms::canDraw() says yes, and the plan of its effects.
-  void setScene(const Scene& scene, const EffectPlan& plan);
+  /// @param others what the slots after the first show; the subject where one is empty or missing.
+  void setScene(const Scene& scene, const EffectPlan& plan, const std::vector<PreviewSubject>& others = {});
   /// Size of the accumulated picture in pixels.
   void setSize(const QSize& size);
 
@@ -62,28 +61,28 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   Image readPicture();
 
  private:
-  QOpenGLShaderProgram& sceneProgram();
+  /// Draws what is seen of one material.
+  struct Pass {
+    const PreviewSubject& subject;
+    SubjectTextures& textures;
+    int slots;  ///< bits
+  };
+  std::vector<Pass> passes();
+  void addSamples(const Pass& pass, bool isOnly, int count);
+  QOpenGLShaderProgram& sceneProgram(const PreviewSubject& subject, bool isOnly);
   void setCameraUniforms(QOpenGLShaderProgram& program);
-  void bindMaterial(QOpenGLShaderProgram& program);
-  void setSampleUniforms(QOpenGLShaderProgram& program, int count);
-  void bindBase(QOpenGLShaderProgram& program, const EditedMaterial& material);
-  void bindTable(QOpenGLShaderProgram& program, const EditedMaterial& material);
-  void bindLobe(QOpenGLShaderProgram& program);
+  void setSampleUniforms(QOpenGLShaderProgram& program, int first, int count);
   void bindTextures(QOpenGLShaderProgram& program);
   void createTarget();
-  void prepareTarget();
+  void prepareTarget(bool isFirstPass);
   void drawInBands();
 
   std::shared_ptr<PreviewResources> resources_;
-  std::shared_ptr<const TableTexture> tableTexture_;
-  std::shared_ptr<ShaderBase> shaderBase_;
-  std::unique_ptr<TextureSet> lobeTextures_;
-  EditChain editChain_;
-  BlendTextures blendTextures_;
+  SubjectTextures textures_;
+  std::deque<SubjectTextures> otherTextures_;
   std::unique_ptr<QOpenGLFramebufferObject> accumulation_;
   PreviewSubject subject_;
-  std::shared_ptr<const Brdf> uploadedBase_;
-  std::shared_ptr<const TabulatedLobe> uploadedLobe_;
+  std::vector<PreviewSubject> others_;
   Scene scene_;
   SceneUniforms sceneUniforms_;
   QSize size_{1, 1};

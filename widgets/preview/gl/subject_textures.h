@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "widgets/preview/gl/blend_textures.h"
+#include "widgets/preview/gl/edit_chain.h"
+#include "widgets/preview/gl/preview_resources.h"
+#include "widgets/preview/gl/warp_textures.h"
+
+namespace gonio::widgets {
+
+/// One subject on the graphics card, for shaders/preview/material.glsl and sampling.glsl: what was uploaded stays until
+/// another takes its place.
+class SubjectTextures {
+ public:
+  /// What the shader is compiled for.
+  static void addVariant(const PreviewSubject& subject, QStringList& definitions, QStringList& preamble);
+  /// Uploads what is new, binds it to its units, sets the uniforms of a shader of that variant.
+  /// @param drawsDirections whether the shader draws directions of reflection, by the subject's lobe.
+  void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
+            const PreviewSubject& subject, bool drawsDirections);
+  /// In the context of bind(), where there is one.
+  void release(QOpenGLFunctions_4_1_Core* gl);
+
+ private:
+  void bindBase(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
+                const EditedMaterial& material);
+  void bindTable(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
+                 const EditedMaterial& material);
+  void bindLobe(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program,
+                const std::shared_ptr<const TabulatedLobe>& lobe);
+
+  std::shared_ptr<const TableTexture> tableTexture_;
+  std::shared_ptr<ShaderBase> shaderBase_;
+  std::unique_ptr<TextureSet> lobeTextures_;
+  EditChain editChain_;
+  BlendTextures blendTextures_;
+  std::shared_ptr<const Brdf> uploadedBase_;
+  std::shared_ptr<const TabulatedLobe> uploadedLobe_;
+};
+
+}  // namespace gonio::widgets
