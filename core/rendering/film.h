@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "core/math/image.h"
@@ -64,6 +65,9 @@ struct Film {
   int samples = 0;               ///< of every pixel
   std::vector<Rgb> radiance;     ///< sums, linear RGB
   std::vector<double> coverage;  ///< samples that met an object or a drawn environment
+  /// What noise filters are guided by: sums of the normal that is first met (0 beside all objects) and, in w, of the
+  /// squared luminance.
+  std::vector<glm::vec4> features;
   RayCounters counters;
   SampleLuminances luminances;
 
@@ -72,7 +76,8 @@ struct Film {
       : width(filmWidth),
         height(filmHeight),
         radiance(std::size_t(filmWidth) * std::size_t(filmHeight), Rgb(0)),
-        coverage(radiance.size(), 0) {}
+        coverage(radiance.size(), 0),
+        features(radiance.size(), glm::vec4(0)) {}
 
   /// The mean of the samples: premultiplied by its alpha; black where there are none.
   Image image() const {

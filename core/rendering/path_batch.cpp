@@ -49,7 +49,7 @@ void PathTracer::PathBatch::enter(const Start& start, std::size_t result) {
   Result& found = results_[result];
   if (!std::isfinite(nearest)) {
     if (tracer_.scene_.showEnvironment && tracer_.scene_.environment && showsSources)
-      found = {lights_.background(ray.direction), true};
+      found = {lights_.background(ray.direction), true, Direction(0)};
     return;
   }
   found.covered = true;
@@ -62,6 +62,7 @@ void PathTracer::PathBatch::enter(const Start& start, std::size_t result) {
   path.result = result;
   path.seed = start.seed;
   addSurface(path, object, ray, nearest);
+  found.normal = path.frame.normal;
   if (!(path.wo.z > 0)) paths_.pop_back();
 }
 

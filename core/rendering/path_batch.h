@@ -24,6 +24,7 @@ class PathTracer::PathBatch {
   struct Result {
     Rgb radiance{0};       ///< along the camera's ray
     bool covered = false;  ///< whether it meets anything that is drawn
+    Direction normal{0};   ///< of shading, where it first meets a surface that reflects
   };
 
   PathBatch(const PathTracer& tracer, RayCounters& counters)

@@ -67,7 +67,9 @@ void PathTracer::traceRow(Film& film, int y, int samples, RayCounters& counters,
     for (std::size_t i = 0; i < starts.size(); ++i) {
       film.radiance[starts[i].pixel] += results[i].radiance;
       film.coverage[starts[i].pixel] += results[i].covered;
-      luminances.add(luminance(results[i].radiance));
+      const double brightness = luminance(results[i].radiance);
+      film.features[starts[i].pixel] += glm::vec4(results[i].normal, brightness * brightness);
+      luminances.add(brightness);
     }
     starts.clear();
   };

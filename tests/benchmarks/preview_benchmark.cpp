@@ -16,6 +16,7 @@
 #include "tests/benchmarks/preview_fixture.h"
 #include "tests/support/code_files.h"
 #include "widgets/interpolation/prepared_blend.h"
+#include "widgets/preview/gl/noise_filter.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace {
@@ -296,6 +297,25 @@ void sceneFrame(benchmark::State& state, const std::string& name) {
     fixture.renderer.accumulate(1);
   }
 }
+
+/// Beside scene/sphere, a sample of the same picture.
+void noiseFilter(benchmark::State& state) {
+  PreviewFixture& fixture = PreviewFixture::instance();
+  const Scene scene = openScene("sphere");
+  fixture.show();
+  fixture.renderer.setScene(scene, widgets::previewPlan(scene, diffuseMaterial(Rgb(0.5))));
+  fixture.renderer.accumulate(14);
+  QOpenGLFunctions_4_1_Core gl;
+  gl.initializeOpenGLFunctions();
+  widgets::PreviewResources resources;
+  resources.initialize();
+  widgets::NoiseFilter filter;
+  filter.apply(gl, resources, fixture.renderer);  // compiles its shaders
+  for (auto _ : state) filter.apply(gl, resources, fixture.renderer);
+  filter.release();
+  resources.release();
+}
+BENCHMARK(noiseFilter)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 const bool scenesAreRegistered = [] {
   for (const std::string& name : bundledSceneNames())

@@ -58,7 +58,7 @@ class AnisotropicPreviewTest : public QObject {
     // loses does not.
     constexpr int samples = 1024, side = test::OffscreenSpheres::side;
     const Image reference =
-        renderPicture(*brdf, studio(), {.width = side, .height = side, .samples = samples, .seed = 7});
+        renderPicture(*brdf, studio(), {.width = side, .height = side, .samples = 2 * samples, .seed = 7});
     const double snr =
         metrics::signalToNoiseRatio(blockMeans(reference), blockMeans(spheres_->drawn(subject, studio(), samples)));
     qInfo("%.1f dB", snr);

@@ -139,13 +139,13 @@ class PreviewDisplayTest : public QObject {
               const widgets::PreviewRenderer& second) {
     QOpenGLFramebufferObject target(side, side);
     target.bind();
-    display_->present({side, side}, {}, comparison, range, first, second);
+    display_->present({side, side}, {}, comparison, range, first.shown(), second.shown());
     return target.toImage();
   }
   QImage alone(const widgets::PreviewRenderer& picture, const widgets::DisplaySettings& settings = {}) {
     QOpenGLFramebufferObject target(side, side);
     target.bind();
-    display_->present({side, side}, settings, picture);
+    display_->present({side, side}, settings, picture.shown());
     return target.toImage();
   }
 

@@ -12,6 +12,7 @@
 #include "offscreen_context.h"
 #include "tests/support/test_program.h"
 #include "widgets/preview/false_colour_legend.h"
+#include "widgets/preview/gl/scene_uniforms.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/split_bar.h"
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/support/error.h"
+
 namespace gonio::widgets {
 
 namespace {
@@ -18,12 +20,17 @@ PictureDrawer::PictureDrawer()
       display_(resources_) {}
 
 void PictureDrawer::initialize() {
+  if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
   for (Side& side : sides_) side.picture.initialize();
   display_.initialize();
 }
 
 void PictureDrawer::release() {
-  for (Side& side : sides_) side.picture.release();
+  for (Side& side : sides_) {
+    side.picture.release();
+    side.filter.release();
+    side.filteredSamples = 0;
+  }
   resources_->release();
 }
 
@@ -59,10 +66,12 @@ PictureState PictureDrawer::addFrame(const PictureRequest& request) {
   for (std::size_t i = 0; i < sides_.size(); ++i)
     if (takeFilm(sides_[i], request.sides[i]) && i == 0) state.isNew = true;
   addSamples(request, state);
+  for (Side& side : sides_) filterNoise(side, request);
   updateRange(request);
   state.range = range_;
   for (std::size_t i = 0; i < sides_.size(); ++i)
-    state.sides[i] = {sides_[i].picture.size(), sides_[i].picture.samples(), sides_[i].film != nullptr};
+    state.sides[i] = {sides_[i].picture.size(), sides_[i].picture.samples(), sides_[i].film != nullptr,
+                      sides_[i].filteredSamples > 0};
   return state;
 }
 
@@ -70,8 +79,20 @@ PictureState PictureDrawer::addFrame(const PictureRequest& request) {
 bool PictureDrawer::takeFilm(Side& side, const PictureRequest::Side& wanted) {
   if (!wanted.film || wanted.film == side.film) return false;
   side.film = wanted.film;
+  side.filteredSamples = 0;
   side.picture.showTraced(*wanted.film);
   return true;
+}
+
+/// Again whenever the samples have doubled: filtering takes as long as some of them.
+void PictureDrawer::filterNoise(Side& side, const PictureRequest& request) {
+  const int samples = side.picture.samples();
+  if (!request.filtersNoise || samples == 0 || samples >= request.wantedSamples) {
+    side.filteredSamples = 0;
+  } else if (side.filteredSamples == 0 || samples >= 2 * side.filteredSamples) {
+    side.filter.apply(*this, *resources_, side.picture);
+    side.filteredSamples = samples;
+  }
 }
 
 bool PictureDrawer::needsSamples(const PictureRequest& request, std::size_t side) const {
@@ -95,6 +116,8 @@ void PictureDrawer::addSamples(const PictureRequest& request, PictureState& stat
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     if (!needs[i]) continue;
+    if (sides_[i].picture.samples() == 0 || sides_[i].picture.size() != request.picture * frame.scale)
+      sides_[i].filteredSamples = 0;
     sides_[i].picture.setSize(request.picture * frame.scale);
     sides_[i].picture.accumulate(frame.samples);
   }
@@ -128,10 +151,10 @@ void PictureDrawer::updateRange(const PictureRequest& request) {
 
 void PictureDrawer::present(const PictureRequest& request) {
   if (request.comparing && !request.flickering)
-    display_.present(request.viewport, request.display, request.comparison, std::max(range_, 1e-9), sides_[0].picture,
-                     sides_[1].picture);
+    display_.present(request.viewport, request.display, request.comparison, std::max(range_, 1e-9), sides_[0].shown(),
+                     sides_[1].shown());
   else
-    display_.present(request.viewport, request.display, sides_[request.flickering ? 1 : 0].picture);
+    display_.present(request.viewport, request.display, sides_[request.flickering ? 1 : 0].shown());
 }
 
 }  // namespace gonio::widgets

@@ -5,13 +5,14 @@
 #include <optional>
 
 #include "widgets/preview/frame_budget.h"
+#include "widgets/preview/gl/noise_filter.h"
 #include "widgets/preview/picture_request.h"
 
 namespace gonio::widgets {
 
 /// Draws what is requested, a frame at a time: decides how many samples the frame gets, finds the range of a
 /// difference, puts it all together. Knows neither threads nor widgets; every call needs the context of initialize().
-class PictureDrawer {
+class PictureDrawer : protected QOpenGLFunctions_4_1_Core {
  public:
   PictureDrawer();
 
@@ -35,13 +36,18 @@ class PictureDrawer {
  private:
   struct Side {
     explicit Side(const std::shared_ptr<PreviewResources>& resources) : picture(resources) {}
+    ShownPicture shown() const { return filteredSamples > 0 ? filter.shown() : picture.shown(); }
+
     PreviewRenderer picture;
+    NoiseFilter filter;
+    int filteredSamples = 0;  ///< that were there when the noise was filtered; 0: it is not
     int subjectNumber = -1;
     std::shared_ptr<const Film> film;  ///< that the picture shows; null: what is drawn
   };
 
   void take(const PictureRequest& request);
   bool takeFilm(Side& side, const PictureRequest::Side& wanted);
+  void filterNoise(Side& side, const PictureRequest& request);
   void addSamples(const PictureRequest& request, PictureState& state);
   void updateRange(const PictureRequest& request);
   bool needsSamples(const PictureRequest& request, std::size_t side) const;

@@ -31,6 +31,7 @@ struct PictureRequest {
   Scene scene;
   std::vector<PreviewSubject> others = {};  ///< in the scene's slots, see PreviewRenderer::setScene()
   bool isDrawn = true;                      ///< by the shader; else films alone are shown
+  bool filtersNoise = false;                ///< for the eye, while there are fewer samples than wanted
   bool drawsAtRest = true;                  ///< else a film comes then
   bool comparing = false;                   ///< the second side is wanted
   bool flickering = false;
@@ -46,7 +47,8 @@ struct PictureState {
   struct Side {
     QSize size;
     int samples = 0;
-    bool isTraced = false;  ///< a film is shown
+    bool isTraced = false;    ///< a film is shown
+    bool isFiltered = false;  ///< without its noise
   };
 
   int number = 0;  ///< of the request

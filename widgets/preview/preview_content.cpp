@@ -209,13 +209,14 @@ QSize PreviewContent::pictureSize() const {
   return halved ? QSize(std::max(1, m_viewport.width() / 2), m_viewport.height()) : m_viewport;
 }
 
-int PreviewContent::wantedSamples() const {
+bool PreviewContent::isNoisy() const {
   // Light without a size that is reflected once has no noise: its samples smooth the edge alone.
   const EffectPlan& simulated = m_first.plan();
-  const bool noisy = simulated.simulates(Effect::environmentLight) || simulated.simulates(Effect::areaLightSampling) ||
-                     simulated.reflections > 1;
-  return noisy ? 512 : 64;
+  return simulated.simulates(Effect::environmentLight) || simulated.simulates(Effect::areaLightSampling) ||
+         simulated.reflections > 1;
 }
+
+int PreviewContent::wantedSamples() const { return isNoisy() ? 512 : 64; }
 
 bool PreviewContent::isBusy() const {
   const auto busy = [this](const PreviewSide& side) {

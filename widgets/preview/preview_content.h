@@ -77,6 +77,8 @@ class PreviewContent : public QObject {
   /// Of one side.
   QSize pictureSize() const;
   int wantedSamples() const;
+  /// Whether samples differ.
+  bool isNoisy() const;
   /// Whether something about it is still being found out, or traced.
   bool isBusy() const;
   /// All of it, as the drawing takes it.

@@ -6,6 +6,7 @@
 #include <QOpenGLFunctions>
 #include <QPainter>
 
+#include "widgets/preview/gl/scene_uniforms.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/split_bar.h"
 
@@ -69,6 +70,11 @@ void PreviewWidget::setFlickering(bool flickering) {
   requestPicture();
 }
 
+void PreviewWidget::setNoiseFiltered(bool filtered) {
+  m_filtersNoise = filtered;
+  requestPicture();
+}
+
 void PreviewWidget::setDisplay(const DisplaySettings& settings) {
   m_settings = settings;
   requestPicture();
@@ -104,6 +110,8 @@ void PreviewWidget::requestPicture() {
   request.number = ++m_number;
   request.display = m_settings;
   request.flickering = m_flickering && request.comparing;
+  const bool showsNumbers = request.comparing && request.comparison.mode == CompareMode::difference;
+  request.filtersNoise = m_filtersNoise && m_content.isNoisy() && !showsNumbers;
   request.changed = m_changed;
   m_thread.request(request);
 }
@@ -189,14 +197,15 @@ void PreviewWidget::showStatus(double milliseconds) {
   const PictureState::Side& shown = m_state.sides[second ? 1 : 0];
   const int followed = shown.isTraced ? plan().reflections : SceneUniforms::mostReflections;
   const QString& name = (second ? m_content.second() : m_content.first()).name();
-  m_overlay->setStatus(tr("%1%2 | exposure %3 | %4 | %5 ms%6 | %7\n%8")
+  m_overlay->setStatus(tr("%1%2 | exposure %3 | %4 | %5 ms%6 | %7%8\n%9")
                            .arg(name.isEmpty() ? QString() : tr("%1 | ").arg(name))
                            .arg(QString::fromStdString(scene().name))
                            .arg(m_settings.exposure, 0, 'f', 1)
                            .arg(curve)
                            .arg(milliseconds, 0, 'f', 1)
                            .arg(shown.isTraced ? tr(" a sample, on the CPU") : QString())
-                           .arg(samplesText(shown.samples), effectsText(plan(), followed)));
+                           .arg(samplesText(shown.samples), shown.isFiltered ? tr(", noise filtered") : QString(),
+                                effectsText(plan(), followed)));
 }
 
 }  // namespace gonio::widgets

@@ -64,6 +64,9 @@ class PreviewWidget : public QOpenGLWidget {
   bool hasChecker() const { return m_settings.checker; }
   void setOverlayVisible(bool visible);
   bool overlayVisible() const;
+  /// Whether noise is filtered for the eye while samples are few; never in difference pictures, which show numbers.
+  void setNoiseFiltered(bool filtered);
+  bool isNoiseFiltered() const { return m_filtersNoise; }
   /// In a comparison: shows the second subject while it is on.
   void setFlickering(bool flickering);
 
@@ -118,7 +121,7 @@ class PreviewWidget : public QOpenGLWidget {
   int m_fresh = 0;       ///< the first request of the pictures as they are wanted now
   std::chrono::steady_clock::time_point m_changed;
   DisplaySettings m_settings;
-  bool m_flickering = false;
+  bool m_flickering = false, m_filtersNoise = true;
   QString m_failure, m_graphics;
   QOpenGLFunctions_4_1_Core m_gl;
   PreviewOverlay* m_overlay;

@@ -88,7 +88,7 @@ void ViewStrip::build() {
   m_exposure->setAccessibleName(tr("Exposure in stops"));
   for (QComboBox* box : {m_shapes, m_lights, m_backgrounds}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(4);
+    box->setMinimumContentsLength(7);
     box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
   add(tr("S&hape"), m_shapes);

@@ -33,8 +33,8 @@ namespace {
 
 const QString libraryKey = QStringLiteral("library/folder"), tileKey = QStringLiteral("library/tileSize");
 const QString sortKey = QStringLiteral("library/sort"), groupKey = QStringLiteral("library/grouping"),
-              overlayKey = QStringLiteral("preview/overlay"), chipsKey = QStringLiteral("library/filter"),
-              favouritesKey = QStringLiteral("library/favourites");
+              overlayKey = QStringLiteral("preview/overlay"), noiseKey = QStringLiteral("preview/noiseFilter"),
+              chipsKey = QStringLiteral("library/filter"), favouritesKey = QStringLiteral("library/favourites");
 
 LibraryController::LookMaker lookMaker() {
   return [folder = thumbnailCacheFolder()](const QString& id, const TaskControl& control) {
@@ -182,6 +182,7 @@ void EditorParts::restoreSettings() {
   libraryView.setChipsShown(settings.value(chipsKey, false).toBool());
   library.model().setFavourites(settings.value(favouritesKey).toStringList());
   preview.setOverlayVisible(settings.value(overlayKey, true).toBool());
+  preview.setNoiseFiltered(settings.value(noiseKey, true).toBool());
   const QString folder = settings.value(libraryKey).toString();
   if (folder.isEmpty() || !QFileInfo::exists(folder))
     library.showBundled();
@@ -197,6 +198,7 @@ void EditorParts::saveSettings() {
   settings.setValue(groupKey, libraryView.grouping());
   settings.setValue(chipsKey, libraryView.chipsShown());
   settings.setValue(overlayKey, preview.overlayVisible());
+  settings.setValue(noiseKey, preview.isNoiseFiltered());
   settings.setValue(libraryKey, library.folder());
 }
 

@@ -59,11 +59,19 @@ void ViewMenu::addDocks() {
 
 void ViewMenu::addPicture() {
   QAction* overlay = addAction(tr("&Overlay"), QKeySequence(Qt::CTRL | Qt::Key_B));
-  overlay->setCheckable(true);
-  connect(this, &QMenu::aboutToShow, this, [this, overlay] { overlay->setChecked(m_preview.overlayVisible()); });
+  QAction* noise = addAction(tr("Filter &Noise"), &m_preview, &widgets::PreviewWidget::setNoiseFiltered);
+  noise->setToolTip(
+      tr("Smooths the picture while it has few samples. Measurements, exports and difference pictures are never "
+         "filtered."));
+  for (QAction* action : {overlay, noise}) action->setCheckable(true);
+  connect(this, &QMenu::aboutToShow, this, [this, overlay, noise] {
+    overlay->setChecked(m_preview.overlayVisible());
+    noise->setChecked(m_preview.isNoiseFiltered());
+  });
   connect(overlay, &QAction::triggered, this, [this] { m_preview.setOverlayVisible(!m_preview.overlayVisible()); });
   m_pictureActions << addAction(tr("&Frame Object (F)"), &m_preview, &widgets::PreviewWidget::frameObject);
-  m_pictureActions << addAction(tr("&Reset View (R)"), &m_preview, &widgets::PreviewWidget::resetView) << overlay;
+  m_pictureActions << addAction(tr("&Reset View (R)"), &m_preview, &widgets::PreviewWidget::resetView) << overlay
+                   << noise;
   addSeparator();
   addAction(tr("&Brighter"), QKeySequence(Qt::CTRL | Qt::Key_BracketRight), this,
             [this] { changeExposure(m_preview.exposure() + exposureStep); });

@@ -37,14 +37,14 @@ void PreviewDisplay::clear(const DisplaySettings& settings) {
 }
 
 void PreviewDisplay::bindPicture(QOpenGLShaderProgram& program, int unit, const char* name, const char* samples,
-                                 const PreviewRenderer& picture) {
+                                 const ShownPicture& picture) {
   glActiveTexture(GL_TEXTURE0 + GLenum(unit));
-  glBindTexture(GL_TEXTURE_2D, picture.accumulationTexture());
+  glBindTexture(GL_TEXTURE_2D, picture.texture);
   // Linear: a first frame at half the resolution is stretched smoothly.
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   program.setUniformValue(name, unit);
-  program.setUniformValue(samples, float(picture.samples()));
+  program.setUniformValue(samples, picture.samples);
 }
 
 void PreviewDisplay::setSettings(QOpenGLShaderProgram& program, const QSize& viewport,
@@ -59,8 +59,8 @@ void PreviewDisplay::setSettings(QOpenGLShaderProgram& program, const QSize& vie
   program.setUniformValue("checker", settings.checker);
 }
 
-void PreviewDisplay::present(const QSize& viewport, const DisplaySettings& settings, const PreviewRenderer& picture) {
-  if (!picture.accumulationTexture()) return clear(settings);
+void PreviewDisplay::present(const QSize& viewport, const DisplaySettings& settings, const ShownPicture& picture) {
+  if (!picture.texture) return clear(settings);
   QOpenGLShaderProgram& program = resources_->program("preview/display.frag");
   program.bind();
   setSettings(program, viewport, settings);
@@ -71,11 +71,11 @@ void PreviewDisplay::present(const QSize& viewport, const DisplaySettings& setti
 }
 
 void PreviewDisplay::present(const QSize& viewport, const DisplaySettings& settings,
-                             const PreviewComparison& comparison, double range, const PreviewRenderer& first,
-                             const PreviewRenderer& second) {
+                             const PreviewComparison& comparison, double range, const ShownPicture& first,
+                             const ShownPicture& second) {
   const QStringList definitions = definitionsOf(comparison);
   if (definitions.isEmpty()) return present(viewport, settings, first);
-  if (!first.accumulationTexture() || !second.accumulationTexture()) return clear(settings);
+  if (!first.texture || !second.texture) return clear(settings);
   QOpenGLShaderProgram& program = resources_->program("preview/display.frag", definitions);
   program.bind();
   setSettings(program, viewport, settings);

@@ -6,7 +6,8 @@
 
 #include "core/rendering/tone_map.h"
 #include "widgets/preview/gl/preview_comparison.h"
-#include "widgets/preview/gl/preview_renderer.h"
+#include "widgets/preview/gl/preview_resources.h"
+#include "widgets/preview/gl/shown_picture.h"
 
 namespace gonio::widgets {
 
@@ -25,16 +26,16 @@ class PreviewDisplay : protected QOpenGLFunctions_4_1_Core {
   void initialize() { initializeOpenGLFunctions(); }
 
   /// Draws into the framebuffer that is bound. A picture without a sample so far is left as background.
-  void present(const QSize& viewport, const DisplaySettings& settings, const PreviewRenderer& picture);
+  void present(const QSize& viewport, const DisplaySettings& settings, const ShownPicture& picture);
   /// Two pictures by comparison.mode (split, difference, twoUp; the others show `first` alone).
   /// @param range the difference of the last colour, > 0.
   void present(const QSize& viewport, const DisplaySettings& settings, const PreviewComparison& comparison,
-               double range, const PreviewRenderer& first, const PreviewRenderer& second);
+               double range, const ShownPicture& first, const ShownPicture& second);
 
  private:
   void clear(const DisplaySettings& settings);
   void bindPicture(QOpenGLShaderProgram& program, int unit, const char* name, const char* samples,
-                   const PreviewRenderer& picture);
+                   const ShownPicture& picture);
   void setSettings(QOpenGLShaderProgram& program, const QSize& viewport, const DisplaySettings& settings);
 
   std::shared_ptr<PreviewResources> resources_;

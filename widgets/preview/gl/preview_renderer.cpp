@@ -147,11 +147,14 @@ void PreviewRenderer::createTarget() {
   if (accumulation_) return;
   accumulation_ = std::make_unique<QOpenGLFramebufferObject>(size_, QOpenGLFramebufferObject::NoAttachment,
                                                              GL_TEXTURE_2D, GL_RGBA32F);
+  accumulation_->addColorAttachment(size_, GL_RGBA32F);
   samples_ = 0;
 }
 
 void PreviewRenderer::prepareTarget(bool isFirstPass) {
   accumulation_->bind();
+  constexpr GLenum outputs[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  glDrawBuffers(2, outputs);
   glViewport(0, 0, size_.width(), size_.height());
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -210,16 +213,22 @@ void PreviewRenderer::drawInBands() {
 void PreviewRenderer::showTraced(const Film& film) {
   setSize({film.width, film.height});
   createTarget();
-  std::vector<glm::vec4> texels;
+  std::vector<glm::vec4> texels, features;
   texels.reserve(film.radiance.size());
+  features.reserve(film.radiance.size());
   for (int y = film.height - 1; y >= 0; --y)
     for (int x = 0; x < film.width; ++x) {
       const std::size_t index = std::size_t(y) * std::size_t(film.width) + std::size_t(x);
       texels.emplace_back(film.radiance[index], film.coverage[index]);
+      features.push_back(film.features[index]);
     }
   glActiveTexture(GL_TEXTURE0 + accumulationUnit);
-  glBindTexture(GL_TEXTURE_2D, accumulation_->texture());
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, film.width, film.height, GL_RGBA, GL_FLOAT, texels.data());
+  const auto upload = [&](GLuint texture, const std::vector<glm::vec4>& values) {
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, film.width, film.height, GL_RGBA, GL_FLOAT, values.data());
+  };
+  upload(accumulation_->texture(), texels);
+  upload(accumulation_->textures()[1], features);
   samples_ = film.samples;
 }
 

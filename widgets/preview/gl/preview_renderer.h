@@ -8,6 +8,7 @@
 
 #include "core/rendering/film.h"
 #include "widgets/preview/gl/scene_uniforms.h"
+#include "widgets/preview/gl/shown_picture.h"
 #include "widgets/preview/gl/subject_textures.h"
 
 namespace gonio::widgets {
@@ -57,6 +58,9 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
 
   /// RGBA32F: sum over samples() of linear radiance, with the coverage in alpha. 0 before the first frame.
   GLuint accumulationTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->texture() : 0; }
+  /// RGBA32F: Film::features. 0 before the first frame.
+  GLuint featureTexture() const { return samples_ > 0 && accumulation_ ? accumulation_->textures()[1] : 0; }
+  ShownPicture shown() const { return {accumulationTexture(), float(samples_)}; }
   /// The mean as linear RGB with coverage in alpha: what renderPicture() returns.
   Image readPicture();
 
