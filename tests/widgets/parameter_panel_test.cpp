@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <cmath>
 
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
@@ -15,6 +16,7 @@
 #include "widgets/parameters/parameter_line.h"
 #include "widgets/parameters/parameter_row.h"
 #include "widgets/parameters/parameter_text.h"
+#include "widgets/parameters/slider_range.h"
 
 namespace parameter_panel_test {
 using namespace gonio;
@@ -50,6 +52,33 @@ class ParameterPanelTest : public QObject {
   };
 
  private Q_SLOTS:
+  /// A fit may lead outside the range that an artist uses: the slider spans it, four fifths of the way, within what
+  /// can be typed; where the fit lies inside, the range stays.
+  void slidersHoldTheFittedValue() {
+    for (const models::Model* model : models::allModels())
+      for (const models::ParameterSpec& spec : model->spec().parameters) {
+        QVERIFY((sliderRange(spec, spec.softMin) == std::pair{spec.softMin, spec.softMax}));
+        QVERIFY((sliderRange(spec, spec.softMax) == std::pair{spec.softMin, spec.softMax}));
+        for (const double share : {0.01, 0.5, 1.0}) {
+          const double above = std::lerp(spec.softMax, spec.hardMax, share);
+          const auto [low, high] = sliderRange(spec, above);
+          QVERIFY(low == spec.softMin && high >= above && high <= spec.hardMax);
+          const double below = std::lerp(spec.softMin, spec.hardMin, share);
+          const auto [least, most] = sliderRange(spec, below);
+          QVERIFY(most == spec.softMax && least <= below && least >= spec.hardMin);
+        }
+      }
+    Owned owned(m_spec);
+    const std::size_t i = index("diffuse");
+    owned.values.values[i] = owned.fitted.values[i] = Rgb(2);  // soft range 0 to 1, hard range to 10
+    owned.panel.setValues(owned.values, owned.fitted);
+    ParameterSlider* slider = line(owned.panel.row(i), 0)->slider();
+    QSignalSpy edited(slider, &ParameterSlider::numberEdited);
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_End);
+    QCOMPARE(edited.last()[0].toDouble(), 2.5);
+  }
+
   /// What matters only with another choice is grey and says why; it wakes when that choice is made.
   void inactiveParametersAreGrey() {
     for (const models::Model* model : models::allModels()) {

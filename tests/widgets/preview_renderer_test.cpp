@@ -108,7 +108,7 @@ class PreviewRendererTest : public QObject {
       plan.reflections = std::min(plan.reflections, widgets::SceneUniforms::mostReflections);
       renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table)));
       renderer_->setScene(scene, plan);
-      constexpr int small = side / 3;
+      constexpr int small = side / 4;
       renderer_->setSize({side, side});  // so that each target is a new one: none may unbind a texture
       renderer_->setSize({small, small});
       for (int i = 0; i < 32; ++i) renderer_->accumulate(64);

@@ -7,6 +7,7 @@
 
 #include "widgets/inputs/icons.h"
 #include "widgets/parameters/parameter_text.h"
+#include "widgets/parameters/slider_range.h"
 
 namespace gonio::widgets {
 
@@ -18,6 +19,7 @@ constexpr double fieldStepShare = 0.01;
 
 ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& label, QWidget* parent)
     : QWidget(parent),
+      m_spec(spec),
       m_layout(new QHBoxLayout(this)),
       m_label(new QLabel(label, this)),
       m_slider(new ParameterSlider(this)),
@@ -29,7 +31,6 @@ ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& l
   m_label->setFixedWidth(labelEms * em * 3 / 4);
   m_label->setWordWrap(true);
   m_label->installEventFilter(this);
-  m_slider->setRange(spec.softMin, spec.softMax, spec.scale);
   m_field->setRange(spec.hardMin, spec.hardMax);
   m_field->setUnit(displayUnit(spec), displayFactor(spec));
   m_field->setStep((spec.softMax - spec.softMin) * fieldStepShare);
@@ -52,6 +53,7 @@ ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& l
   m_layout->addWidget(m_field);
   m_layout->addWidget(m_trailing);
   m_layout->addWidget(m_reset);
+  m_slider->setRange(spec.softMin, spec.softMax, spec.scale);
 
   connect(m_slider, &ParameterSlider::editingStarted, this, &ParameterLine::editingStarted);
   connect(m_slider, &ParameterSlider::numberEdited, this, &ParameterLine::valueEdited);
@@ -66,6 +68,8 @@ ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& l
 }
 
 void ParameterLine::setValue(double value, double reference) {
+  const auto [low, high] = sliderRange(m_spec, reference);
+  m_slider->setRange(low, high, m_spec.scale);
   m_slider->setNumber(value);
   m_slider->setReference(reference);
   m_field->setValue(value);

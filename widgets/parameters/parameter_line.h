@@ -23,6 +23,7 @@ class ParameterLine : public QWidget {
  public:
   ParameterLine(const models::ParameterSpec& spec, const QString& label, QWidget* parent = nullptr);
 
+  /// @param reference the fitted value, which the slider's range is made to hold.
   void setValue(double value, double reference);
   /// Bold label and reset arrow; by default set from the comparison with the reference.
   void setModified(bool modified);
@@ -49,6 +50,7 @@ class ParameterLine : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  models::ParameterSpec m_spec;
   QHBoxLayout* m_layout;
   QLabel* m_label;
   ParameterSlider* m_slider;
