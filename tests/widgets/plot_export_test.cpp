@@ -50,6 +50,8 @@ class PlotExportTest : public QObject {
       const QImage png(stem + ".png");
       QCOMPARE(png.size(), plot->size() * 2);
       QCOMPARE(png.pixelColor(1, png.height() - 2), QColor(Qt::white));  // on paper, whatever the theme
+      QCOMPARE(QImage::fromData(plotAsPng(*plot, {640, 400})).size(), QSize(1280, 800));
+      QVERIFY(plotAsSvg(*plot, {640, 400}).contains("viewBox=\"0 0 640 400\""));
       const QByteArray csv = plotAsCsv(*plot);
       QFile written(stem + ".csv");
       QVERIFY(written.open(QIODevice::ReadOnly));

@@ -81,7 +81,7 @@ void Plot::showReadout(const QString& text, const QPointF& pointer) {
 
 void Plot::editThetaI(double thetaI) { Q_EMIT thetaIEdited(std::clamp(thetaI, 0.0, maxThetaI)); }
 
-void Plot::exportAs(const QString& suffix) {
+void Plot::exportAs(const QString& suffix, const QSize& size) {
   const QString name =
       QStringLiteral("%1 %2.%3").arg(m_source, m_title.toLower(), suffix).simplified().replace('/', '-');
   QString path = QFileDialog::getSaveFileName(this, tr("Export Plot"), inDialogFolder(dialogPurpose, name),
@@ -90,7 +90,7 @@ void Plot::exportAs(const QString& suffix) {
   rememberDialogFolder(dialogPurpose, path);
   if (!path.endsWith('.' + suffix, Qt::CaseInsensitive)) path += '.' + suffix;
   try {
-    exportPlot(*this, path);
+    exportPlot(*this, path, size);
     Q_EMIT exported(path);
   } catch (const Error& error) {
     Q_EMIT failed(tr("Cannot export the plot"), QString::fromUtf8(error.what()));

@@ -42,7 +42,8 @@ class Plot : public QWidget {
  public Q_SLOTS:
   virtual void resetView() = 0;
   /// Asks for a name and writes the plot; `suffix` is "svg", "png" or "csv".
-  void exportAs(const QString& suffix);
+  /// @param size of a picture, in the units of the widget; empty: as it is shown.
+  void exportAs(const QString& suffix, const QSize& size = {});
 
  Q_SIGNALS:
   /// The user turned the angle of incidence (rad, [0, maxThetaI]). The plot itself does not change yet.

@@ -16,27 +16,31 @@ namespace gonio::widgets {
 namespace {
 constexpr double pngScale = 2;
 constexpr QSize smallest(480, 320);
-QSize exportSize(const Plot& plot) { return plot.size().expandedTo(smallest); }
+QSize exportSize(const Plot& plot, const QSize& size) {
+  return size.isEmpty() ? plot.size().expandedTo(smallest) : size;
+}
 }  // namespace
 
-QByteArray plotAsSvg(Plot& plot) {
+QByteArray plotAsSvg(Plot& plot, const QSize& wanted) {
+  const QSize size = exportSize(plot, wanted);
   QBuffer buffer;
   QSvgGenerator generator;
   generator.setOutputDevice(&buffer);
-  generator.setSize(exportSize(plot));
-  generator.setViewBox(QRect(QPoint(0, 0), exportSize(plot)));
+  generator.setSize(size);
+  generator.setViewBox(QRect(QPoint(0, 0), size));
   generator.setResolution(plot.logicalDpiX());
   generator.setTitle(plot.title());
   generator.setDescription(plot.source());
-  plot.drawOn(generator, exportSize(plot), PlotStyle::paper());
+  plot.drawOn(generator, size, PlotStyle::paper());
   return buffer.data();
 }
 
-QByteArray plotAsPng(Plot& plot) {
-  QImage image(exportSize(plot) * pngScale, QImage::Format_RGB32);
+QByteArray plotAsPng(Plot& plot, const QSize& wanted) {
+  const QSize size = exportSize(plot, wanted);
+  QImage image(size * pngScale, QImage::Format_RGB32);
   image.setDevicePixelRatio(pngScale);
   image.fill(Qt::white);
-  plot.drawOn(image, exportSize(plot), PlotStyle::paper());
+  plot.drawOn(image, size, PlotStyle::paper());
   QBuffer buffer;
   image.save(&buffer, "PNG");
   return buffer.data();
@@ -44,12 +48,12 @@ QByteArray plotAsPng(Plot& plot) {
 
 QByteArray plotAsCsv(const Plot& plot) { return QByteArray::fromStdString(plots::toCsv(plot.table())); }
 
-void exportPlot(Plot& plot, const QString& path) {
+void exportPlot(Plot& plot, const QString& path, const QSize& size) {
   QByteArray content;
   if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive))
-    content = plotAsSvg(plot);
+    content = plotAsSvg(plot, size);
   else if (path.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive))
-    content = plotAsPng(plot);
+    content = plotAsPng(plot, size);
   else if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive))
     content = plotAsCsv(plot);
   else

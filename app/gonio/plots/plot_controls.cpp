@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/plots/plot_controls.h"
 
+#include <QActionGroup>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -23,7 +24,7 @@ using widgets::NumberField;
 
 namespace {
 
-const QString stateKey = QStringLiteral("plots/%1");
+const QString stateKey = QStringLiteral("plots/%1"), logarithmicKey = QStringLiteral("plots/logarithmic/%1");
 
 QComboBox* comboBox(const QStringList& entries, const QString& name, const QString& toolTip) {
   auto* box = new QComboBox;
@@ -35,6 +36,12 @@ QComboBox* comboBox(const QStringList& entries, const QString& name, const QStri
 }
 
 }  // namespace
+
+widgets::PlotSettings PlotChoices::settingsOf(PlotKind of) const {
+  widgets::PlotSettings result = settings;
+  result.logarithmic = logarithmic[std::size_t(of)];
+  return result;
+}
 
 plots::Section PlotChoices::section() const {
   return {.axis = axis,
@@ -189,9 +196,11 @@ void PlotControls::addValues() {
   });
   m_cosineAction = addLabelled({}, m_cosine);
   m_logarithmic = new QCheckBox(tr("Logarithmic"));
-  m_logarithmic->setToolTip(tr("Logarithmic axis of values"));
-  connect(m_logarithmic, &QCheckBox::toggled, this,
-          [this](bool on) { change([on](PlotChoices& choices) { choices.settings.logarithmic = on; }); });
+  m_logarithmic->setObjectName("logarithmic");
+  m_logarithmic->setToolTip(tr("Logarithmic axis of values, for each kind of plot"));
+  connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool on) {
+    change([on](PlotChoices& choices) { choices.logarithmic[std::size_t(choices.kind)] = on; });
+  });
   addLabelled({}, m_logarithmic);
 }
 
@@ -204,10 +213,25 @@ void PlotControls::addExport() {
   const std::pair<QString, const char*> formats[] = {
       {tr("Picture as &SVG..."), "svg"}, {tr("Picture as &PNG..."), "png"}, {tr("Numbers as &CSV..."), "csv"}};
   for (const auto& [text, suffix] : formats)
-    menu->addAction(text, this, [this, suffix = suffix] { Q_EMIT exportRequested(QLatin1String(suffix)); });
+    menu->addAction(text, this,
+                    [this, suffix = suffix] { Q_EMIT exportRequested(QLatin1String(suffix), m_exportSize); });
+  menu->addSeparator();
+  addExportSizes(menu->addMenu(tr("&Size of Pictures")));
   m_export->setMenu(menu);
   addWidget(m_export);
   m_export->setAutoRaise(false);  // the tool bar makes it look like a label
+}
+
+void PlotControls::addExportSizes(QMenu* menu) {
+  auto* group = new QActionGroup(menu);
+  for (const QSize& size : {QSize(), QSize(800, 500), QSize(1200, 800), QSize(1600, 1000)}) {
+    const QString text = size.isEmpty() ? tr("&As shown") : tr("%1 x %2").arg(size.width()).arg(size.height());
+    QAction* action = group->addAction(menu->addAction(text));
+    action->setCheckable(true);
+    action->setChecked(size == m_exportSize);
+    connect(action, &QAction::triggered, this, [this, size] { m_exportSize = size; });
+  }
+  menu->setToolTip(tr("PNG pictures have twice as many pixels."));
 }
 
 void PlotControls::setExportEnabled(bool enabled) { m_export->setEnabled(enabled); }
@@ -218,7 +242,7 @@ void PlotControls::show(const PlotChoices& choices) {
   m_spacing->setCurrentIndex(int(choices.spacing));
   m_channel->setCurrentIndex(int(choices.settings.channel));
   m_cosine->setCurrentIndex(int(choices.settings.cosine));
-  m_logarithmic->setChecked(choices.settings.logarithmic);
+  m_logarithmic->setChecked(choices.logarithmic[std::size_t(choices.kind)]);
   m_thetaISlider->setNumber(choices.settings.thetaI);
   m_thetaI->setValue(choices.settings.thetaI);
   m_phiD->setValue(choices.phiD);
@@ -237,7 +261,8 @@ void PlotControls::saveState(QSettings& settings) const {
   settings.setValue(stateKey.arg("kind"), int(m_choices.kind));
   settings.setValue(stateKey.arg("channel"), int(m_choices.settings.channel));
   settings.setValue(stateKey.arg("cosine"), int(m_choices.settings.cosine));
-  settings.setValue(stateKey.arg("logarithmic"), m_choices.settings.logarithmic);
+  for (const PlotKind kind : allPlotKinds)
+    settings.setValue(logarithmicKey.arg(int(kind)), m_choices.logarithmic[std::size_t(kind)]);
   settings.setValue(stateKey.arg("axis"), int(m_choices.axis));
   settings.setValue(stateKey.arg("spacing"), int(m_choices.spacing));
 }
@@ -250,7 +275,10 @@ void PlotControls::restoreState(const QSettings& settings) {
   choices.kind = PlotKind(number("kind", int(choices.kind), int(PlotKind::lobe)));
   choices.settings.channel = plots::Channel(number("channel", 0, 3));
   choices.settings.cosine = plots::CosineFactor(number("cosine", 0, 2));
-  choices.settings.logarithmic = settings.value(stateKey.arg("logarithmic"), false).toBool();
+  for (const PlotKind kind : allPlotKinds) {
+    bool& logarithmic = choices.logarithmic[std::size_t(kind)];
+    logarithmic = settings.value(logarithmicKey.arg(int(kind)), logarithmic).toBool();
+  }
   choices.axis = SectionAxis(number("axis", int(choices.axis), int(SectionAxis::thetaO)));
   choices.spacing = plots::ThetaHSpacing(number("spacing", int(choices.spacing), 1));
   setChoices(choices);

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <QToolBar>
+#include <array>
 
 #include "app/gonio/plots/plot_data.h"
 
 class QCheckBox;
 class QComboBox;
+class QMenu;
 class QSettings;
 class QTabBar;
 class QToolButton;
@@ -22,12 +24,15 @@ namespace gonio::app {
 /// What the user chose to see in the plots.
 struct PlotChoices {
   PlotKind kind = PlotKind::polar;
-  widgets::PlotSettings settings;
+  widgets::PlotSettings settings;  ///< of all plots but the logarithm, see settingsOf()
+  /// Whether a kind has a logarithmic axis of values. Lobes have: on a linear one a highlight is all that is seen.
+  std::array<bool, std::size(allPlotKinds)> logarithmic{true, false, false, false, true};
   plots::SectionAxis axis = plots::SectionAxis::thetaO;
   double phiD = halfPi, thetaH = 0, planeAzimuth = 0;  ///< rad
   plots::ThetaHSpacing spacing = plots::ThetaHSpacing::squareRoot;
 
   bool operator==(const PlotChoices&) const = default;
+  widgets::PlotSettings settingsOf(PlotKind of) const;
   /// The section that these choices are: along theta_h, theta_d is the angle of incidence.
   plots::Section section() const;
 };
@@ -52,7 +57,8 @@ class PlotControls : public QToolBar {
  Q_SIGNALS:
   void changed();
   void pickingToggled(bool picking);
-  void exportRequested(const QString& suffix);
+  /// @param size of a picture, in the units of the widget; empty: as the plot is shown.
+  void exportRequested(const QString& suffix, const QSize& size);
 
  private:
   void addKinds();
@@ -60,6 +66,7 @@ class PlotControls : public QToolBar {
   void addIncidence();
   void addValues();
   void addExport();
+  void addExportSizes(QMenu* menu);
   QAction* addNumber(const QString& label, const QString& toolTip, double min, double max, double PlotChoices::*member,
                      widgets::NumberField*& field);
   QAction* addLabelled(const QString& label, QWidget* widget);
@@ -74,6 +81,7 @@ class PlotControls : public QToolBar {
   widgets::ParameterSlider* m_thetaISlider;
   QCheckBox* m_logarithmic;
   QToolButton* m_export;
+  QSize m_exportSize;
   QAction *m_axisAction, *m_spacingAction, *m_phiDAction, *m_thetaHAction, *m_planeAzimuthAction, *m_cosineAction;
 };
 

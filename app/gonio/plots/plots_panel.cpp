@@ -43,7 +43,7 @@ PlotsPanel::PlotsPanel(Document& document, BackgroundTasks& tasks, QWidget* pare
   connect(m_controls, &PlotControls::changed, this, &PlotsPanel::choicesChanged);
   connect(m_controls, &PlotControls::pickingToggled, this, &PlotsPanel::pickingToggled);
   connect(m_controls, &PlotControls::exportRequested, this,
-          [this](const QString& suffix) { currentPlot().exportAs(suffix); });
+          [this](const QString& suffix, const QSize& size) { currentPlot().exportAs(suffix, size); });
   connect(&m_document, &Document::materialChanged, this, [this] {
     clear();
     documentChanged();
@@ -104,7 +104,8 @@ void PlotsPanel::clear() {
 
 void PlotsPanel::choicesChanged() {
   m_stack->setCurrentWidget(&currentPlot());
-  for (widgets::Plot* plot : m_plots) plot->setSettings(m_controls->choices().settings);
+  for (const PlotKind kind : allPlotKinds)
+    m_plots[std::size_t(kind)]->setSettings(m_controls->choices().settingsOf(kind));
   request();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/plots/plots_panel.h"
 
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QSettings>
@@ -162,6 +163,23 @@ class PlotsPanelTest : public QObject {
     QCOMPARE(p.panel.controls().choices().section().thetaD, 0.3);
   }
 
+  /// Lobes are logarithmic unless the user says otherwise, others linear; each kind keeps its own choice.
+  void eachKindHasItsOwnAxis() {
+    Panel p;
+    const auto isLogarithmic = [&](const widgets::Plot* plot) { return plot->settings().logarithmic; };
+    const auto* polar = p.panel.findChild<widgets::PolarPlot*>();
+    const auto* cartesian = p.panel.findChild<widgets::CartesianPlot*>();
+    QVERIFY(isLogarithmic(polar) && !isLogarithmic(cartesian));
+    auto* box = p.panel.controls().findChild<QCheckBox*>("logarithmic");
+    QVERIFY(box && box->isChecked());
+    PlotChoices choices = p.panel.controls().choices();
+    choices.kind = PlotKind::cartesian;
+    p.panel.controls().setChoices(choices);
+    QVERIFY(!box->isChecked());
+    box->click();
+    QVERIFY(isLogarithmic(polar) && isLogarithmic(cartesian));
+  }
+
   void choicesAreRemembered() {
     const QTemporaryDir folder;
     QSettings settings(folder.filePath("s.ini"), QSettings::IniFormat);
@@ -169,7 +187,8 @@ class PlotsPanelTest : public QObject {
     choices.kind = PlotKind::slice;
     choices.settings.channel = plots::Channel::blue;
     choices.settings.cosine = plots::CosineFactor::incident;
-    choices.settings.logarithmic = true;
+    choices.logarithmic[std::size_t(PlotKind::slice)] = true;
+    choices.logarithmic[std::size_t(PlotKind::lobe)] = false;
     choices.axis = plots::SectionAxis::thetaH;
     choices.spacing = plots::ThetaHSpacing::linear;
     {
