@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/preview_widget.h"
 
+#include <QFocusEvent>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -115,6 +116,20 @@ class PreviewWidgetTest : public QObject {
     QVERIFY(!widget_->plan().simulates(Effect::castShadows) && widget_->plan()[Effect::castShadows].calledFor);
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     QVERIFY2(shadowed() > 2 * inShadow, qPrintable(QString("%1 against %2").arg(shadowed()).arg(inShadow)));
+  }
+
+  /// Where Tab leads is seen; a click needs no ring.
+  void focusByTheKeyboardShowsARing() {
+    const auto send = [this](QEvent::Type type, Qt::FocusReason reason) {
+      QFocusEvent event(type, reason);
+      QCoreApplication::sendEvent(widget_.get(), &event);
+      return widget_->overlay()->hasFocusRing();
+    };
+    QVERIFY(!send(QEvent::FocusIn, Qt::MouseFocusReason));
+    QVERIFY(!send(QEvent::FocusOut, Qt::TabFocusReason));
+    QVERIFY(send(QEvent::FocusIn, Qt::TabFocusReason));
+    QVERIFY(!send(QEvent::FocusOut, Qt::TabFocusReason));
+    QVERIFY(send(QEvent::FocusIn, Qt::BacktabFocusReason));
   }
 
   void controlClickPicksTheViewersAngle() {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/preview_overlay.h"
 
-#include <QEvent>
+#include <QFocusEvent>
 #include <algorithm>
 
 #include "widgets/preview/false_colour_legend.h"
@@ -40,13 +40,17 @@ PreviewOverlay::PreviewOverlay(QWidget* viewport)
       m_names{addLabel(), addLabel()},
       m_banner(new PreviewBanner(viewport)),
       m_split(new SplitBar(viewport)),
-      m_legend(new FalseColourLegend(viewport)) {
+      m_legend(new FalseColourLegend(viewport)),
+      m_ring(new QFrame(viewport)) {
   m_hint->setStyleSheet("color: #c8c8c8; background: transparent;");
   m_hint->setAlignment(Qt::AlignCenter);
   m_hint->setWordWrap(true);
   m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
   m_split->hide();
   m_legend->hide();
+  m_ring->setStyleSheet("border: 2px solid palette(highlight); background: transparent;");
+  m_ring->setAttribute(Qt::WA_TransparentForMouseEvents);
+  m_ring->hide();
   viewport->installEventFilter(this);
 }
 
@@ -108,6 +112,7 @@ void PreviewOverlay::place() {
   m_banner->resize(std::min(m_banner->sizeHint().width(), width - 2 * edgeMargin), m_banner->sizeHint().height());
   m_banner->move((width - m_banner->width()) / 2, edgeMargin);
   const int top = edgeMargin + (m_banner->isHidden() ? 0 : m_banner->height() + edgeMargin);
+  m_ring->setGeometry(m_viewport->rect());
   m_hint->setGeometry(m_viewport->rect().adjusted(4 * edgeMargin, 4 * edgeMargin, -4 * edgeMargin, -4 * edgeMargin));
   m_status->adjustSize();
   m_status->move(edgeMargin, height - m_status->height() - edgeMargin);
@@ -123,6 +128,12 @@ void PreviewOverlay::place() {
 
 bool PreviewOverlay::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_viewport && event->type() == QEvent::Resize) place();
+  if (watched == m_viewport && event->type() == QEvent::FocusOut) m_ring->hide();
+  if (watched == m_viewport && event->type() == QEvent::FocusIn) {
+    // The hand that clicks knows where it is: a ring about the picture would be in its way.
+    const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
+    m_ring->setVisible(reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason);
+  }
   return QObject::eventFilter(watched, event);
 }
 

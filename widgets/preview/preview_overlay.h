@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QFrame>
 #include <QLabel>
 #include <array>
 
@@ -20,9 +21,9 @@ class FalseColourLegend;
 class PreviewBanner;
 class SplitBar;
 
-/// What lies over the preview's picture: facts about the frame, a hint while it is empty, a banner while something else
-/// than the material is shown, and for a comparison the names of the sides, the split bar and the legend of the
-/// difference.
+/// What lies over the preview's picture: facts about the frame, a ring while the keyboard has led there, a hint while
+/// it is empty, a banner while something else than the material is shown, and for a comparison the names of the sides,
+/// the split bar and the legend of the difference.
 class PreviewOverlay : public QObject {
   Q_OBJECT
 
@@ -50,6 +51,7 @@ class PreviewOverlay : public QObject {
   SplitBar* splitBar() const { return m_split; }
   FalseColourLegend* legend() const { return m_legend; }
   QLabel* name(std::size_t side) const { return m_names[side]; }
+  bool hasFocusRing() const { return !m_ring->isHidden(); }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -64,6 +66,7 @@ class PreviewOverlay : public QObject {
   PreviewBanner* m_banner;
   SplitBar* m_split;
   FalseColourLegend* m_legend;
+  QFrame* m_ring;
   CompareMode m_mode = CompareMode::off;
   bool m_statusWanted = true;
 };
