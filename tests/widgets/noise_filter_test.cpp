@@ -56,7 +56,7 @@ class NoiseFilterTest : public QObject {
   /// At 14 samples, what two cores draw in a second: less than half of the error is left, of a mirror's two thirds.
   void takesNoiseAway() {
     for (const auto& [roughness, left] : {std::pair{0.3, 0.5}, {0.03, 2 / 3.0}}) {
-      draw("sphere", rough(roughness), 1024);
+      draw("sphere", rough(roughness), 512);
       const Image reference = picture_->readPicture();
       draw("sphere", rough(roughness), 14);
       const double noisy = visibleError(picture_->readPicture(), reference);

@@ -11,6 +11,22 @@ QColor blended(const QColor& a, const QColor& b, double share) {
   return QColor(mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue()));
 }
 
+struct OtherFitStyle {
+  QColor onLight, onDark;
+  QList<qreal> dashes;
+};
+
+/// At least 4.5:1 on the backgrounds, as the other roles.
+const OtherFitStyle& otherFitStyle(SeriesRole role) {
+  static const OtherFitStyle styles[] = {{QColor(0x00, 0x72, 0x4e), QColor(0x50, 0xd0, 0xa0), {2, 2}},
+                                         {QColor(0x99, 0x36, 0x77), QColor(0xee, 0x9a, 0xcc), {10, 3}},
+                                         {QColor(0x6b, 0x5c, 0x00), QColor(0xd8, 0xc8, 0x50), {6, 2, 2, 2, 2, 2}},
+                                         {QColor(0x5a, 0x41, 0xb4), QColor(0xb6, 0xa2, 0xff), {1, 2.5}},
+                                         {QColor(0xa4, 0x26, 0x3a), QColor(0xff, 0x8c, 0x9a), {12, 2, 3, 2}},
+                                         {QColor(0x00, 0x6b, 0x7a), QColor(0x54, 0xd0, 0xe0), {4, 4}}};
+  return styles[std::size_t(int(role) - int(SeriesRole::otherFit)) % std::size(styles)];
+}
+
 }  // namespace
 
 PlotStyle PlotStyle::of(const QPalette& palette) {
@@ -28,15 +44,18 @@ QColor PlotStyle::colour(SeriesRole role) const {
     case SeriesRole::edited:
       return dark ? QColor(0xff, 0xa0, 0x50) : QColor(0xb0, 0x45, 0x00);
     case SeriesRole::measured:
+      return text;
+    case SeriesRole::otherFit:
       break;
   }
-  return text;
+  return dark ? otherFitStyle(role).onDark : otherFitStyle(role).onLight;
 }
 
 QPen PlotStyle::pen(SeriesRole role) const {
   QPen pen(colour(role), 1.8, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
   if (role == SeriesRole::fit) pen.setDashPattern({5, 2.5});
   if (role == SeriesRole::edited) pen.setDashPattern({8, 2.5, 1.5, 2.5});
+  if (role >= SeriesRole::otherFit) pen.setDashPattern(otherFitStyle(role).dashes);
   return pen;
 }
 

@@ -7,8 +7,10 @@
 
 namespace gonio::widgets {
 
-/// Where a curve comes from: it decides its colour and line style in every chart.
-enum class SeriesRole { measured, fit, edited };
+/// Where a curve comes from: it decides its colour and line style in every chart. Numbers from `otherFit` on are the
+/// fits beside the one in use.
+enum class SeriesRole { measured, fit, edited, otherFit };
+constexpr SeriesRole otherFit(int number) { return SeriesRole(int(SeriesRole::otherFit) + number); }
 
 /// Colours and lines of a chart: the application's palette on the screen, dark on white in exported files.
 struct PlotStyle {
@@ -19,7 +21,8 @@ struct PlotStyle {
   static PlotStyle paper();
 
   QColor colour(SeriesRole role) const;
-  /// Measured solid, fit dashed, edited dash-dotted: curves are told apart without their colours.
+  /// Measured solid, fit dashed, edited dash-dotted, others by more patterns: curves are told apart without their
+  /// colours, which come again after six other fits.
   QPen pen(SeriesRole role) const;
   QPen gridPen() const { return QPen(grid, 1); }
   /// Of the line that marks the angle of incidence.

@@ -17,57 +17,54 @@ using widgets::SeriesRole;
 
 constexpr int fineAngles = 31, fineSamples = 1 << 14, coarseAngles = 19, coarseSamples = 1 << 9;
 
-/// One of the up to three reflectances that a plot shows.
+/// One of the reflectances that a plot shows.
 struct Source {
   SeriesRole role;
   QString name;
   std::shared_ptr<const Brdf> brdf;
   const TabulatedBrdf* coverage;  ///< null: defined everywhere
+  std::optional<PlottedFit> fit;  ///< what it is while edits change; none: the edited material
 };
+
+Source fitSource(SeriesRole role, const PlottedFit& fit) {
+  return {role, QObject::tr("fit (%1)").arg(widgets::fromView(fit.model->spec().name)),
+          fit.model->instantiate(fit.parameters), nullptr, fit};
+}
 
 std::vector<Source> sourcesOf(const PlotRequest& request) {
   const auto& base = request.base ? request.base : request.material->base;
   const TabulatedBrdf* table = base->asTable();
-  std::vector<Source> sources{{SeriesRole::measured, sourceKind(*request.material).toLower(), base, table}};
-  if (request.fit) {
-    const models::Model& model = *request.fit->model;
-    sources.push_back({SeriesRole::fit, QObject::tr("fit (%1)").arg(widgets::fromView(model.spec().name)),
-                       model.instantiate(request.fit->fitted), nullptr});
-  }
+  std::vector<Source> sources{
+      {SeriesRole::measured, sourceKind(*request.material).toLower(), base, table, PlottedFit{}}};
+  const models::Model* used = request.fit ? request.fit->model : nullptr;
+  if (used) sources.push_back(fitSource(SeriesRole::fit, {used, request.fit->fitted}));
+  int number = 0;
+  for (const PlottedFit& other : request.otherFits)
+    if (other.model != used) sources.push_back(fitSource(widgets::otherFit(number++), other));
   if (!editing::isIdentity(request.edits))
-    sources.push_back({SeriesRole::edited, QObject::tr("edited"), editing::applyEdits(base, request.edits), table});
+    sources.push_back({SeriesRole::edited, QObject::tr("edited"), editing::applyEdits(base, request.edits), table, {}});
   return sources;
 }
 
-bool isKnown(const PlotRequest& request) {
+const plots::Curve* knownCurve(const PlotRequest& request, const Source& source) {
   const KnownAlbedo* known = request.known.get();
-  return known && known->material == request.material && known->base == request.base &&
-         known->coarse == request.coarse && request.fit && known->model == request.fit->model &&
-         known->fitted == request.fit->fitted;
+  if (!known || !source.fit || known->material != request.material || known->base != request.base ||
+      known->coarse != request.coarse)
+    return nullptr;
+  const auto found = std::ranges::find(known->curves, *source.fit, &std::pair<PlottedFit, plots::Curve>::first);
+  return found == known->curves.end() ? nullptr : &found->second;
 }
 
 void computeAlbedo(const PlotRequest& request, const std::vector<Source>& sources, PlotData& data,
                    const TaskControl& control) {
-  const bool known = isKnown(request);
-  auto kept = std::make_shared<KnownAlbedo>();
-  if (known) *kept = *request.known;
+  auto kept = std::make_shared<KnownAlbedo>(KnownAlbedo{request.material, request.base, request.coarse, {}});
   for (const Source& source : sources) {
-    plots::Curve curve;
-    if (known && source.role != SeriesRole::edited)
-      curve = source.role == SeriesRole::measured ? kept->measured : kept->fit;
-    else
-      curve = plots::albedoCurve(*source.brdf, request.coarse ? coarseAngles : fineAngles,
-                                 request.coarse ? coarseSamples : fineSamples, control);
-    if (source.role == SeriesRole::measured) kept->measured = curve;
-    if (source.role == SeriesRole::fit) kept->fit = curve;
+    const plots::Curve* known = knownCurve(request, source);
+    plots::Curve curve = known ? *known
+                               : plots::albedoCurve(*source.brdf, request.coarse ? coarseAngles : fineAngles,
+                                                    request.coarse ? coarseSamples : fineSamples, control);
+    if (source.fit) kept->curves.emplace_back(*source.fit, curve);
     data.curves.push_back({source.role, source.name, std::move(curve)});
-  }
-  kept->material = request.material;
-  kept->base = request.base;
-  kept->coarse = request.coarse;
-  if (request.fit) {
-    kept->model = request.fit->model;
-    kept->fitted = request.fit->fitted;
   }
   data.known = std::move(kept);
 }
@@ -83,7 +80,7 @@ PlotData computePlot(const PlotRequest& request, const TaskControl& control) {
     computeAlbedo(request, sources, data, control);
     return data;
   }
-  for (const auto& [role, name, brdf, coverage] : sources) {
+  for (const auto& [role, name, brdf, coverage, fit] : sources) {
     control.throwIfStopped();
     if (request.kind == PlotKind::polar)
       data.curves.push_back({role, name, plots::polarLobe(*brdf, section.thetaI, section.cosine, coverage)});

@@ -19,14 +19,20 @@ enum class PlotKind { polar, cartesian, slice, albedo, lobe };
 inline constexpr PlotKind allPlotKinds[] = {PlotKind::polar, PlotKind::cartesian, PlotKind::slice, PlotKind::albedo,
                                             PlotKind::lobe};
 
+/// A model as it was fitted to the material; no model: the measurement.
+struct PlottedFit {
+  const models::Model* model = nullptr;
+  models::ParameterValues parameters = {};
+
+  bool operator==(const PlottedFit&) const = default;
+};
+
 /// The albedo curves that an edit leaves as they are: they take longest and are kept while a slider moves.
 struct KnownAlbedo {
   LoadedMaterialPtr material;
   std::shared_ptr<const Brdf> base;
-  const models::Model* model = nullptr;
-  models::ParameterValues fitted;
   bool coarse = false;
-  plots::Curve measured, fit;
+  std::vector<std::pair<PlottedFit, plots::Curve>> curves;
 };
 
 /// What to compute: one kind of plot of a material and its edits.
@@ -40,10 +46,11 @@ struct PlotRequest {
   bool coarse = false;  ///< albedo: few samples, while something moves
   std::shared_ptr<const KnownAlbedo> known;
   std::shared_ptr<const Brdf> base = nullptr;  ///< Document::base(); null: that of the material
+  std::vector<PlottedFit> otherFits = {};      ///< beside `fit`
 };
 
-/// Series of the kind that was asked for: measured (in its own form), fit (the model at the fitted parameters), edited
-/// (where the edit changes something).
+/// Series of the kind that was asked for: measured (in its own form), fit (the model at the fitted parameters), the
+/// other fits, edited (where the edit changes something).
 struct PlotData {
   widgets::PlotSeriesList<plots::Curve> curves;
   widgets::PlotSeriesList<plots::Slice> slices;

@@ -84,6 +84,11 @@ void PlotsPanel::showKind(const QString& name) {
   if (names.contains(name)) showAt(PlotKind(names.indexOf(name)), m_controls->choices().settings.thetaI);
 }
 
+void PlotsPanel::setOtherFits(const std::vector<PlottedFit>& fits) {
+  m_otherFits = fits;
+  request();
+}
+
 bool PlotsPanel::isSettled() const { return !isVisible() || (!m_running && !m_again && !m_rest.isActive()); }
 
 void PlotsPanel::clear() {
@@ -133,6 +138,7 @@ void PlotsPanel::start() {
                       choices.section(), choices.spacing,       m_rest.isActive(),  m_known};
   if (const auto* edit = m_document.active<editing::DifferentialEdit>()) request.fit = *edit;
   request.base = m_document.base();
+  request.otherFits = m_otherFits;
   m_running = true;
   m_again = false;
   m_tasks.run<PlotData>(

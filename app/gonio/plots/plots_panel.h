@@ -36,6 +36,8 @@ class PlotsPanel : public QWidget {
   void showAt(PlotKind kind, double thetaI);
   /// The same by name ("polar", "cartesian", "slice", "albedo", "lobe"), at the angle as it is.
   void showKind(const QString& name);
+  /// Fits of the document's material that are drawn beside the one in use.
+  void setOtherFits(const std::vector<PlottedFit>& fits);
   /// The angle of all plots (rad), clamped to what they offer.
   void setThetaI(double thetaI) { m_controls->setThetaI(thetaI); }
   PlotControls& controls() { return *m_controls; }
@@ -75,6 +77,7 @@ class PlotsPanel : public QWidget {
   widgets::AlbedoPlot* m_albedo;
   widgets::LobePlot* m_lobe;
   QList<widgets::Plot*> m_plots;  ///< in the order of PlotKind
+  std::vector<PlottedFit> m_otherFits;
   std::shared_ptr<const KnownAlbedo> m_known;
   QTimer m_rest;  ///< runs while something moves: the albedo is refined when it ends
   bool m_running = false, m_again = false;

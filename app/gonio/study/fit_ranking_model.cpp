@@ -43,6 +43,7 @@ void FitRankingModel::clear() {
   beginResetModel();
   m_rows.clear();
   endResetModel();
+  Q_EMIT plottedChanged();
 }
 
 void FitRankingModel::add(const study::RankedFit& ranked) {
@@ -52,13 +53,35 @@ void FitRankingModel::add(const study::RankedFit& ranked) {
                                   [&](const Row& other) { return other.ranked.fit.model == ranked.fit.model; });
   const int place = int(known - m_rows.begin());
   if (known != m_rows.end()) {
+    row.plotted = known->plotted;
     *known = std::move(row);
     Q_EMIT dataChanged(index(place, 0), index(place, ColumnCount - 1));
+    if (known->plotted) Q_EMIT plottedChanged();
     return;
   }
   beginInsertRows({}, place, place);
   m_rows.push_back(std::move(row));
   endInsertRows();
+}
+
+std::vector<const fitting::FitResult*> FitRankingModel::plotted() const {
+  std::vector<const fitting::FitResult*> fits;
+  for (const Row& row : m_rows)
+    if (row.plotted) fits.push_back(&row.ranked.fit);
+  return fits;
+}
+
+bool FitRankingModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::CheckStateRole || index.column() != PlotColumn) return false;
+  m_rows[std::size_t(index.row())].plotted = value.toInt() == Qt::Checked;
+  Q_EMIT dataChanged(index, index);
+  Q_EMIT plottedChanged();
+  return true;
+}
+
+Qt::ItemFlags FitRankingModel::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  return index.column() == PlotColumn ? flags | Qt::ItemIsUserCheckable : flags;
 }
 
 void FitRankingModel::setMetric(metrics::BrdfMetric metric) {
@@ -129,6 +152,8 @@ QVariant FitRankingModel::text(const Row& row, int column) const {
 
 QVariant FitRankingModel::sortKey(const Row& row, int column) const {
   switch (column) {
+    case PlotColumn:
+      return !row.plotted;
     case ErrorColumn:
       return orLast(error(row));
     case SnrColumn:
@@ -148,6 +173,7 @@ QVariant FitRankingModel::data(const QModelIndex& index, int role) const {
   const int column = index.column();
   if (role == Qt::DisplayRole) return text(row, column);
   if (role == Qt::UserRole) return sortKey(row, column);
+  if (role == Qt::CheckStateRole && column == PlotColumn) return row.plotted ? Qt::Checked : Qt::Unchecked;
   if (role == Qt::DecorationRole && column == NameColumn) return row.thumbnail;
   if (role == Qt::ToolTipRole)
     return column == WarningsColumn ? warningsText(row.ranked.fit)
@@ -157,7 +183,7 @@ QVariant FitRankingModel::data(const QModelIndex& index, int role) const {
     bold.setBold(true);
     return bold;
   }
-  if (role == Qt::TextAlignmentRole && column != NameColumn && column != WarningsColumn)
+  if (role == Qt::TextAlignmentRole && column != NameColumn && column != PlotColumn && column != WarningsColumn)
     return int(Qt::AlignRight | Qt::AlignVCenter);
   return {};
 }
@@ -168,6 +194,7 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
   if (role == Qt::DisplayRole) {
     const QString unit = widgets::fromView(record.unit);
     const QString titles[] = {tr("Model"),
+                              tr("Plot"),
                               unit.isEmpty() ? tr("Error") : tr("Error, %1").arg(unit),
                               tr("Rendered SNR, dB"),
                               tr("Parameters"),
@@ -178,6 +205,7 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
   if (role == Qt::ToolTipRole) {
     const QString tips[] = {
         tr("The model, rendered with its fitted parameters"),
+        tr("Ticked fits are drawn in the plots, beside the one in use"),
         tr("%1: %2. Smaller is better.").arg(widgets::fromView(record.name), widgets::fromView(record.formula)),
         tr("Of the picture in the scene %1. Larger is better.").arg(comparisonSceneName),
         tr("Numbers that the fit finds"),

@@ -16,7 +16,16 @@ class FitRankingModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { NameColumn, ErrorColumn, SnrColumn, ParametersColumn, SecondsColumn, WarningsColumn, ColumnCount };
+  enum Column {
+    NameColumn,
+    PlotColumn,
+    ErrorColumn,
+    SnrColumn,
+    ParametersColumn,
+    SecondsColumn,
+    WarningsColumn,
+    ColumnCount
+  };
 
   using QAbstractTableModel::QAbstractTableModel;
 
@@ -27,6 +36,8 @@ class FitRankingModel : public QAbstractTableModel {
   /// Which error the error column shows.
   void setMetric(metrics::BrdfMetric metric);
   metrics::BrdfMetric metric() const { return m_metric; }
+  /// The fits that the user has ticked, in the order of the rows.
+  std::vector<const fitting::FitResult*> plotted() const;
   /// The model that is edited now is marked; null: none.
   void setCurrent(const models::Model* model);
 
@@ -36,12 +47,18 @@ class FitRankingModel : public QAbstractTableModel {
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ Q_SIGNALS:
+  void plottedChanged();
 
  private:
   struct Row {
     study::RankedFit ranked;
     QIcon thumbnail;
+    bool plotted = false;
   };
   double error(const Row& row) const;
   QVariant text(const Row& row, int column) const;

@@ -79,6 +79,7 @@ void FitRankingPanel::buildView() {
   QHeaderView* header = m_view->header();
   header->setSectionResizeMode(QHeaderView::Interactive);
   header->resizeSection(FitRankingModel::NameColumn, 22 * line);
+  header->resizeSection(FitRankingModel::PlotColumn, 4 * line);
   for (const int column : {FitRankingModel::ErrorColumn, FitRankingModel::SnrColumn})
     header->resizeSection(column, 9 * line);
   connect(m_view, &QTreeView::clicked, this, &FitRankingPanel::use);
@@ -126,7 +127,9 @@ void FitRankingPanel::take(const study::RankedFit& ranked) {
 }
 
 void FitRankingPanel::use(const QModelIndex& index) {
-  if (index.isValid()) m_controller.chooseModel(*m_model.ranked(m_sorted->mapToSource(index).row()).fit.model);
+  // A click on a tick is about the plots.
+  if (index.isValid() && index.column() != FitRankingModel::PlotColumn)
+    m_controller.chooseModel(*m_model.ranked(m_sorted->mapToSource(index).row()).fit.model);
 }
 
 void FitRankingPanel::refresh() {
@@ -142,7 +145,7 @@ void FitRankingPanel::refresh() {
   m_empty->setText(!m_document.material() ? tr("Open a material to rank the models that explain it.")
                    : isRunning()          ? tr("The first model is being fitted.")
                                           : tr("Fit All fits each of the %1 models to this material and ranks them.\n"
-                                                        "A click on a row takes that fit into use.")
+                                                        "A click on a row takes that fit into use; a tick draws it in the plots.")
                                        .arg(models::allModels().size()));
 }
 

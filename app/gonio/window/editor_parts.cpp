@@ -138,6 +138,11 @@ void EditorParts::connectLibrary() {
 }
 
 void EditorParts::connectPlots() {
+  QObject::connect(&ranking.model(), &FitRankingModel::plottedChanged, &plots, [this] {
+    std::vector<PlottedFit> fits;
+    for (const fitting::FitResult* fit : ranking.model().plotted()) fits.push_back({fit->model, fit->parameters});
+    plots.setOtherFits(fits);
+  });
   QObject::connect(&plots, &PlotsPanel::pickingToggled, &preview, &widgets::PreviewWidget::setPicking);
   QObject::connect(&preview, &widgets::PreviewWidget::polarAnglePicked, &plots, &PlotsPanel::setThetaI);
   QObject::connect(inspector.plausibility(), &widgets::PlausibilityBadges::showRequested, &plots,

@@ -68,6 +68,28 @@ class FitRankingPanelTest : public QObject {
     QCOMPARE(model.rowCount(), 3);
   }
 
+  /// Ticked fits are told in the order of the rows; a tick takes no fit into use; another material unticks all.
+  void tickedFitsArePlotted() {
+    Editor editor;
+    FitRankingModel& model = editor.panel.model();
+    for (const char* id : {"lambert", "ggx", "ward"}) model.add(ranked(id, 0.1, 10));
+    QSignalSpy plotted(&model, &FitRankingModel::plottedChanged);
+    const QModelIndex tick = model.index(2, FitRankingModel::PlotColumn);
+    QVERIFY(model.flags(tick) & Qt::ItemIsUserCheckable);
+    QVERIFY(!(model.flags(model.index(2, 0)) & Qt::ItemIsUserCheckable));
+    QVERIFY(model.setData(tick, Qt::Checked, Qt::CheckStateRole));
+    QVERIFY(model.setData(model.index(0, FitRankingModel::PlotColumn), Qt::Checked, Qt::CheckStateRole));
+    QCOMPARE(plotted.count(), 2);
+    QCOMPARE(model.plotted().size(), std::size_t(2));
+    QVERIFY(model.plotted()[0]->model == &models::findModel("lambert"));
+    QVERIFY(model.plotted()[1]->model == &models::findModel("ward"));
+    model.add(ranked("ward", 0.05, 12));  // fitted anew: it stays
+    QCOMPARE(plotted.count(), 3);
+    QCOMPARE(model.plotted()[1]->errors[0], 0.05);
+    model.clear();
+    QVERIFY(model.plotted().empty() && plotted.count() == 4);
+  }
+
   /// A fit of all, a click on a row, undo: one step each way, and no fit is made again.
   void fitsAllAndTakesAClickedRow() {
     Editor editor;

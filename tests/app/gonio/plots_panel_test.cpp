@@ -91,13 +91,42 @@ class PlotsPanelTest : public QObject {
     }
   }
 
+  /// Any number of fits beside the one in use, each by its own name and look; the one in use is not drawn twice.
+  void otherFitsAreDrawnToo() {
+    const models::Model &lambert = models::findModel("lambert"), &ggx = models::findModel("ggx");
+    for (const PlotKind kind : allPlotKinds) {
+      PlotRequest request{.kind = kind, .material = chalk(), .edits = {{editTo(0.8)}}, .fit = editTo(0.8)};
+      request.otherFits = {{&lambert, {{Rgb(0.5)}}}, {&ggx, models::defaultParameters(ggx.spec())}};
+      for (int i = 0; i < 2; ++i) request.otherFits.push_back({&models::findModel(i ? "ward" : "blinn-phong"), {}});
+      for (int i = 2; i < 4; ++i)
+        request.otherFits[std::size_t(i)].parameters =
+            models::defaultParameters(request.otherFits[std::size_t(i)].model->spec());
+      const PlotData data = computePlot(request);
+      const auto check = [](const auto& list) {
+        QCOMPARE(list.size(), std::size_t(6));
+        for (int i = 0; i < 3; ++i) {
+          QVERIFY(list[std::size_t(2 + i)].role == widgets::otherFit(i));
+          QVERIFY(list[std::size_t(2 + i)].name.startsWith("fit ("));
+        }
+        QVERIFY(list.back().role == SeriesRole::edited);
+      };
+      if (kind == PlotKind::slice)
+        check(data.slices);
+      else if (kind == PlotKind::lobe)
+        check(data.lobes);
+      else
+        check(data.curves);
+    }
+  }
+
   /// While a slider moves, albedos that cannot have changed are kept; another fit or quality computes them anew.
   void albedosOfMeasurementAndFitAreKept() {
     PlotRequest request{
         .kind = PlotKind::albedo, .material = chalk(), .edits = {{editTo(0.8)}}, .fit = editTo(0.8), .coarse = true};
     request.known = computePlot(request).known;
     auto marked = std::make_shared<KnownAlbedo>(*request.known);
-    marked->fit.points.values[0] = marked->measured.points.values[0] = Rgb(7);
+    QCOMPARE(marked->curves.size(), std::size_t(2));
+    for (auto& [fit, curve] : marked->curves) curve.points.values[0] = Rgb(7);
     request.known = marked;
     request.edits = {{editTo(0.3)}};
     PlotData data = computePlot(request);
