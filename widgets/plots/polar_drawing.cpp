@@ -54,8 +54,15 @@ void drawValues(QPainter& painter, const PolarGeometry& geometry, const PolarPic
     for (const double side : {-1.0, 1.0})
       drawCentred(painter, geometry.centre + QPointF(side * share * geometry.radius, below), formatNumber(value));
   };
-  for (const double tick : plots::scaleTicks(picture.scale))
-    if (picture.scale.share(tick) > 0.12) label(picture.scale.share(tick), tick);
+  const auto width = [&](double value) { return painter.fontMetrics().horizontalAdvance(formatNumber(value)); };
+  const double gap = 0.5 * fontHeight(painter);
+  double free = width(picture.scale.min) / 2.0 + gap;  // from there on no label stands, from the centre outwards
+  for (const double tick : plots::scaleTicks(picture.scale)) {
+    const double at = picture.scale.share(tick) * geometry.radius, half = width(tick) / 2.0;
+    if (at - half < free) continue;
+    label(picture.scale.share(tick), tick);
+    free = at + half + gap;
+  }
   drawCentred(painter, geometry.centre + QPointF(0, below), formatNumber(picture.scale.min));
   const QString title = picture.scale.logarithmic ? QObject::tr("%1, logarithmic").arg(valueTitle(picture.settings))
                                                   : valueTitle(picture.settings);
