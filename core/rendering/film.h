@@ -66,7 +66,7 @@ struct Film {
   std::vector<Rgb> radiance;     ///< sums, linear RGB
   std::vector<double> coverage;  ///< samples that met an object or a drawn environment
   /// What noise filters are guided by: sums of the normal that is first met (0 beside all objects) and, in w, of the
-  /// squared luminance.
+  /// squared luminance. Empty unless keepFeatures() asks for it.
   std::vector<glm::vec4> features;
   RayCounters counters;
   SampleLuminances luminances;
@@ -76,8 +76,10 @@ struct Film {
       : width(filmWidth),
         height(filmHeight),
         radiance(std::size_t(filmWidth) * std::size_t(filmHeight), Rgb(0)),
-        coverage(radiance.size(), 0),
-        features(radiance.size(), glm::vec4(0)) {}
+        coverage(radiance.size(), 0) {}
+
+  /// Before the first sample: 16 bytes more a pixel.
+  void keepFeatures() { features.assign(radiance.size(), glm::vec4(0)); }
 
   /// The mean of the samples: premultiplied by its alpha; black where there are none.
   Image image() const {

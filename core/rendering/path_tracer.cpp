@@ -68,7 +68,8 @@ void PathTracer::traceRow(Film& film, int y, int samples, RayCounters& counters,
       film.radiance[starts[i].pixel] += results[i].radiance;
       film.coverage[starts[i].pixel] += results[i].covered;
       const double brightness = luminance(results[i].radiance);
-      film.features[starts[i].pixel] += glm::vec4(results[i].normal, brightness * brightness);
+      if (!film.features.empty())
+        film.features[starts[i].pixel] += glm::vec4(results[i].normal, brightness * brightness);
       luminances.add(brightness);
     }
     starts.clear();

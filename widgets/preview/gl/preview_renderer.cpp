@@ -220,7 +220,7 @@ void PreviewRenderer::showTraced(const Film& film) {
     for (int x = 0; x < film.width; ++x) {
       const std::size_t index = std::size_t(y) * std::size_t(film.width) + std::size_t(x);
       texels.emplace_back(film.radiance[index], film.coverage[index]);
-      features.push_back(film.features[index]);
+      features.push_back(film.features.empty() ? glm::vec4(0) : film.features[index]);
     }
   glActiveTexture(GL_TEXTURE0 + accumulationUnit);
   const auto upload = [&](GLuint texture, const std::vector<glm::vec4>& values) {

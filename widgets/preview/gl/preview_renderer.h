@@ -53,7 +53,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
   /// some ms, each waited for: what another context draws meanwhile has to wait for no more than one.
   /// @throws Error with the compiler's log when a shader does not compile.
   void accumulate(int count);
-  /// Shows a picture that was traced elsewhere; its size becomes the picture's.
+  /// Shows a picture that was traced elsewhere, with its features; its size becomes the picture's.
   void showTraced(const Film& film);
 
   /// RGBA32F: sum over samples() of linear radiance, with the coverage in alpha. 0 before the first frame.
