@@ -25,11 +25,20 @@ std::shared_ptr<const TabulatedBrdf> bakedModel(const char* id,
   return bakeTable(*model.instantiate(values));
 }
 
+/// The density of a material; that of the last one is kept, since many edits of one base are drawn in turn.
+std::shared_ptr<const TabulatedLobe> lobeOf(const std::shared_ptr<const Brdf>& brdf) {
+  static std::shared_ptr<const Brdf> last;
+  static std::shared_ptr<const TabulatedLobe> lobe;
+  if (brdf != last) lobe = std::make_shared<const TabulatedLobe>(*brdf);
+  last = brdf;
+  return lobe;
+}
+
 /// SNR of the shader's converged picture against the CPU's, dB.
 double agreement(test::OffscreenSpheres& spheres, widgets::PreviewSubject subject, const Scene& scene) {
   const std::shared_ptr<const Brdf> brdf = widgets::subjectBrdf(subject);
   const auto base = subject.base();
-  subject.lobe = std::make_shared<const TabulatedLobe>(base ? *base : *brdf);
+  subject.lobe = lobeOf(base ? base : brdf);
   return spheres.agreement(subject, *brdf, scene);
 }
 

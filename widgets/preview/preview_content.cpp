@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/rendering/scene_file.h"
+#include "widgets/preview/gl/scene_uniforms.h"
 
 namespace gonio::widgets {
 
