@@ -5,7 +5,6 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QSettings>
-#include <QSurfaceFormat>
 #include <QTimer>
 
 #include "app/gonio/acquisition/acquisition_panel.h"
@@ -20,6 +19,7 @@
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/study/study_panel.h"
 #include "app/gonio/window/dock_layout.h"
+#include "app/gonio/window/event_times.h"
 #include "app/gonio/window/main_window.h"
 #include "app/gonio/window/opening_times.h"
 #include "app/gonio/window/screenshot.h"
@@ -48,7 +48,7 @@ struct Options {
   QString scene;
   int acquired;
   int acquisitionPage;
-  bool openingTimes;
+  bool openingTimes, eventTimes;
 };
 
 Options readOptions(const QApplication& application) {
@@ -90,6 +90,9 @@ Options readOptions(const QApplication& application) {
   QCommandLineOption openingTimes("opening-times");  // prints how long the files take to open, and exits
   openingTimes.setFlags(QCommandLineOption::HiddenFromHelp);
   parser.addOption(openingTimes);
+  QCommandLineOption eventTimes("event-times");  // prints at the end how long events kept the window from answering
+  eventTimes.setFlags(QCommandLineOption::HiddenFromHelp);
+  parser.addOption(eventTimes);
   parser.process(application);
   const QStringList size = parser.value("size").split('x');
   return {parser.positionalArguments(),
@@ -110,7 +113,8 @@ Options readOptions(const QApplication& application) {
           parser.value("scene"),
           parser.value("acquire").toInt(),
           parser.value("acquisition-page").toInt(),
-          parser.isSet(openingTimes)};
+          parser.isSet(openingTimes),
+          parser.isSet(eventTimes)};
 }
 
 QString asGiven(const QString& file) {
@@ -225,15 +229,11 @@ int writeThumbnails(const QString& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  QSurfaceFormat format;
-  format.setVersion(4, 1);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  QSurfaceFormat::setDefaultFormat(format);
   QApplication::setApplicationName(QStringLiteral("gonio"));
   QApplication::setOrganizationName(QStringLiteral("gonio"));
   QApplication::setApplicationDisplayName(QStringLiteral("Gonio"));
   QApplication::setApplicationVersion(QStringLiteral(GONIO_VERSION));
-  QApplication application(argc, argv);
+  TimedApplication application(argc, argv);
   const Options options = readOptions(application);
   if (!options.thumbnails.isEmpty()) return writeThumbnails(options.thumbnails);
   applyTheme(application, themeByName(options.theme.isEmpty() ? QSettings().value("theme").toString() : options.theme));
@@ -256,5 +256,9 @@ int main(int argc, char** argv) {
     target->show();
     target->files().open(asGiven(options.files[i]));
   }
-  return QApplication::exec();
+  if (!options.eventTimes) return QApplication::exec();
+  application.startTiming();
+  const int result = QApplication::exec();
+  std::fputs(qPrintable(application.eventTimes()), stdout);
+  return result;
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QImage>
 #include <QSize>
 #include <array>
 #include <chrono>
@@ -56,6 +57,7 @@ struct PictureState {
   double range = 0;         ///< the difference that has the last colour; 0: not found yet
   double milliseconds = 0;  ///< of the new samples
   bool isNew = false;       ///< the first side has got samples
+  QImage picture;           ///< as it is to be shown, of the viewport's size
 };
 
 }  // namespace gonio::widgets

@@ -7,6 +7,8 @@
 #include <QTimer>
 #include <mutex>
 
+#include "widgets/preview/gl/code_decoder.h"
+#include "widgets/preview/gl/picture_readback.h"
 #include "widgets/preview/picture_drawer.h"
 #include "widgets/preview/task_failure.h"
 
@@ -15,11 +17,9 @@ namespace gonio::widgets {
 /// What lives in the thread. Its public functions may be called from there alone, but for request().
 class PictureThread::Worker : public QObject {
  public:
-  Worker(PictureThread& thread, QOpenGLContext& shared, const QOffscreenSurface& surface, PictureExchange& exchange)
-      : m_owner(thread), m_surface(surface), m_exchange(exchange), m_context(new QOpenGLContext(this)), m_timer(this) {
-    m_context->setFormat(shared.format());
-    m_context->setShareContext(&shared);
-    m_context->create();
+  Worker(PictureThread& thread, const QOffscreenSurface& surface)
+      : m_owner(thread), m_surface(surface), m_context(new QOpenGLContext(this)), m_timer(this) {
+    m_context->setFormat(surface.requestedFormat());
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] {
       if (const std::optional<PictureState> state = draw())
@@ -30,8 +30,12 @@ class PictureThread::Worker : public QObject {
   void initialize() {
     m_drawer.setCompileListener([this] { tell([](PictureThread& owner) { Q_EMIT owner.compiling(); }); });
     m_broken = TaskFailure::of([this] {
+      if (!m_context->create()) throw Error("the graphics driver gives no OpenGL context");
       makeCurrent();
       if (!m_gl.initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
+      tell([graphics = graphics(), software = CodeDecoder::isSoftware(m_gl)](PictureThread& owner) {
+        Q_EMIT owner.started(graphics, software);
+      });
       m_drawer.initialize();
     });
     m_works = m_broken.isEmpty();
@@ -43,7 +47,7 @@ class PictureThread::Worker : public QObject {
     guarded([this] {
       makeCurrent();
       m_drawer.release();
-      m_exchange.release(m_gl);
+      m_readback.release(m_gl);
     });
     m_context->doneCurrent();
     m_works = false;
@@ -65,9 +69,9 @@ class PictureThread::Worker : public QObject {
     guarded([&] {
       makeCurrent();
       PictureState reached = m_drawer.addFrame(*request);
-      m_exchange.begin(m_gl, request->viewport);
+      m_readback.begin(m_gl, request->viewport);
       m_drawer.present(*request);
-      m_exchange.publish(m_gl);
+      reached.picture = m_readback.read(m_gl);
       state = reached;
       if (const std::optional<int> wait = m_drawer.nextFrame(*request)) m_timer.start(*wait);
     });
@@ -91,7 +95,13 @@ class PictureThread::Worker : public QObject {
   }
   void makeCurrent() {
     if (!m_context->makeCurrent(const_cast<QOffscreenSurface*>(&m_surface)))
-      throw Error("the graphics driver gives no second OpenGL context");
+      throw Error("the graphics driver does not draw without a window");
+  }
+  QString graphics() {
+    QStringList facts;
+    for (const GLenum name : {GL_RENDERER, GL_VENDOR, GL_VERSION})
+      facts << QString::fromUtf8(reinterpret_cast<const char*>(m_gl.glGetString(name)));
+    return facts.join(QStringLiteral("; "));
   }
   /// A failure is told; the next request gets its chance.
   template <typename Work>
@@ -107,10 +117,10 @@ class PictureThread::Worker : public QObject {
 
   PictureThread& m_owner;
   const QOffscreenSurface& m_surface;
-  PictureExchange& m_exchange;
   QOpenGLContext* m_context;
   QOpenGLFunctions_4_1_Core m_gl;
   PictureDrawer m_drawer;
+  PictureReadback m_readback;
   QTimer m_timer;
   std::mutex m_mutex;
   std::shared_ptr<const PictureRequest> m_request;
@@ -122,13 +132,12 @@ PictureThread::PictureThread(QObject* parent) : QObject(parent) { m_thread.setOb
 
 PictureThread::~PictureThread() { stop(); }
 
-void PictureThread::start(QOpenGLContext& shared) {
-  stop();
+void PictureThread::start(const QSurfaceFormat& format) {
+  if (m_worker) return;
   m_surface = std::make_unique<QOffscreenSurface>();
-  m_surface->setFormat(shared.format());
+  m_surface->setFormat(format);
   m_surface->create();
-  m_exchange = std::make_unique<PictureExchange>();
-  m_worker = std::make_unique<Worker>(*this, shared, *m_surface, *m_exchange);
+  m_worker = std::make_unique<Worker>(*this, *m_surface);
   if (QOpenGLContext::supportsThreadedOpenGL()) {
     m_worker->moveToThread(&m_thread);
     m_thread.start();
@@ -144,7 +153,6 @@ void PictureThread::stop() {
   m_thread.quit();
   m_thread.wait();
   m_worker.reset();
-  m_exchange.reset();
   m_surface.reset();
 }
 
@@ -168,10 +176,6 @@ Image PictureThread::readFirst() {
   Image picture(1, 1);
   if (m_worker) inThread([&] { picture = m_worker->readFirst(); });
   return picture;
-}
-
-bool PictureThread::show(QOpenGLFunctions_4_1_Core& gl, GLuint framebuffer, const QSize& viewport) {
-  return m_exchange && m_exchange->show(gl, framebuffer, viewport);
 }
 
 }  // namespace gonio::widgets

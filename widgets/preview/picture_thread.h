@@ -6,17 +6,16 @@
 #include <QThread>
 #include <memory>
 
-#include "widgets/preview/gl/picture_exchange.h"
 #include "widgets/preview/picture_request.h"
 
 class QOffscreenSurface;
-class QOpenGLContext;
+class QSurfaceFormat;
 
 namespace gonio::widgets {
 
-/// Draws the preview's pictures in a thread of its own, with an OpenGL context that shares the widget's objects:
-/// compiling shaders, uploading tables, and waiting for the card do not hold up the GUI thread. Where the platform
-/// has no OpenGL in several threads, it draws in this one, between its events.
+/// Draws the preview's pictures in a thread and an OpenGL context of its own, and hands them over in memory: compiling
+/// shaders, uploading tables, and waiting for the card do not hold up the GUI thread, nor what the window itself shows.
+/// Where the platform has no OpenGL in several threads, it draws in this one, between its events.
 class PictureThread : public QObject {
   Q_OBJECT
 
@@ -24,9 +23,9 @@ class PictureThread : public QObject {
   explicit PictureThread(QObject* parent = nullptr);
   ~PictureThread() override;
 
-  /// Starts with nothing drawn. What was requested before is drawn then.
-  void start(QOpenGLContext& shared);
-  /// Ends the frame that is being drawn, frees what belongs to the context. To be called before that goes.
+  /// Starts, unless it has. What was requested before is drawn then.
+  void start(const QSurfaceFormat& format);
+  /// Ends the frame that is being drawn, frees what belongs to the context.
   void stop();
 
   /// Draws this from now on, until it has all its samples.
@@ -35,11 +34,10 @@ class PictureThread : public QObject {
   PictureState drawNow();
   /// Waits for the linear radiance of the first side so far.
   Image readFirst();
-  /// PictureExchange::show(), in the context that start() was given.
-  bool show(QOpenGLFunctions_4_1_Core& gl, GLuint framebuffer, const QSize& viewport);
 
  Q_SIGNALS:
-  /// A picture is there for show().
+  /// @param graphics what OpenGL says of itself: renderer, maker, version; @param software it runs on the CPU.
+  void started(const QString& graphics, bool software);
   void drawn(const gonio::widgets::PictureState& state);
   /// The picture that is wanted is late: a shader comes first.
   void compiling();
@@ -53,7 +51,6 @@ class PictureThread : public QObject {
   QThread m_thread;
   std::unique_ptr<QOffscreenSurface> m_surface;  ///< is made and goes in the GUI thread
   std::unique_ptr<Worker> m_worker;              ///< null: not started
-  std::unique_ptr<PictureExchange> m_exchange;
 };
 
 }  // namespace gonio::widgets

@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/preview_widget.h"
 
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QPainter>
+#include <QSurfaceFormat>
 
 #include "widgets/preview/gl/scene_uniforms.h"
 #include "widgets/preview/preview_overlay.h"
@@ -13,22 +12,14 @@
 namespace gonio::widgets {
 
 PreviewWidget::PreviewWidget(QWidget* parent)
-    : QOpenGLWidget(parent), m_overlay(new PreviewOverlay(this)), m_input(new PreviewInput(m_content, *this)) {
-  QSurfaceFormat format;
-  format.setVersion(4, 1);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setSwapInterval(1);
-  setFormat(format);
+    : QWidget(parent), m_overlay(new PreviewOverlay(this)), m_input(new PreviewInput(m_content, *this)) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(200, 200);
   setAccessibleName(tr("Preview"));
   setAccessibleDescription(tr("The material on a sphere. Drag to orbit, wheel to zoom."));
   connectContent();
-  connect(&m_thread, &PictureThread::drawn, this, &PreviewWidget::adopt);
-  connect(&m_thread, &PictureThread::failed, this, &PreviewWidget::showFailure);
-  connect(&m_thread, &PictureThread::compiling, this, [this] {
-    if (m_content.hasMaterial()) m_overlay->setStatus(tr("Compiling shaders..."));
-  });
+  connectThread();
   connect(m_input, &PreviewInput::polarAnglePicked, this, &PreviewWidget::polarAnglePicked);
   connect(m_overlay->splitBar(), &SplitBar::moved, this, [this](double share) {
     PreviewComparison comparison = m_content.comparison();
@@ -61,6 +52,18 @@ void PreviewWidget::connectContent() {
   connect(&m_content, &PreviewContent::sceneChanged, this, &PreviewWidget::sceneChanged);
   connect(&m_content, &PreviewContent::planChanged, this, &PreviewWidget::planChanged);
   connect(&m_content, &PreviewContent::failed, this, &PreviewWidget::showFailure);
+}
+
+void PreviewWidget::connectThread() {
+  connect(&m_thread, &PictureThread::started, this, [this](const QString& graphics, bool software) {
+    m_graphics = graphics;
+    m_content.setSoftware(software);
+  });
+  connect(&m_thread, &PictureThread::drawn, this, &PreviewWidget::adopt);
+  connect(&m_thread, &PictureThread::failed, this, &PreviewWidget::showFailure);
+  connect(&m_thread, &PictureThread::compiling, this, [this] {
+    if (m_content.hasMaterial()) m_overlay->setStatus(tr("Compiling shaders..."));
+  });
 }
 
 void PreviewWidget::setFlickering(bool flickering) {
@@ -125,9 +128,9 @@ bool PreviewWidget::converged() const {
 }
 
 QImage PreviewWidget::grabPicture() {
-  if (!context()) grabFramebuffer();  // starts OpenGL
+  startDrawing();
   if (const PictureState state = m_thread.drawNow(); state.number > 0) adopt(state);
-  return grabFramebuffer();
+  return m_state.picture;
 }
 
 QImage PreviewWidget::grabLabelledPicture() {
@@ -158,27 +161,31 @@ void PreviewWidget::showFailure(const QString& message) {
   Q_EMIT failed(message);
 }
 
-void PreviewWidget::initializeGL() {
-  // Reparenting (a dock that floats) destroys the context and makes another: everything is uploaded again.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, &m_thread, &PictureThread::stop);
-  if (!m_gl.initializeOpenGLFunctions()) return showFailure(tr("The graphics driver does not offer OpenGL 4.1 core."));
-  QStringList facts;
-  for (const GLenum name : {GL_RENDERER, GL_VENDOR, GL_VERSION})
-    facts << QString::fromUtf8(reinterpret_cast<const char*>(m_gl.glGetString(name)));
-  m_graphics = facts.join(QStringLiteral("; "));
-  m_content.setSoftware(CodeDecoder::isSoftware(m_gl));
-  m_state = {};
-  m_thread.start(*context());
+void PreviewWidget::startDrawing() {
+  QSurfaceFormat format;
+  format.setVersion(4, 1);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  m_content.setViewport(pixelSize());
+  m_thread.start(format);
 }
 
-void PreviewWidget::paintGL() {
-  if (m_thread.show(m_gl, defaultFramebufferObject(), pixelSize())) return;
-  const QColor& background = m_settings.backgroundEdge;
-  context()->functions()->glClearColor(background.redF(), background.greenF(), background.blueF(), 1);
-  context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
+void PreviewWidget::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  startDrawing();
 }
 
-void PreviewWidget::resizeGL(int, int) { m_content.setViewport(pixelSize()); }
+void PreviewWidget::paintEvent(QPaintEvent*) {
+  m_content.setViewport(pixelSize());  // a screen of another density
+  QPainter painter(this);
+  if (m_state.picture.isNull()) return painter.fillRect(rect(), m_settings.backgroundEdge);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, m_state.picture.size() != pixelSize());
+  painter.drawImage(rect(), m_state.picture);
+}
+
+void PreviewWidget::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  m_content.setViewport(pixelSize());
+}
 
 void PreviewWidget::showOverlay() {
   PreviewComparison shown = comparison();

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QOpenGLWidget>
+#include <QWidget>
 
 #include "widgets/preview/picture_thread.h"
 #include "widgets/preview/preview_content.h"
@@ -17,7 +17,7 @@ class PreviewOverlay;
 /// draws at once, the path tracer takes over at rest where Tracing says so; both in other threads: the widget shows the
 /// newest finished picture (PictureThread), with facts about it (PreviewOverlay). What is shown stands in its
 /// content(), what the hand does to it in its input().
-class PreviewWidget : public QOpenGLWidget {
+class PreviewWidget : public QWidget {
   Q_OBJECT
 
  public:
@@ -70,7 +70,9 @@ class PreviewWidget : public QOpenGLWidget {
   /// In a comparison: shows the second subject while it is on.
   void setFlickering(bool flickering);
 
-  /// The picture as shown, without overlay, at the quality reached so far. Waits for a frame of it.
+  /// The picture that is shown, without overlay; null before the first.
+  const QImage& picture() const { return m_state.picture; }
+  /// The picture of what is wanted now, without overlay, at the quality reached so far. Waits for a frame of it.
   QImage grabPicture();
   /// The same with the names of what is compared and the legend of a difference.
   QImage grabLabelledPicture();
@@ -100,12 +102,14 @@ class PreviewWidget : public QOpenGLWidget {
   void splitMoved(double share);
 
  protected:
-  void initializeGL() override;
-  void paintGL() override;
-  void resizeGL(int width, int height) override;
+  void showEvent(QShowEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void connectContent();
+  void connectThread();
+  void startDrawing();
   void setDisplay(const DisplaySettings& settings);
   void requestPicture();
   void adopt(const PictureState& state);
@@ -123,7 +127,6 @@ class PreviewWidget : public QOpenGLWidget {
   DisplaySettings m_settings;
   bool m_flickering = false, m_filtersNoise = true;
   QString m_failure, m_graphics;
-  QOpenGLFunctions_4_1_Core m_gl;
   PreviewOverlay* m_overlay;
   PreviewInput* m_input;
 };
