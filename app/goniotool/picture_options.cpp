@@ -30,7 +30,8 @@ void PictureOptions::apply(Scene& scene) const {
   }
   if (!environment.empty()) scene.environment = openEnvironment(environment);
   scene.environmentRotation += radians(rotation);
-  scene.showEnvironment = scene.showEnvironment || showEnvironment;
+  scene.showEnvironment = scene.showEnvironment || showEnvironment || blurBackground;
+  scene.blurBackground = scene.blurBackground || blurBackground;
 }
 
 RenderOptions PictureOptions::renderOptions() const {
@@ -61,6 +62,7 @@ void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>&
       ->excludes(environment);
   command.add_option("--rotation", options->rotation, "Of the environment about the vertical axis, degrees (0)");
   command.add_flag("--show-environment", options->showEnvironment, "Draw the environment behind the sphere");
+  command.add_flag("--blur-background", options->blurBackground, "Draw it out of focus");
   command.add_option("--size", options->size, "Pixels: a number or WIDTHxHEIGHT (256)");
   command.add_option("--samples", options->samples, "Samples a pixel (64)")->check(CLI::Range(1, 1 << 20));
   command.add_option("--seed", options->seed, "Of the random numbers (1)");

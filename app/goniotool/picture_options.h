@@ -22,7 +22,7 @@ struct PictureOptions {
   double exposure = 0;        ///< stops, of PNG pictures
   int samples = 64;
   std::uint64_t seed = 1;
-  bool showEnvironment = false;
+  bool showEnvironment = false, blurBackground = false;
 
   /// Puts a distant light that was asked for in the place of all lights of the scene, an environment in the place of
   /// its environment.

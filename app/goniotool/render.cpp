@@ -7,6 +7,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/picture_options.h"
 #include "app/goniotool/tool.h"
+#include "core/io/mesh_file.h"
 #include "core/rendering/scene_file.h"
 #include "core/rendering/strategy_costs.h"
 
@@ -148,7 +149,8 @@ void addRender(CLI::App& app, Tool& tool) {
   command->add_option("MATERIAL", options->materials, std::string(materialHelp) + "; several for scenes that take them")
       ->required();
   command->add_option("--scene", options->scene,
-                      "A scene of the project (goniotool scenes lists them), a scene file (.json) or a mesh (.obj)");
+                      "A scene of the project (goniotool scenes lists them), a scene file (.json) or a mesh (" +
+                          io::meshSuffixList() + ")");
   addPictureOptions(*command, options->picture);
   command->add_flag("--effects", options->effects, "Tell which effects are simulated, and why");
   command->add_flag("--effect-costs", options->costs, "Measure each effect: the picture with it and without it");

@@ -3,6 +3,7 @@
 #include "app/goniotool/effects_report.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/tool.h"
+#include "core/io/mesh_file.h"
 #include "core/rendering/scene_file.h"
 
 namespace gonio::tool {
@@ -41,7 +42,7 @@ void addScenes(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ScenesArguments>();
   CLI::App* command = app.add_subcommand("scenes", "The scenes of the project, or others, with their plans of effects");
   command->add_option("SCENE", options->scenes,
-                      "Scenes, scene files (.json) or meshes (.obj); none: the project's own");
+                      "Scenes, scene files (.json) or meshes (" + io::meshSuffixList() + "); none: the project's own");
   command->add_option("--material", options->materials, "What they show (a grey Lambertian surface)");
   command->callback([options, &tool] { tool.run = [options, &tool] { return scenes(*options, tool); }; });
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/rendering/blurred_environment.h"
+
 namespace gonio {
 
 namespace {
@@ -13,6 +15,11 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 bool hasSize(const SceneLight& light) {
   return light.kind == SceneLight::Kind::rectangle || light.kind == SceneLight::Kind::environment;
+}
+
+LightSampler::LightSampler(const Scene& scene) : scene_(scene), rotation_(scene.environmentRotation) {
+  if (scene.environment && scene.showEnvironment)
+    background_ = scene.blurBackground ? blurredEnvironment(scene.environment) : scene.environment;
 }
 
 LightSample LightSampler::sample(const SceneLight& light, const Direction& position, const Direction& normal,
@@ -57,7 +64,7 @@ LightSampler::Found LightSampler::evalLight(const SceneLight& light, const Direc
 }
 
 Rgb LightSampler::background(const Direction& toward) const {
-  return scene_.environment->radiance(rotation_.toEnvironment(toward));
+  return background_->radiance(rotation_.toEnvironment(toward));
 }
 
 }  // namespace gonio

@@ -20,7 +20,7 @@ bool hasSize(const SceneLight& light);
 /// Samples the lights of a scene. A view: the scene must live as long.
 class LightSampler {
  public:
-  explicit LightSampler(const Scene& scene) : scene_(scene), rotation_(scene.environmentRotation) {}
+  explicit LightSampler(const Scene& scene);
 
   /// Nothing (radiance 0) where the sample is below the horizon of the surface, by its geometric normal.
   /// @param u two numbers in [0, 1); unused by lights without size.
@@ -33,12 +33,13 @@ class LightSampler {
     double density = 0;
   };
   Found evalLight(const SceneLight& light, const Direction& toward, double distance) const;
-  /// Radiance of the environment along a direction of the world; the scene must have one.
+  /// What is seen of the environment along a direction of the world; the scene must show it.
   Rgb background(const Direction& toward) const;
 
  private:
   const Scene& scene_;
   EnvironmentRotation rotation_;
+  std::shared_ptr<const EnvironmentMap> background_;  ///< null: not shown
 };
 
 }  // namespace gonio

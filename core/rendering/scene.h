@@ -55,6 +55,7 @@ struct Scene {
   std::shared_ptr<const EnvironmentMap> environment;
   double environmentRotation = 0;  ///< rad, see EnvironmentRotation
   bool showEnvironment = false;    ///< draw the environment behind the objects (else black, alpha 0)
+  bool blurBackground = false;     ///< out of focus, see blurredEnvironment()
 };
 
 /// One more than the highest number of a slot: how many materials the scene asks for.

@@ -7,7 +7,7 @@
 
 #include "core/geometry/bundled_meshes.h"
 #include "core/io/byte_source.h"
-#include "core/io/obj_file.h"
+#include "core/io/mesh_file.h"
 #include "core/rendering/bundled_scenes.h"
 #include "core/rendering/environment_file.h"
 #include "core/support/json_object.h"
@@ -41,11 +41,6 @@ Direction tripleOr(const JsonObject& object, std::string_view key, const Directi
 
 double numberOr(const JsonObject& object, std::string_view key, double min, double max, double otherwise) {
   return object.contains(key) ? object.number(key, min, max) : otherwise;
-}
-
-bool isObj(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  return extension == ".obj" || extension == ".OBJ";
 }
 
 /// Scaled, turned about +y (rad) and moved; `fits`: first into a sphere of radius 1 that stands on the plane one below
@@ -106,9 +101,9 @@ Scene SceneReader::read() {
 Shape SceneReader::meshOf(const JsonObject& object) const {
   object.expectOnly({"name", "shape", "mesh", "centre", "scale", "turn", "fit", "material", "radiance"});
   const std::string name = object.text("mesh");
-  if (isObj(name) && !folder_) object.fail("mesh", "the name of a bundled mesh: files are not opened here");
+  if (io::isMeshFile(name) && !folder_) object.fail("mesh", "the name of a bundled mesh: files are not opened here");
   std::shared_ptr<const TriangleMesh> mesh =
-      isObj(name) ? std::make_shared<const TriangleMesh>(io::readObj(*folder_ / name)) : bundledMesh(name);
+      io::isMeshFile(name) ? std::make_shared<const TriangleMesh>(io::readMesh(*folder_ / name)) : bundledMesh(name);
   return placedMesh(std::move(mesh), numberOr(object, "scale", smallest, largest, 1),
                     radians(numberOr(object, "turn", -360, 360, 0)), tripleOr(object, "centre", {0, 0, 0}),
                     object.contains("fit") && object.flag("fit"));
@@ -180,13 +175,14 @@ void SceneReader::readLight(const JsonObject& light) {
 }
 
 void SceneReader::readEnvironment(const JsonObject& environment) {
-  environment.expectOnly({"picture", "rotation", "shown"});
+  environment.expectOnly({"picture", "rotation", "shown", "blurred"});
   const std::string picture = environment.text("picture");
   if (!folder_ && std::ranges::find(bundledEnvironmentNames(), picture) == bundledEnvironmentNames().end())
     environment.fail("picture", "the name of a bundled environment: files are not opened here");
   scene_.environment = openEnvironment(picture, folder_.value_or(""));
   scene_.environmentRotation = radians(numberOr(environment, "rotation", -360, 360, 0));
   scene_.showEnvironment = environment.contains("shown") && environment.flag("shown");
+  scene_.blurBackground = environment.contains("blurred") && environment.flag("blurred");
 }
 
 /// From where all that is looked at fits into a square picture, with a margin.
@@ -239,7 +235,7 @@ Scene meshScene(const std::filesystem::path& path) {
   scene.description = "A mesh on the ground in the studio";
   scene.objects[0].name = scene.name;
   scene.objects[0].shape =
-      placedMesh(std::make_shared<const TriangleMesh>(io::readObj(path)), 1, 0, Direction(0), true);
+      placedMesh(std::make_shared<const TriangleMesh>(io::readMesh(path)), 1, 0, Direction(0), true);
   return scene;
 }
 
@@ -267,7 +263,7 @@ Scene parseScene(const std::string& text, int materials, const std::optional<std
 namespace {
 
 Scene sceneOfFile(const std::filesystem::path& path, int materials) {
-  if (isObj(path)) return meshScene(path);
+  if (io::isMeshFile(path)) return meshScene(path);
   Scene scene = namingFile(path, [&] {
     const std::vector<std::byte> bytes = io::FileSource(path).readAll(maxSceneBytes);
     const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 // Twin of core/rendering/environment.h. `environment` holds radiance and, in alpha, the sampler's density (1/sr).
 // `lightPool` holds directions drawn from that density on the CPU, with the density in alpha, in an order whose every run
-// is well spread; `lightPoolRadiance` holds their radiance: a draw costs two fetches and no trigonometry.
+// is well spread; `lightPoolRadiance` holds their radiance: a draw costs two fetches and no trigonometry. Below them stands
+// the blurred environment (core/rendering/blurred_environment.h), row after row.
 #include "math.glsl"
 
 uniform sampler2D environment;
@@ -21,6 +22,26 @@ vec2 environmentPosition(vec3 world) {
                 world.z * environmentTurn.x - world.x * environmentTurn.y);
   return vec2(0.5 + atan(w.x, -w.z) / (2.0 * pi), acos(clamp(w.y, -1.0, 1.0)) / pi);
 }
+
+#ifdef SHOW_ENVIRONMENT
+uniform bool blurBackground;
+const ivec2 blurredSize = ivec2(128, 64);
+
+vec3 blurredTexel(ivec2 at) {
+  ivec2 inside = ivec2((at.x + blurredSize.x) % blurredSize.x, clamp(at.y, 0, blurredSize.y - 1));
+  int index = inside.y * blurredSize.x + inside.x;
+  ivec2 pool = textureSize(lightPool, 0);
+  return texelFetch(lightPoolRadiance, ivec2(index % pool.x, pool.y + index / pool.x), 0).rgb;
+}
+
+vec3 blurredRadiance(vec3 world) {
+  vec2 at = environmentPosition(world) * vec2(blurredSize) - 0.5;
+  ivec2 low = ivec2(floor(at));
+  vec2 share = at - vec2(low);
+  return mix(mix(blurredTexel(low), blurredTexel(low + ivec2(1, 0)), share.x),
+             mix(blurredTexel(low + ivec2(0, 1)), blurredTexel(low + ivec2(1, 1)), share.x), share.y);
+}
+#endif
 
 vec3 environmentRadiance(vec3 world) { return textureLod(environment, environmentPosition(world), 0.0).rgb; }
 

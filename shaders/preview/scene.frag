@@ -287,7 +287,7 @@ void main() {
     } else {
 #ifdef SHOW_ENVIRONMENT
       if (!drawsBackground()) continue;
-      radiance = environmentRadiance(direction);
+      radiance = blurBackground ? blurredRadiance(direction) : environmentRadiance(direction);
 #else
       continue;
 #endif

@@ -136,6 +136,8 @@ class ReaderMutationTest : public QObject {
     readPdvBytes(pdvSeed());
     readNpfBytes(npfSeed());
     readObjBytes(objSeed());
+    readPlyBytes(plySeed());
+    readGlbBytes(glbSeed());
     readCodeBytes(codeSeed());
     readDictionaryBytes(dictionarySeed());
     readImageBytes(hdrSeed());
@@ -159,6 +161,8 @@ class ReaderMutationTest : public QObject {
   void pdv() { check("factors.pdv", pdvSeed(), readPdvBytes); }
   void npf() { check("npf.bin", npfSeed(), readNpfBytes); }
   void obj() { check("mesh.obj", objSeed(), readObjBytes); }
+  void ply() { check("mesh.ply", plySeed(), readPlyBytes); }
+  void glb() { check("mesh.glb", glbSeed(), readGlbBytes); }
   void code() { check("sparse.code", codeSeed(), readCodeBytes); }
   void dictionary() { check("ensemble.dictionary", dictionarySeed(), readDictionaryBytes); }
   void hdr() { check("picture.hdr", hdrSeed(), readImageBytes); }

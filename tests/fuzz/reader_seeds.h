@@ -127,6 +127,45 @@ inline Bytes objSeed() {
       "v 4 4 0\nv 8 4 0\nv 5 5 0\nv 4 8 0\nv 3 6 0\nusemtl red\nf -5 -4 -3 -2 -1\nl 1 2\n");
 }
 
+/// The cube [-1, 1]^3 of six quadrilaterals.
+inline Bytes plySeed() {
+  return bytesOf(
+      "ply\nformat ascii 1.0\ncomment seed\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 6\nproperty list uchar int vertex_indices\nend_header\n-1 -1 -1\n-1 -1 1\n-1 1 -1\n-1 1 1\n1 -1 "
+      "-1\n"
+      "1 -1 1\n1 1 -1\n1 1 1\n4 0 1 3 2\n4 4 6 7 5\n4 0 4 5 1\n4 2 3 7 6\n4 0 2 6 4\n4 1 5 7 3\n");
+}
+
+/// A triangle with normals, twice: one scaled by 2, one moved up by 3.
+inline Bytes glbSeed() {
+  std::string json = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],
+"nodes":[{"mesh":0,"scale":[2,2,2]},{"mesh":0,"translation":[0,3,0]}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},"indices":2}]}],
+"buffers":[{"byteLength":78}],
+"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":36},
+{"buffer":0,"byteOffset":72,"byteLength":6}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5126,"count":3,"type":"VEC3"},
+{"bufferView":2,"componentType":5123,"count":3,"type":"SCALAR"}]})";
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  Bytes binary;
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) append(binary, x);
+  for (int i = 0; i < 3; ++i)
+    for (const float x : {0.f, 0.f, 1.f}) append(binary, x);
+  for (const int index : {0, 1, 2, 0}) append(binary, std::uint16_t(index));
+  Bytes bytes = bytesOf("glTF");
+  const auto chunk = [&](std::string_view kind, const Bytes& content) {
+    append(bytes, std::uint32_t(content.size()));
+    for (const char c : kind) bytes.push_back(std::byte(c));
+    bytes.insert(bytes.end(), content.begin(), content.end());
+  };
+  append(bytes, std::uint32_t(2));
+  append(bytes, std::uint32_t(12 + 8 + json.size() + 8 + binary.size()));
+  chunk("JSON", bytesOf(json));
+  chunk(std::string_view("BIN\0", 4), binary);
+  return bytes;
+}
+
 /// Two run-length coded lines of 16 pixels: a run of ten, then six of their own.
 inline Bytes hdrSeed() {
   Bytes bytes = bytesOf("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 16\n");

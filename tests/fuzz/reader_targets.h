@@ -11,9 +11,11 @@
 #include "core/geometry/mesh_intersector.h"
 #include "core/io/astm_file.h"
 #include "core/io/curet_file.h"
+#include "core/io/gltf_file.h"
 #include "core/io/goniophotometer_file.h"
 #include "core/io/image_io.h"
 #include "core/io/obj_file.h"
+#include "core/io/ply_file.h"
 #include "core/materials/basis_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/material.h"
@@ -126,8 +128,8 @@ inline void readBasisBytes(std::span<const std::byte> bytes) {
 }
 
 /// What was read has unit normals, and rays meet it.
-inline void readObjBytes(std::span<const std::byte> bytes) {
-  const auto mesh = std::make_shared<const TriangleMesh>(io::readObj(io::MemorySource(bytes)));
+inline void checkMesh(TriangleMesh read) {
+  const auto mesh = std::make_shared<const TriangleMesh>(std::move(read));
   for (const glm::vec3& normal : mesh->cornerNormals())
     if (!(std::abs(glm::length(normal) - 1) < 1e-5f)) throw std::logic_error("a normal that is no direction");
   const MeshIntersector intersector(mesh);
@@ -136,6 +138,12 @@ inline void readObjBytes(std::span<const std::byte> bytes) {
   if (const auto hit = intersector.closest(eye, first - eye, 0, 2); hit && !std::isfinite(glm::length(hit->position)))
     throw std::logic_error("a hit that is nowhere");
 }
+
+inline void readObjBytes(std::span<const std::byte> bytes) { checkMesh(io::readObj(io::MemorySource(bytes))); }
+
+inline void readPlyBytes(std::span<const std::byte> bytes) { checkMesh(io::readPly(io::MemorySource(bytes))); }
+
+inline void readGlbBytes(std::span<const std::byte> bytes) { checkMesh(io::readGltf(io::MemorySource(bytes))); }
 
 inline void readImageBytes(std::span<const std::byte> bytes) {
   const Image image = io::readImage(bytes);

@@ -152,8 +152,11 @@ class PreviewRendererTest : public QObject {
     Scene scene = sphereScene(skyEnvironment(), {.fieldOfView = 0});
     scene.showEnvironment = true;
     const auto table = bakedModel("lambert", {});
-    const double snr = agreement(*spheres_, table, {}, scene);
-    QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
+    for (const bool blurred : {false, true}) {
+      scene.blurBackground = blurred;
+      const double snr = agreement(*spheres_, table, {}, scene);
+      QVERIFY2(snr > 30, qPrintable(QString("blurred %1: %2 dB").arg(blurred).arg(snr)));
+    }
   }
 
   /// The live edit of the shader is the edit of the core.

@@ -102,7 +102,7 @@ void PreviewContent::showScene(const Scene& scene) {
   m_home = scene;
   Scene lit = scene;
   if (m_environment) light(lit);
-  if (m_backgroundShown) lit.showEnvironment = *m_backgroundShown;
+  if (m_background) m_background->show(lit);
   setScene(lit);
 }
 
@@ -155,10 +155,15 @@ void PreviewContent::resetEnvironment() {
   setScene(scene);
 }
 
-void PreviewContent::setBackgroundShown(bool shown) {
-  m_backgroundShown = shown;
-  Scene scene = m_scene;
+void PreviewContent::Background::show(Scene& scene) const {
   scene.showEnvironment = shown;
+  scene.blurBackground = blurred;
+}
+
+void PreviewContent::setBackground(bool shown, bool blurred) {
+  m_background = Background{shown, blurred};
+  Scene scene = m_scene;
+  m_background->show(scene);
   setScene(scene);
 }
 

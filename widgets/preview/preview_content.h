@@ -57,8 +57,8 @@ class PreviewContent : public QObject {
   void resetEnvironment();
   /// Whether the scene's light is one that was put there by setEnvironment().
   bool isEnvironmentChosen() const { return m_environment.has_value(); }
-  /// Whether the environment is seen behind the objects, in this scene and all that follow.
-  void setBackgroundShown(bool shown);
+  /// Whether the environment is seen behind the objects, and out of focus, in this scene and all that follow.
+  void setBackground(bool shown, bool blurred);
   /// What the scene's other places show: number i is others[i - 1]; the subject itself where that is empty or missing.
   void setOthers(const std::vector<SceneMaterial>& others);
   RenderMaterials others() const;
@@ -113,7 +113,11 @@ class PreviewContent : public QObject {
   PreviewComparison m_comparison;
   Scene m_scene, m_home;
   std::optional<std::shared_ptr<const EnvironmentMap>> m_environment;  ///< by the user
-  std::optional<bool> m_backgroundShown;                               ///< likewise
+  struct Background {
+    bool shown, blurred;
+    void show(Scene& scene) const;
+  };
+  std::optional<Background> m_background;  ///< likewise
   EffectOverrides m_overrides;
   std::vector<SceneMaterial> m_others;
   QSize m_viewport{1, 1};

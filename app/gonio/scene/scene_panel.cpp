@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "core/io/mesh_file.h"
 #include "core/metrics/image_metrics.h"
 #include "core/rendering/scene_file.h"
 #include "widgets/inputs/dialog_folder.h"
@@ -79,7 +80,7 @@ QWidget* ScenePanel::buildTop() {
   auto* label = new QLabel(tr("&Scene"));
   label->setBuddy(m_scenes);
   auto* openFile = new QPushButton(tr("&Open..."));
-  openFile->setToolTip(tr("A scene file (.json) or a mesh (.obj)"));
+  openFile->setToolTip(tr("A scene file (.json) or a mesh (%1)").arg(QString::fromStdString(io::meshSuffixList())));
   m_description->setForegroundRole(QPalette::PlaceholderText);
   m_description->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   for (QWidget* part : std::initializer_list<QWidget*>{label, m_scenes, openFile}) layout->addWidget(part);
@@ -108,8 +109,9 @@ QWidget* ScenePanel::buildBottom() {
 
 void ScenePanel::askForFile() {
   const QString purpose = QStringLiteral("scene");
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open Scene"), widgets::dialogFolder(purpose),
-                                                    tr("Scenes and meshes (*.json *.obj);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Open Scene"), widgets::dialogFolder(purpose),
+      tr("Scenes and meshes (*.json %1);;All files (*)").arg(QString::fromStdString(io::meshSuffixList("*"))));
   widgets::rememberDialogFolder(purpose, path);
   if (!path.isEmpty()) open(path);
 }

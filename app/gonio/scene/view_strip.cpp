@@ -27,7 +27,7 @@ constexpr double mostStops = 5, hardStops = 10;
 constexpr QSize iconSize(48, 24);
 /// What a list holds beside names: the scene's own light, no environment, a file.
 const QString own = QStringLiteral("own"), directional = QStringLiteral("directional"), file = QStringLiteral("file");
-enum Background { plain, checker, environment };
+enum Background { plain, checker, environment, blurred };
 
 QImage pictureOf(const EnvironmentMap& map) {
   Image small(iconSize.width(), iconSize.height());
@@ -77,6 +77,7 @@ void ViewStrip::build() {
   m_backgrounds->addItem(tr("Plain"));
   m_backgrounds->addItem(tr("Checker"));
   m_backgrounds->addItem(tr("Environment"));
+  m_backgrounds->addItem(tr("Environment, blurred"));
   m_backgrounds->setToolTip(tr("What is seen behind it"));
   m_slider->setRange(-mostStops, mostStops, models::ParameterScale::linear);
   m_slider->setReference(0);
@@ -167,12 +168,14 @@ void ViewStrip::refresh() {
   m_lights->setCurrentIndex(m_lights->findData(m_environment.isScenesOwn() ? own
                                                : current.isEmpty()         ? directional
                                                                            : current));
-  m_backgrounds->setCurrentIndex(scene.environment && scene.showEnvironment ? environment
-                                 : m_preview.hasChecker()                   ? checker
-                                                                            : plain);
-  qobject_cast<QStandardItemModel*>(m_backgrounds->model())
-      ->item(environment)
-      ->setEnabled(scene.environment != nullptr);
+  m_backgrounds->setCurrentIndex(scene.environment && scene.showEnvironment
+                                     ? (scene.blurBackground ? blurred : environment)
+                                 : m_preview.hasChecker() ? checker
+                                                          : plain);
+  for (const Background background : {environment, blurred})
+    qobject_cast<QStandardItemModel*>(m_backgrounds->model())
+        ->item(background)
+        ->setEnabled(scene.environment != nullptr);
   m_slider->setNumber(m_preview.exposure());
   m_slider->setModified(m_preview.exposure() != 0);
   if (m_exposure->value() != m_preview.exposure()) m_exposure->setValue(m_preview.exposure());
@@ -188,7 +191,7 @@ void ViewStrip::chooseLight(int index) {
 
 void ViewStrip::chooseBackground(int index) {
   m_preview.setChecker(index == checker);
-  m_preview.content().setBackgroundShown(index == environment);
+  m_preview.content().setBackground(index == environment || index == blurred, index == blurred);
 }
 
 }  // namespace gonio::app

@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 
+#include "core/io/mesh_file.h"
+
 namespace gonio::app {
 
 bool isPicture(const QString& path) {
@@ -12,8 +14,7 @@ bool isPicture(const QString& path) {
 }
 
 bool isScene(const QString& path) {
-  return path.endsWith(QStringLiteral(".obj"), Qt::CaseInsensitive) ||
-         path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
+  return io::isMeshFile(path.toStdString()) || path.endsWith(QStringLiteral(".json"), Qt::CaseInsensitive);
 }
 
 QString dropDescription(const QString& path, bool asReference) {

@@ -59,12 +59,18 @@ void LightMenu::showRecent() {
 }
 
 void LightMenu::addBackground() {
-  QAction* background =
-      addAction(tr("Show &Background"), this, [this](bool shown) { m_preview.content().setBackgroundShown(shown); });
-  background->setCheckable(true);
-  connect(this, &QMenu::aboutToShow, this, [this, background] {
-    background->setChecked(m_preview.scene().showEnvironment);
-    background->setEnabled(m_preview.scene().environment != nullptr);
+  QAction* background = addAction(tr("Show &Background"), this, [this](bool shown) {
+    m_preview.content().setBackground(shown, m_preview.scene().blurBackground);
+  });
+  QAction* blur = addAction(tr("Bl&ur Background"), this, [this](bool on) {
+    m_preview.content().setBackground(on || m_preview.scene().showEnvironment, on);
+  });
+  for (QAction* action : {background, blur}) action->setCheckable(true);
+  connect(this, &QMenu::aboutToShow, this, [this, background, blur] {
+    const Scene& scene = m_preview.scene();
+    background->setChecked(scene.showEnvironment);
+    blur->setChecked(scene.showEnvironment && scene.blurBackground);
+    for (QAction* action : {background, blur}) action->setEnabled(scene.environment != nullptr);
   });
 }
 

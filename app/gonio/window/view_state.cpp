@@ -42,6 +42,7 @@ nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
           {"environment", scene.environment ? scene.environment->name() : std::string()},
           {"environmentRotation", scene.environmentRotation},
           {"showEnvironment", scene.showEnvironment},
+          {"blurBackground", scene.blurBackground},
           {"exposure", preview.exposure()},
           {"toneMap", std::string(toneMapName(preview.toneMap()))}};
 }
@@ -65,7 +66,8 @@ void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view) {
     scene.directionalLights.front().toLight = glm::normalize(toLight);
   preview.setScene(scene);
   if (view.is_object() && view.contains("showEnvironment") && view["showEnvironment"].is_boolean())
-    preview.content().setBackgroundShown(view["showEnvironment"].get<bool>());
+    preview.content().setBackground(view["showEnvironment"].get<bool>(),
+                                    view.contains("blurBackground") && view["blurBackground"] == true);
   preview.setExposure(number(view, "exposure", preview.exposure(), -20, 20));
   if (view.is_object() && view.contains("toneMap"))
     for (const ToneMap toneMap : {ToneMap::clamp, ToneMap::filmic})

@@ -61,7 +61,7 @@ class ScenePanelTest : public QObject {
     QVERIFY(!preview_->scene().environment);
     const auto sky = openEnvironment("sky");
     preview_->setEnvironment(sky);
-    preview_->content().setBackgroundShown(true);
+    preview_->content().setBackground(true, true);
     preview_->setExposure(1.5);
     choose("bowl");
     QTRY_COMPARE(preview_->scene().name, std::string("bowl"));

@@ -89,9 +89,11 @@ class ViewStripTest : public QObject {
     QVERIFY(preview_->hasChecker() && !preview_->scene().showEnvironment);
     choose(strip_->backgrounds(), "Environment");
     QVERIFY(!preview_->hasChecker() && preview_->scene().showEnvironment);
+    choose(strip_->backgrounds(), "Environment, blurred");
+    QVERIFY(preview_->scene().showEnvironment && preview_->scene().blurBackground);
     choose(strip_->shapes(), "Bowl");
     QTRY_COMPARE(preview_->scene().name, std::string("bowl"));
-    QCOMPARE(strip_->backgrounds().currentText(), QString("Environment"));
+    QCOMPARE(strip_->backgrounds().currentText(), QString("Environment, blurred"));
     choose(strip_->lights(), "Directional");
     QTRY_COMPARE(strip_->backgrounds().currentText(), QString("Plain"));
   }

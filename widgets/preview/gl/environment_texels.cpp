@@ -3,13 +3,14 @@
 #include <map>
 #include <mutex>
 
+#include "core/rendering/blurred_environment.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
 
 namespace {
 
-std::shared_ptr<const EnvironmentTexels> compute(const EnvironmentMap& environment) {
+std::shared_ptr<const EnvironmentTexels> compute(const EnvironmentMap& environment, const EnvironmentMap& blurred) {
   const Image& image = environment.image();
   auto texels = std::make_shared<EnvironmentTexels>();
   texels->width = image.width;
@@ -26,6 +27,7 @@ std::shared_ptr<const EnvironmentTexels> compute(const EnvironmentMap& environme
     texels->poolDirection.push_back(glm::vec4(glm::vec3(sample.direction), float(sample.pdf)));
     texels->poolRadiance.push_back(glm::vec4(glm::vec3(sample.radiance), 0.f));
   }
+  for (const glm::vec3& radiance : blurred.image().pixels) texels->poolRadiance.push_back(glm::vec4(radiance, 0.f));
   return texels;
 }
 
@@ -41,7 +43,7 @@ std::shared_ptr<const EnvironmentTexels> environmentTexels(const std::shared_ptr
     std::erase_if(known, [](const auto& entry) { return entry.first.expired(); });
     if (const auto found = known.find(environment); found != known.end()) return found->second;
   }
-  auto texels = compute(*environment);
+  auto texels = compute(*environment, *blurredEnvironment(environment));
   const std::scoped_lock lock(mutex);
   return known.try_emplace(environment, std::move(texels)).first->second;
 }

@@ -50,6 +50,7 @@ SceneUniforms::SceneUniforms(const Scene& scene, const EffectPlan& plan) {
   const bool emitted = plan.simulates(Effect::emittedLight);
   showLamps_ = emitted && lamps_ > 0;
   showEnvironment_ = emitted && scene.environment && scene.showEnvironment;
+  blurBackground_ = showEnvironment_ && scene.blurBackground;
 }
 
 void SceneUniforms::addObjects(const Scene& scene, const EffectPlan& plan) {
@@ -143,6 +144,7 @@ void SceneUniforms::set(QOpenGLShaderProgram& program) const {
   vectors("distantIrradiances", distantIrradiances_);
   vectors("pointPositions", pointPositions_);
   vectors("pointIntensities", pointIntensities_);
+  if (showEnvironment_) program.setUniformValue("blurBackground", blurBackground_);
   if (reflections_ > 1) program.setUniformValue("reflections", reflections_);
   if (!blockers_.empty()) program.setUniformValueArray("blockers", blockers_.data(), int(blockers_.size()));
 }

@@ -44,7 +44,7 @@ class SceneUniforms {
   std::vector<glm::vec3> distantDirections_, distantIrradiances_, pointPositions_, pointIntensities_;
   int lamps_ = 0, reflections_ = 1;
   bool diffuse_ = false, showLamps_ = false, lightLamps_ = false, drawLamps_ = false, lightEnvironment_ = false,
-       showEnvironment_ = false;
+       showEnvironment_ = false, blurBackground_ = false;
 };
 
 /// The plan of a scene of materialsInSlots().

@@ -50,7 +50,7 @@ void uploadEnvironment(QOpenGLFunctions_4_1_Core& gl, GLuint& map, GLuint& poolD
   constexpr int side = EnvironmentTexels::poolSide;
   uploadPicture(gl, map, texels.width, texels.height, texels.map, GL_LINEAR);
   uploadPicture(gl, poolDirection, side, side, texels.poolDirection, GL_NEAREST);
-  uploadPicture(gl, poolRadiance, side, side, texels.poolRadiance, GL_NEAREST);
+  uploadPicture(gl, poolRadiance, side, int(texels.poolRadiance.size()) / side, texels.poolRadiance, GL_NEAREST);
 }
 
 void uploadColours(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, int size, const std::vector<glm::vec4>& colours) {

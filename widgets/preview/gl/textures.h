@@ -33,14 +33,14 @@ struct EnvironmentTexels {
   std::vector<glm::vec4> map;  ///< radiance and the sampler's density, 1/sr
   std::vector<glm::vec4>
       poolDirection;  ///< drawn from that density by a low-discrepancy sequence, in its order; density
-  std::vector<glm::vec4> poolRadiance;
+  std::vector<glm::vec4> poolRadiance;  ///< and, in rows below, the blurred environment, row after row
 };
 
 /// Computes the texels, or hands out those that are known of an environment that lives. Some 10 ms for 512 x 256, up to
 /// a second for large pictures: call it in the background first. From any thread.
 std::shared_ptr<const EnvironmentTexels> environmentTexels(const std::shared_ptr<const EnvironmentMap>& environment);
 
-/// Three RGBA32F pictures.
+/// Three RGBA32F pictures. The blurred environment has no texture of its own: all 16 that a card must have are used.
 void uploadEnvironment(QOpenGLFunctions_4_1_Core& gl, GLuint& map, GLuint& poolDirection, GLuint& poolRadiance,
                        const EnvironmentTexels& texels);
 

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/gltf_file.h"
+
+#include <cstring>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <string>
+
+#include "core/io/gltf_parts.h"
+#include "core/support/error.h"
+#include "core/support/json_object.h"
+#include "core/support/naming_file.h"
+
+namespace gonio::io {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uint64_t mostGltfBytes = std::uint64_t(2) << 30;
+constexpr std::size_t mostGltfTriangles = 100'000'000;
+constexpr double largestCount = 4294967295.0;
+constexpr int mostDepth = 256;
+
+enum ComponentType { unsignedByte = 5121, unsignedShort = 5123, unsignedInt = 5125, floatingPoint = 5126 };
+enum PrimitiveMode { triangleList = 4, triangleStrip = 5, triangleFan = 6 };
+
+std::size_t sizeOf(ComponentType type) { return type == unsignedByte ? 1 : type == unsignedShort ? 2 : 4; }
+
+class GltfReader {
+ public:
+  GltfReader(const json& root, std::span<const std::byte> binary, const std::optional<std::filesystem::path>& folder)
+      : root_(root, ""), binary_(binary), folder_(folder) {}
+
+  MeshArrays read() {
+    checkExtensions();
+    if (root_.contains("scenes") && !root_.array("scenes").empty()) {
+      const JsonObject scene = item(root_, "scenes", root_.contains("scene") ? index(root_, "scene") : 0);
+      if (scene.contains("nodes"))
+        for (std::size_t i = 0; i < scene.array("nodes").size(); ++i)
+          addNode(indexIn(scene, "nodes", i), glm::dmat4(1), 0);
+    } else if (root_.contains("meshes")) {
+      for (std::size_t i = 0; i < root_.array("meshes").size(); ++i) addMesh(i, glm::dmat4(1));
+    }
+    if (arrays_.triangles.empty()) throw Error("a glTF mesh: found no triangles in its scene");
+    return std::move(arrays_);
+  }
+
+ private:
+  struct Accessor {
+    std::span<const std::byte> bytes;
+    std::size_t count = 0, stride = 0;
+    ComponentType type = floatingPoint;
+  };
+
+  static std::size_t numberOr(const JsonObject& object, std::string_view key, double otherwise) {
+    return std::size_t(object.contains(key) ? object.number(key, 0, largestCount) : otherwise);
+  }
+  static std::size_t index(const JsonObject& object, std::string_view key) {
+    return std::size_t(object.number(key, 0, largestCount));
+  }
+  static std::size_t indexIn(const JsonObject& object, std::string_view key, std::size_t i) {
+    const json& value = object.array(key)[i];
+    if (!value.is_number_unsigned()) object.fail(key, "indices");
+    return value.get<std::size_t>();
+  }
+  JsonObject item(const JsonObject& object, const std::string& key, std::size_t i) const {
+    const json& list = object.array(key);
+    if (i >= list.size()) throw Error(object.place(key) + ": there is no number " + std::to_string(i));
+    return {list[i], object.place(key) + "[" + std::to_string(i) + "]"};
+  }
+
+  void checkExtensions() const {
+    if (!root_.contains("extensionsRequired")) return;
+    for (const json& name : root_.array("extensionsRequired"))
+      for (const char* packing : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization",
+                                  "KHR_meshopt_compression"})
+        if (name == packing)
+          throw Error(std::string("found geometry packed by ") + packing + ", expected it without compression");
+  }
+
+  /// Each node has one parent, so that a tree is walked once; a circle is found by its depth.
+  void addNode(std::size_t number, const glm::dmat4& parent, int depth) {
+    const JsonObject node = item(root_, "nodes", number);
+    if (depth > mostDepth || ++nodesSeen_ > root_.array("nodes").size())
+      throw Error(node.place("children") + ": found a node that is within itself, or in two others");
+    const glm::dmat4 placed = parent * transformOf(node);
+    if (node.contains("mesh")) addMesh(index(node, "mesh"), placed);
+    if (node.contains("children"))
+      for (std::size_t i = 0; i < node.array("children").size(); ++i)
+        addNode(indexIn(node, "children", i), placed, depth + 1);
+  }
+
+  static std::vector<double> numbersOf(const JsonObject& object, std::string_view key, std::vector<double> otherwise) {
+    if (!object.contains(key)) return otherwise;
+    const json& list = object.array(key);
+    if (list.size() != otherwise.size()) object.fail(key, std::to_string(otherwise.size()) + " numbers");
+    for (std::size_t i = 0; i < otherwise.size(); ++i) {
+      if (!list[i].is_number()) object.fail(key, "numbers");
+      otherwise[i] = list[i].get<double>();
+    }
+    return otherwise;
+  }
+
+  static glm::dmat4 transformOf(const JsonObject& node) {
+    if (node.contains("matrix")) return glm::make_mat4(numbersOf(node, "matrix", std::vector<double>(16)).data());
+    const auto move = numbersOf(node, "translation", {0, 0, 0}), turn = numbersOf(node, "rotation", {0, 0, 0, 1}),
+               scale = numbersOf(node, "scale", {1, 1, 1});
+    glm::dmat4 placed = glm::mat4_cast(glm::dquat(turn[3], turn[0], turn[1], turn[2]));
+    for (int i = 0; i < 3; ++i) placed[i] *= scale[std::size_t(i)];
+    placed[3] = glm::dvec4(move[0], move[1], move[2], 1);
+    return placed;
+  }
+
+  void addMesh(std::size_t number, const glm::dmat4& placed) {
+    const JsonObject mesh = item(root_, "meshes", number);
+    for (std::size_t i = 0; i < mesh.array("primitives").size(); ++i) addPrimitive(item(mesh, "primitives", i), placed);
+  }
+
+  void addPrimitive(const JsonObject& primitive, const glm::dmat4& placed) {
+    const std::size_t mode = numberOr(primitive, "mode", triangleList);
+    if (mode != triangleList && mode != triangleStrip && mode != triangleFan) return;
+    const JsonObject attributes = primitive.object("attributes");
+    const auto positions = vectors(attributes, "POSITION");
+    const auto normals = attributes.contains("NORMAL") ? vectors(attributes, "NORMAL") : std::vector<glm::vec3>();
+    const std::size_t first = arrays_.positions.size();
+    if (double(first) + double(positions.size()) > largestCount) throw Error("found too many vertices");
+    for (const glm::vec3& p : positions) arrays_.positions.emplace_back(placed * glm::dvec4(p, 1));
+    const glm::dmat3 turned = glm::transpose(glm::inverse(glm::dmat3(placed)));
+    const bool isMirrored = glm::determinant(glm::dmat3(placed)) < 0;
+    for (TriangleIndices corners : trianglesOf(primitive, mode, positions.size())) {
+      if (isMirrored) std::swap(corners[0], corners[1]);
+      if (arrays_.triangles.size() >= mostGltfTriangles)
+        throw Error("found more than " + std::to_string(mostGltfTriangles) + " triangles, which is the most");
+      TriangleIndices& triangle = arrays_.triangles.emplace_back();
+      for (int c = 0; c < 3; ++c) {
+        triangle[c] = std::uint32_t(first + corners[c]);
+        // Missing ones have no length, so that they are made.
+        arrays_.normals.push_back(corners[c] < normals.size() ? glm::vec3(turned * glm::dvec3(normals[corners[c]]))
+                                                              : glm::vec3(0));
+      }
+    }
+  }
+
+  std::vector<TriangleIndices> trianglesOf(const JsonObject& primitive, std::size_t mode, std::size_t vertices) const {
+    std::vector<std::uint32_t> indices;
+    if (primitive.contains("indices")) {
+      indices = indicesOf(index(primitive, "indices"), vertices);
+    } else {
+      for (std::size_t i = 0; i < vertices; ++i) indices.push_back(std::uint32_t(i));
+    }
+    std::vector<TriangleIndices> triangles;
+    for (std::size_t i = 2; i < indices.size(); ++i) {
+      if (mode == triangleList && i % 3 != 2) continue;
+      const bool swapped = mode == triangleStrip && i % 2 == 1;
+      triangles.push_back({indices[mode == triangleFan ? 0
+                                   : swapped           ? i - 1
+                                                       : i - 2],
+                           indices[swapped ? i - 2 : i - 1], indices[i]});
+    }
+    return triangles;
+  }
+
+  std::vector<std::uint32_t> indicesOf(std::size_t number, std::size_t vertices) const {
+    const Accessor accessor = accessorOf(number, "SCALAR", 1);
+    if (accessor.type == floatingPoint) throw Error("accessors[" + std::to_string(number) + "]: expected integers");
+    std::vector<std::uint32_t> indices(accessor.count);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      std::memcpy(&indices[i], accessor.bytes.data() + i * accessor.stride, sizeOf(accessor.type));
+      if (indices[i] >= vertices)
+        throw Error("accessors[" + std::to_string(number) + "]: found vertex " + std::to_string(indices[i]) +
+                    ", there are " + std::to_string(vertices) + ", counted from 0");
+    }
+    return indices;
+  }
+
+  std::vector<glm::vec3> vectors(const JsonObject& attributes, const std::string& key) const {
+    const Accessor accessor = accessorOf(index(attributes, key), "VEC3", 3);
+    if (accessor.type != floatingPoint) attributes.fail(key, "an accessor of single-precision numbers");
+    std::vector<glm::vec3> result(accessor.count);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      std::memcpy(&result[i], accessor.bytes.data() + i * accessor.stride, sizeof(glm::vec3));
+    return result;
+  }
+
+  Accessor accessorOf(std::size_t number, const std::string& type, std::size_t components) const {
+    const JsonObject accessor = item(root_, "accessors", number);
+    if (accessor.text("type") != type) accessor.fail("type", type);
+    if (accessor.contains("sparse")) accessor.fail("sparse", "none: sparse accessors are not read");
+    const auto componentType = ComponentType(std::size_t(accessor.number("componentType", 0, 1e5)));
+    if (componentType != unsignedByte && componentType != unsignedShort && componentType != unsignedInt &&
+        componentType != floatingPoint)
+      accessor.fail("componentType", "5121, 5123, 5125 or 5126");
+    const JsonObject view = item(root_, "bufferViews", index(accessor, "bufferView"));
+    const std::size_t element = components * sizeOf(componentType), count = index(accessor, "count"),
+                      stride = numberOr(view, "byteStride", double(element)),
+                      offset = numberOr(accessor, "byteOffset", 0), begin = numberOr(view, "byteOffset", 0),
+                      length = index(view, "byteLength");
+    const std::span<const std::byte> buffer = bufferOf(index(view, "buffer"));
+    if (begin > buffer.size() || length > buffer.size() - begin)
+      view.fail("byteLength", "at most what its buffer has, " + std::to_string(buffer.size()) + " bytes");
+    if (stride < element) view.fail("byteStride", "at least " + std::to_string(element));
+    // The last element needs no bytes behind it.
+    if (count > 0 &&
+        (offset > length || (length - offset) < element || (count - 1) > (length - offset - element) / stride))
+      accessor.fail("count", "as many as its view has bytes for");
+    return {buffer.subspan(begin + (count > 0 ? offset : 0)), count, stride, componentType};
+  }
+
+  std::span<const std::byte> bufferOf(std::size_t number) const {
+    const JsonObject buffer = item(root_, "buffers", number);
+    if (!buffer.contains("uri")) return binary_;
+    if (number >= buffers_.size()) buffers_.resize(number + 1);
+    if (std::optional<std::vector<std::byte>>& known = buffers_[number]; !known) known = opened(buffer);
+    return *buffers_[number];
+  }
+
+  std::vector<std::byte> opened(const JsonObject& buffer) const {
+    const std::string address = buffer.text("uri");
+    if (address.starts_with("data:")) {
+      const std::size_t comma = address.find(";base64,");
+      if (comma == std::string::npos) buffer.fail("uri", "base64 data");
+      return decodedBase64(buffer, std::string_view(address).substr(comma + 8));
+    }
+    if (!folder_ || address.find("://") != std::string::npos) buffer.fail("uri", "a file beside this one");
+    const std::filesystem::path path = *folder_ / decodedPath(address);
+    return namingFile(path, [&] { return FileSource(path).readAll(mostGltfBytes); });
+  }
+
+  JsonObject root_;
+  std::span<const std::byte> binary_;
+  const std::optional<std::filesystem::path>& folder_;
+  MeshArrays arrays_;
+  std::size_t nodesSeen_ = 0;
+  mutable std::vector<std::optional<std::vector<std::byte>>> buffers_;  ///< that have been opened
+};
+
+}  // namespace
+
+TriangleMesh readGltf(const ByteSource& source, const std::optional<std::filesystem::path>& folder) {
+  const std::vector<std::byte> bytes = source.readAll(mostGltfBytes);
+  const GltfParts parts = gltfParts(bytes);
+  json root;
+  try {
+    const auto* text = reinterpret_cast<const char*>(parts.text.data());
+    root = json::parse(text, text + parts.text.size());
+  } catch (const json::exception& error) {
+    throw Error(std::string("a glTF file: its JSON text cannot be read: ") + error.what());
+  }
+  return TriangleMesh(GltfReader(root, parts.binary, folder).read());
+}
+
+}  // namespace gonio::io

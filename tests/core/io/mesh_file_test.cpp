@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/mesh_file.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "core/io/gltf_file.h"
+#include "core/io/ply_file.h"
+#include "tests/core/io/test_files.h"
+#include "tests/fuzz/reader_seeds.h"
+#include "tests/support/test_program.h"
+
+namespace mesh_file_test {
+using namespace gonio;
+using namespace gonio::io;
+
+std::string textOf(const fuzz::Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  const std::size_t at = text.find(what);
+  return at == std::string::npos ? text : text.replace(at, what.size(), by);
+}
+
+TriangleMesh read(const std::string& content, const std::string& suffix) {
+  const MemorySource source(std::as_bytes(std::span(content)));
+  return suffix == ".ply" ? readPly(source) : readGltf(source);
+}
+
+/// The text of the cube as binary in a byte order.
+std::string binaryCube(bool bigEndian) {
+  const std::string text = textOf(fuzz::plySeed());
+  const std::size_t end = text.find("end_header\n") + 11;
+  std::string result = replaced(text.substr(0, end), "ascii", bigEndian ? "binary_big_endian" : "binary_little_endian");
+  std::istringstream numbers(text.substr(end));
+  const auto put = [&](auto value) {
+    char bytes[sizeof(value)];
+    std::memcpy(bytes, &value, sizeof(value));
+    if (bigEndian) std::ranges::reverse(bytes);
+    result.append(bytes, sizeof(value));
+  };
+  for (int i = 0; i < 24; ++i) {
+    float x;
+    numbers >> x;
+    put(x);
+  }
+  for (int i = 0; i < 30; ++i) {
+    std::int32_t x;
+    numbers >> x;
+    i % 5 == 0 ? put(std::uint8_t(x)) : put(x);
+  }
+  return result;
+}
+
+class MeshFileTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void theCubeOfPlyFiles() {
+    for (const std::string& content : {textOf(fuzz::plySeed()), binaryCube(false), binaryCube(true)}) {
+      const TriangleMesh mesh = read(content, ".ply");
+      QCOMPARE(mesh.triangles().size(), std::size_t(12));
+      QVERIFY(mesh.isClosed() && mesh.isConvex());
+      QVERIFY(std::abs(mesh.volume() - 8) < 1e-12);
+    }
+  }
+
+  /// Properties and elements that are not known are passed over, wherever they stand.
+  void aPlyFileWithNormalsAndMore() {
+    const TriangleMesh mesh = read(
+        "ply\r\nformat ascii 1.0\r\nelement camera 1\r\nproperty list uchar float f\r\nelement vertex 3\r\nproperty "
+        "uchar red\r\n"
+        "property double x\r\nproperty double y\r\nproperty double z\r\nproperty float nx\r\nproperty float ny\r\n"
+        "property float nz\r\nelement face 1\r\nproperty float q\r\nproperty list uchar uint "
+        "vertex_index\r\nend_header\r\n"
+        "2 5 6\n9 0 0 0 0 .6 .8\n9 1 0 0 0 .6 .8\n9 0 1 0 0 .6 .8\n.5 3 0 1 2\n",
+        ".ply");
+    QCOMPARE(mesh.bounds().max, glm::dvec3(1, 1, 0));
+    for (const glm::vec3& normal : mesh.cornerNormals()) QVERIFY(glm::distance(normal, glm::vec3(0, 0.6, 0.8)) < 1e-6f);
+  }
+
+  /// The nodes of a glTF file place its meshes.
+  void nodesPlaceTheMeshes() {
+    const TriangleMesh mesh = read(textOf(fuzz::glbSeed()), ".glb");
+    QCOMPARE(mesh.triangles().size(), std::size_t(2));
+    QCOMPARE(mesh.bounds().min, glm::dvec3(0, 0, 0));
+    QCOMPARE(mesh.bounds().max, glm::dvec3(2, 4, 0));
+    for (const glm::vec3& normal : mesh.cornerNormals()) QCOMPARE(normal, glm::vec3(0, 0, 1));
+  }
+
+  /// A text glTF file with its buffer in a file of its own, next to it.
+  void filesOfAllSuffixes() {
+    const QTemporaryDir folder;
+    const std::filesystem::path place = folder.path().toStdString();
+    const std::string glb = textOf(fuzz::glbSeed());
+    const std::size_t end = glb.rfind("}]}") + 3;
+    const std::string json =
+        replaced(glb.substr(20, end - 20), R"("byteLength":78)", R"("byteLength":78,"uri":"m.bin")");
+    std::ofstream(place / "mesh.gltf") << json;
+    std::ofstream(place / "m.bin", std::ios::binary) << glb.substr(glb.size() - 80);
+    std::ofstream(place / "MESH.GLB", std::ios::binary) << glb;
+    std::ofstream(place / "mesh.ply") << textOf(fuzz::plySeed());
+    std::ofstream(place / "mesh.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    QCOMPARE(readMesh(place / "mesh.gltf").triangles().size(), std::size_t(2));
+    QCOMPARE(readMesh(place / "MESH.GLB").triangles().size(), std::size_t(2));
+    QCOMPARE(readMesh(place / "mesh.ply").triangles().size(), std::size_t(12));
+    QCOMPARE(readMesh(place / "mesh.obj").triangles().size(), std::size_t(1));
+  }
+
+  void suffixes() {
+    for (const char* name : {"a.obj", "b/A.PLY", "c.gltf", "d.glb"}) QVERIFY(isMeshFile(name));
+    for (const char* name : {"a.json", "obj", "", "a.binary"}) QVERIFY(!isMeshFile(name));
+    QCOMPARE(meshSuffixList("*"), std::string("*.obj *.ply *.gltf *.glb"));
+  }
+
+  void whatIsRefused() {
+    const auto refusal = [](const std::string& content, const std::string& suffix) {
+      return test::errorOf([&] { read(content, suffix); });
+    };
+    const std::string ply = textOf(fuzz::plySeed()), glb = textOf(fuzz::glbSeed());
+    for (const std::string& content : {std::string(), glb})
+      QVERIFY(test::contains(refusal(content, ".ply"), "does not begin with 'ply'"));
+    QVERIFY(test::contains(refusal("ply", ".ply"), "expected 'end_header'"));
+    QVERIFY(test::contains(refusal(replaced(ply, "float x", "float3 x"), ".ply"), "expected a type"));
+    QVERIFY(test::contains(refusal(ply.substr(0, ply.size() - 8), ".ply"), "face 5: found the end of the file"));
+    QVERIFY(test::contains(refusal(replaced(ply, "4 0 1 3 2", "4 0 1 3 9"), ".ply"), "face 0: found vertex 9"));
+    QVERIFY(test::contains(refusal(replaced(ply, "4 0 1 3 2", "2 0 1 3 9"), ".ply"), "found 2 corners"));
+    QVERIFY(test::contains(refusal(replaced(ply, "-1 -1 -1", "-1 nan -1"), ".ply"), "vertex 0: found 'nan'"));
+    QVERIFY(test::contains(refusal("ply\n", ".glb"), "its JSON text cannot be read"));
+    QVERIFY(test::contains(refusal(glb.substr(0, glb.size() / 2), ".glb"), "bytes of a chunk, expected"));
+    const auto refused = [&](std::string_view what, std::string_view by) {
+      return refusal(replaced(glb, what, by), ".glb");
+    };
+    QVERIFY(test::contains(refused(R"("indices":2)", R"("indices":7)"), "accessors: there is no number 7"));
+    QVERIFY(
+        test::contains(refused(R"("count":3,"type":"SCALAR")", R"("count":9,"type":"SCALAR")"), "accessors[2].count"));
+    QVERIFY(test::contains(refused(R"("nodes":[0,1]}])", R"("nodes":[0,9]}])"), "nodes: there is no number 9"));
+    QVERIFY(test::contains(refused(R"("mesh":0,"scale":[2,2,2])", R"("children":[0,0,0      ])"), "within itself"));
+    QVERIFY(test::contains(refused(R"("scene":0,)", R"("scene":6,)"), "scenes: there is no number 6"));
+    QVERIFY(test::contains(test::errorOf([] { readMesh("vase.stl"); }), "vase.stl: found the suffix '.stl'"));
+    QVERIFY(test::contains(test::errorOf([] { readMesh("/nowhere/vase.ply"); }), "/nowhere/vase.ply"));
+  }
+};
+
+GONIO_TEST(MeshFileTest)
+}  // namespace mesh_file_test
+
+#include "mesh_file_test.moc"
