@@ -56,6 +56,30 @@ Shape placedMesh(std::shared_ptr<const TriangleMesh> mesh, double scale, double 
   return std::make_shared<const MeshIntersector>(std::move(mesh));
 }
 
+/// From where all that is looked at fits into a square picture, with a margin.
+double fittingDistance(const Scene& scene, const OrbitCamera& camera) {
+  constexpr double margin = 1.08;
+  const CameraFrame frame = cameraFrame(camera);
+  const double halfAngle = camera.fieldOfView / 2;
+  double distance = 0;
+  const auto include = [&](const Direction& centre, double radius) {
+    const Direction offset = centre - camera.target;
+    const double across = std::max(std::abs(glm::dot(offset, frame.right)), std::abs(glm::dot(offset, frame.up)));
+    distance = std::max(distance, margin * (across / std::tan(halfAngle) + radius / std::sin(halfAngle)) -
+                                      glm::dot(offset, frame.forward));
+  };
+  for (const SceneObject& object : scene.objects) {
+    if (object.emits() || !std::holds_alternative<MaterialSlot>(object.material)) continue;
+    if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
+      for (const glm::vec3& vertex : (*mesh)->mesh().positions()) include(Direction(vertex), 0);
+    } else {
+      const Sphere bound = boundingSphere(object.shape);
+      include(bound.centre, bound.radius);
+    }
+  }
+  return distance > 0 ? distance : camera.distance;
+}
+
 /// Reads one scene: a part of the file a function.
 class SceneReader {
  public:
@@ -71,7 +95,6 @@ class SceneReader {
   void readLight(const JsonObject& light);
   void readEnvironment(const JsonObject& environment);
   void readCamera(const JsonObject& camera);
-  double fittingDistance(const OrbitCamera& camera) const;
 
   const JsonObject& root_;
   int materials_;
@@ -185,30 +208,6 @@ void SceneReader::readEnvironment(const JsonObject& environment) {
   scene_.blurBackground = environment.contains("blurred") && environment.flag("blurred");
 }
 
-/// From where all that is looked at fits into a square picture, with a margin.
-double SceneReader::fittingDistance(const OrbitCamera& camera) const {
-  constexpr double margin = 1.08;
-  const CameraFrame frame = cameraFrame(camera);
-  const double halfAngle = camera.fieldOfView / 2;
-  double distance = 0;
-  const auto include = [&](const Direction& centre, double radius) {
-    const Direction offset = centre - camera.target;
-    const double across = std::max(std::abs(glm::dot(offset, frame.right)), std::abs(glm::dot(offset, frame.up)));
-    distance = std::max(distance, margin * (across / std::tan(halfAngle) + radius / std::sin(halfAngle)) -
-                                      glm::dot(offset, frame.forward));
-  };
-  for (const SceneObject& object : scene_.objects) {
-    if (object.emits() || !std::holds_alternative<MaterialSlot>(object.material)) continue;
-    if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) {
-      for (const glm::vec3& vertex : (*mesh)->mesh().positions()) include(Direction(vertex), 0);
-    } else {
-      const Sphere bound = boundingSphere(object.shape);
-      include(bound.centre, bound.radius);
-    }
-  }
-  return distance > 0 ? distance : camera.distance;
-}
-
 void SceneReader::readCamera(const JsonObject& camera) {
   camera.expectOnly({"yaw", "pitch", "distance", "fieldOfView", "target"});
   OrbitCamera& result = scene_.camera;
@@ -217,7 +216,7 @@ void SceneReader::readCamera(const JsonObject& camera) {
   result.fieldOfView = radians(numberOr(camera, "fieldOfView", 1, 120, degrees(result.fieldOfView)));
   result.target = tripleOr(camera, "target", {0, 0, 0});
   if (!camera.contains("distance") || camera.member("distance", "") == "fit")
-    result.distance = fittingDistance(result);
+    result.distance = fittingDistance(scene_, result);
   else
     result.distance = camera.number("distance", 1e-3, largest);
 }
@@ -236,6 +235,9 @@ Scene meshScene(const std::filesystem::path& path) {
   scene.objects[0].name = scene.name;
   scene.objects[0].shape =
       placedMesh(std::make_shared<const TriangleMesh>(io::readMesh(path)), 1, 0, Direction(0), true);
+  const TriangleMesh::Bounds& bounds = std::get<MeshShape>(scene.objects[0].shape)->mesh().bounds();
+  scene.camera.target = (bounds.min + bounds.max) / 2.0;
+  scene.camera.distance = fittingDistance(scene, scene.camera);
   return scene;
 }
 

@@ -261,7 +261,16 @@ class SceneFileTest : public QObject {
     QCOMPARE(scene.name, std::string("Tooth"));
     QCOMPARE(scene.objects.size(), std::size_t(2));
     QCOMPARE(scene.objects[0].name, std::string("Tooth"));
-    checkFits(std::get<MeshShape>(scene.objects[0].shape)->mesh(), place(0, 0, 0));
+    const TriangleMesh& mesh = std::get<MeshShape>(scene.objects[0].shape)->mesh();
+    checkFits(mesh, place(0, 0, 0));
+    // It fills the view.
+    const CameraFrame frame = cameraFrame(scene.camera);
+    double farthest = 0;
+    for (const glm::vec3& vertex : mesh.positions()) {
+      const Direction ray = (Direction(vertex) - frame.eye) / glm::dot(Direction(vertex) - frame.eye, frame.forward);
+      farthest = std::max({farthest, std::abs(glm::dot(ray, frame.right)), std::abs(glm::dot(ray, frame.up))});
+    }
+    QVERIFY(farthest / frame.halfExtent > 0.9 && farthest / frame.halfExtent < 0.95);
   }
 
   void whatIsNeitherANameNorAFile() {
