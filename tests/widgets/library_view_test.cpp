@@ -117,9 +117,10 @@ class LibraryViewTest : public QObject {
     QTest::keyClick(view.list(), Qt::Key_Return, Qt::ShiftModifier);
     QCOMPARE(interpolate[0][0].toStringList(), QStringList({"b", "c", "a"}));
     QTest::keyClick(view.list(), Qt::Key_Asterisk);
-    QCOMPARE(model.favourites(), QStringList({"b", "c", "a"}));
+    for (const char* id : {"a", "b", "c"}) QVERIFY(model.note(id).favourite);
     QTest::keyClick(view.list(), Qt::Key_Asterisk);
-    QVERIFY(model.favourites().isEmpty() && open.isEmpty());
+    for (const char* id : {"a", "b", "c"}) QVERIFY(model.note(id).isEmpty());
+    QVERIFY(open.isEmpty());
     view.selection().setSingle();
     view.selectItem("c");
     QCOMPARE(view.selection().ids(), QStringList{"c"});
@@ -135,7 +136,7 @@ class LibraryViewTest : public QObject {
                            .exportAll = [&](const QStringList& all) { asked << "export " + all.join(' '); },
                            .favour = [](const QStringList&, bool) {}};
     const auto texts = [&](const QStringList& ids) {
-      const std::unique_ptr<QMenu> menu(libraryMenu(ids, false, actions, nullptr));
+      const std::unique_ptr<QMenu> menu(libraryMenu(ids, {}, actions, nullptr));
       QStringList result;
       for (QAction* action : menu->actions()) {
         action->trigger();
@@ -229,16 +230,90 @@ class LibraryViewTest : public QObject {
     LibraryModel model;
     LibraryView view(&model);
     model.setItems(threeMaterials());
-    QSignalSpy changed(&view.selection(), &LibrarySelection::favouritesChanged);
+    QSignalSpy changed(&model, &LibraryModel::noteChanged);
     view.selectItem("b");
     QTest::keyClick(view.list(), Qt::Key_Asterisk);
-    QCOMPARE(changed[0][0].toStringList(), QStringList{"b"});
+    QCOMPARE(changed[0][0].toString(), QString("b"));
+    QVERIFY(model.note("b").favourite);
     view.setChipsShown(true);
     view.chips().chip("Favourites")->setChecked(true);
     QCOMPARE(idsOf(view), QStringList{"b"});
     QTest::keyClick(view.list(), Qt::Key_Asterisk);
-    QCOMPARE(changed[1][0].toStringList(), QStringList());
+    QCOMPARE(changed.count(), 2);
     QVERIFY(idsOf(view).isEmpty());
+  }
+
+  /// The keys 0 to 5 rate what is selected; the order by rating, the menu and the tool tip follow.
+  void ratings() {
+    LibraryModel model;
+    LibraryView view(&model);
+    model.setItems(threeMaterials());
+    view.selectItem("a");
+    QTest::keyClick(view.list(), Qt::Key_5);
+    view.selectItem("c");
+    QTest::keyClick(view.list(), Qt::Key_2);
+    QCOMPARE(model.note("a").rating, 5);
+    view.setSortMode(5);
+    QCOMPARE(idsOf(view), QStringList({"a", "c", "b"}));
+    QVERIFY(model.index(0).data(Qt::ToolTipRole).toString().contains("Rating"));
+    QTest::keyClick(view.list(), Qt::Key_0);
+    QCOMPARE(model.note("c").rating, 0);
+    QStringList asked;
+    LibraryActions actions{
+        .rate = [&](const QStringList& ids, int rating) { asked << ids.join(' ') + QString::number(rating); }};
+    const std::unique_ptr<QMenu> menu(libraryMenu({"a", "b"}, {.rating = 3}, actions, nullptr));
+    for (QAction* action : menu->findChild<QMenu*>()->actions()) {
+      QCOMPARE(action->isChecked(), asked.size() == 3);
+      action->trigger();
+    }
+    QCOMPARE(asked, QStringList({"a b0", "a b1", "a b2", "a b3", "a b4", "a b5"}));
+  }
+
+  /// Tags are searched, have buttons as soon as a material has them, and lose them with the last one.
+  void tags() {
+    LibraryModel model;
+    LibraryView view(&model);
+    model.setItems(threeMaterials());
+    view.setChipsShown(true);
+    QVERIFY(!view.chips().chip("car paint"));
+    model.setNote("a", {.tags = tagsOf(" car  paint,client X,, car paint")});
+    QCOMPARE(model.note("a").tags, QStringList({"car paint", "client X"}));
+    model.setNote("b", {.tags = {"car paint"}});
+    view.chips().chip("car paint")->setChecked(true);
+    QCOMPARE(idsOf(view), QStringList({"b", "a"}));
+    view.search()->setText("clie");
+    QCOMPARE(idsOf(view), QStringList{"a"});
+    // What is pressed stays so.
+    model.setNote("a", {.tags = {"car paint"}});
+    QVERIFY(!view.chips().chip("client X") && view.chips().chip("car paint")->isChecked());
+    view.search()->clear();
+    QCOMPARE(idsOf(view), QStringList({"b", "a"}));
+    model.setNote("a", {});
+    model.setNote("b", {});
+    QVERIFY(!view.chips().chip("car paint"));
+    QCOMPARE(idsOf(view).size(), 3);
+  }
+
+  void whatWasOpenedLately() {
+    LibraryModel model;
+    LibraryView view(&model);
+    model.setItems(threeMaterials());
+    const QDateTime now = QDateTime::currentDateTime();
+    model.setNotes({{"a", {.opened = now.addDays(-30)}}, {"c", {.opened = now.addSecs(-60)}}});
+    view.setSortMode(6);
+    QCOMPARE(idsOf(view), QStringList({"c", "a", "b"}));
+    view.setChipsShown(true);
+    view.chips().chip("Recent")->setChecked(true);
+    QCOMPARE(idsOf(view), QStringList{"c"});
+  }
+
+  /// Another list of the same files keeps the looks, but of those that have changed.
+  void looksStay() {
+    LibraryModel model;
+    model.setItems({{.id = "a", .version = 1}, {.id = "b", .version = 1}});
+    for (const char* id : {"a", "b"}) model.setLook(id, {QImage(4, 4, QImage::Format_RGB32), 0, 0.5});
+    model.setItems({{.id = "c"}, {.id = "b", .version = 2}, {.id = "a", .version = 1}});
+    QCOMPARE(model.pending(), QStringList({"c", "b"}));
   }
 
   /// Groups in the order of their first materials (by source) or of the alphabet (by kind), each below its heading.

@@ -14,13 +14,14 @@ LibraryChips::LibraryChips(const LibraryModel& model, QWidget* parent) : QWidget
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(3);
   connect(&model, &QAbstractItemModel::modelReset, this, &LibraryChips::rebuild);
+  connect(&model, &LibraryModel::noteChanged, this, &LibraryChips::followTags);
   rebuild();
 }
 
+/// What is pressed stays so where the library still has it.
 void LibraryChips::rebuild() {
   for (QToolButton* chip : m_chips) delete chip;
   m_chips.clear();
-  m_filter = {};
   QStringList badges, kinds;
   for (int row = 0; row < m_model.rowCount(); ++row) {
     if (m_model.headingOf(row) != LibraryGrouping::none) continue;
@@ -32,21 +33,26 @@ void LibraryChips::rebuild() {
     list->removeAll(QString());
     list->removeDuplicates();
   }
-  addChip(tr("Favourites"), tr("Only materials that are marked as favourites"),
-          [this](bool on) { m_filter.favourites = on; });
-  const auto member = [](QStringList& list, const QString& text, bool on) {
-    on ? list.append(text) : void(list.removeAll(text));
+  m_tags = m_model.tags();
+  const auto keep = [](QStringList& wanted, const QStringList& present) {
+    wanted.removeIf([&](const QString& text) { return !present.contains(text); });
   };
-  for (const QString& badge : badges)
-    addChip(badge, tr("Only what is \"%1\"").arg(badge),
-            [this, member, badge](bool on) { member(m_filter.badges, badge, on); });
-  for (const QString& kind : kinds)
-    addChip(kind, tr("Only materials of the kind \"%1\"").arg(kind),
-            [this, member, kind](bool on) { member(m_filter.kinds, kind, on); });
+  keep(m_filter.badges, badges);
+  keep(m_filter.kinds, kinds);
+  keep(m_filter.tags, m_tags);
+  addChip(tr("Favourites"), tr("Only materials that are marked as favourites"), m_filter.favourites);
+  addChip(tr("Recent"), tr("Only materials that were opened in the last week"), m_filter.recent);
+  for (const QString& badge : badges) addMember(badge, tr("Only what is \"%1\"").arg(badge), m_filter.badges);
+  for (const QString& kind : kinds) addMember(kind, tr("Only materials of the kind \"%1\"").arg(kind), m_filter.kinds);
+  for (const QString& tag : m_tags) addMember(tag, tr("Only materials with the tag \"%1\"").arg(tag), m_filter.tags);
   Q_EMIT filterChanged();
 }
 
-void LibraryChips::addChip(const QString& text, const QString& toolTip, std::function<void(bool)> toggled) {
+void LibraryChips::followTags() {
+  if (m_model.tags() != m_tags) rebuild();
+}
+
+QToolButton* LibraryChips::addButton(const QString& text, const QString& toolTip) {
   auto* chip = new QToolButton;
   chip->setText(text);
   chip->setToolTip(toolTip);
@@ -54,8 +60,24 @@ void LibraryChips::addChip(const QString& text, const QString& toolTip, std::fun
   chip->setFocusPolicy(Qt::StrongFocus);
   layout()->addWidget(chip);
   m_chips.push_back(chip);
-  connect(chip, &QToolButton::toggled, this, [this, toggled = std::move(toggled)](bool on) {
-    toggled(on);
+  return chip;
+}
+
+void LibraryChips::addChip(const QString& text, const QString& toolTip, bool& wanted) {
+  QToolButton* chip = addButton(text, toolTip);
+  chip->setChecked(wanted);
+  connect(chip, &QToolButton::toggled, this, [this, &wanted](bool on) {
+    wanted = on;
+    Q_EMIT filterChanged();
+  });
+}
+
+void LibraryChips::addMember(const QString& text, const QString& toolTip, QStringList& list) {
+  QToolButton* chip = addButton(text, toolTip);
+  chip->setChecked(list.contains(text));
+  connect(chip, &QToolButton::toggled, this, [this, &list, text](bool on) {
+    list.removeAll(text);
+    if (on) list << text;
     Q_EMIT filterChanged();
   });
 }

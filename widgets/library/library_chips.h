@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace gonio::widgets {
 
-/// A button for each kind and each origin that the library has, and one for the favourites. Those that are pressed say
-/// what is shown: of several of one sort any, of two sorts both.
+/// A button for each kind, origin and tag that the library has, for the favourites and what was opened lately. Those
+/// that are pressed say what is shown: of several of one sort any, of two sorts both.
 class LibraryChips : public QWidget {
   Q_OBJECT
 
@@ -29,11 +29,16 @@ class LibraryChips : public QWidget {
 
  private:
   void rebuild();
-  void addChip(const QString& text, const QString& toolTip, std::function<void(bool)> toggled);
+  void followTags();
+  void addChip(const QString& text, const QString& toolTip, bool& wanted);
+  /// One whose text is in a list of the filter while it is pressed.
+  void addMember(const QString& text, const QString& toolTip, QStringList& list);
+  QToolButton* addButton(const QString& text, const QString& toolTip);
 
   const LibraryModel& m_model;
   LibraryFilter m_filter;
   std::vector<QToolButton*> m_chips;
+  QStringList m_tags;  ///< that have a button
 };
 
 }  // namespace gonio::widgets

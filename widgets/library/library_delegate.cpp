@@ -69,6 +69,21 @@ void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRe
   painter.drawText(pill, Qt::AlignCenter, text);
 }
 
+/// "4" and a star in the upper left corner of the picture.
+void paintRating(QPainter& painter, const QStyleOptionViewItem& option, const QRect& picture, int rating) {
+  const QString text = QString::number(rating) + QChar(0x2605);
+  QRect pill(0, 0, option.fontMetrics.horizontalAdvance(text) + margin, option.fontMetrics.height());
+  pill.moveTopLeft(picture.topLeft());
+  QColor ground = option.palette.color(QPalette::Base);
+  ground.setAlphaF(0.85f);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(pill, pill.height() / 2.0, pill.height() / 2.0);
+  painter.setPen(option.palette.color(QPalette::Text));
+  painter.setFont(option.font);
+  painter.drawText(pill, Qt::AlignCenter, text);
+}
+
 /// A star in the upper right corner of the picture.
 void paintStar(QPainter& painter, const QStyleOptionViewItem& option, const QRect& picture) {
   const double radius = option.fontMetrics.height() * 0.45;
@@ -139,6 +154,8 @@ void LibraryDelegate::paintTile(QPainter* painter, const QStyleOptionViewItem& o
   painter->drawText(label, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, breakable(index.data().toString()));
   paintBadge(*painter, option, picture, failed ? tr("cannot be read") : index.data(LibraryModel::BadgeRole).toString());
   if (index.data(LibraryModel::FavouriteRole).toBool()) paintStar(*painter, option, picture);
+  if (const int rating = index.data(LibraryModel::RatingRole).toInt(); rating > 0)
+    paintRating(*painter, option, picture, rating);
 }
 
 }  // namespace gonio::widgets

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/library/library_menu.h"
 
+#include "widgets/library/library_note.h"
+
 namespace gonio::widgets {
 
 namespace {
@@ -15,9 +17,20 @@ void addForOne(QMenu& menu, const QString& id, const LibraryActions& actions) {
   add(QMenu::tr("&Compare with This"), Qt::CTRL | Qt::Key_Return, actions.compare);
 }
 
+void addRatings(QMenu& menu, const QStringList& ids, int rating, const LibraryActions& actions) {
+  QMenu* ratings = menu.addMenu(QMenu::tr("&Rating"));
+  for (int stars = 0; stars <= LibraryNote::highestRating; ++stars) {
+    QAction* action = ratings->addAction(stars == 0 ? QMenu::tr("None") : QString(stars, QChar(0x2605)),
+                                         Qt::Key(Qt::Key_0 + stars), ratings, [=] { actions.rate(ids, stars); });
+    action->setCheckable(true);
+    action->setChecked(stars == rating);
+  }
+}
+
 }  // namespace
 
-QMenu* libraryMenu(const QStringList& ids, bool favourites, const LibraryActions& actions, QWidget* parent) {
+QMenu* libraryMenu(const QStringList& ids, const LibraryCommon& common, const LibraryActions& actions,
+                   QWidget* parent) {
   auto* menu = new QMenu(parent);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const bool single = ids.size() == 1;
@@ -33,9 +46,11 @@ QMenu* libraryMenu(const QStringList& ids, bool favourites, const LibraryActions
                     [=] { actions.exportAll(ids); });
   menu->addSeparator();
   QAction* favourite = menu->addAction(single ? QMenu::tr("&Favourite") : QMenu::tr("&Favourites"), Qt::Key_Asterisk,
-                                       menu, [=] { actions.favour(ids, !favourites); });
+                                       menu, [=] { actions.favour(ids, !common.favourites); });
   favourite->setCheckable(true);
-  favourite->setChecked(favourites);
+  favourite->setChecked(common.favourites);
+  if (actions.rate) addRatings(*menu, ids, common.rating, actions);
+  if (actions.tag) menu->addAction(QMenu::tr("&Tags..."), menu, [=] { actions.tag(ids); });
   return menu;
 }
 

@@ -17,9 +17,17 @@ struct LibraryActions {
   Several comparePair;  ///< of two ids
   Several interpolate, exportAll;
   std::function<void(const QStringList& ids, bool favourite)> favour;
+  std::function<void(const QStringList& ids, int rating)> rate;
+  Several tag;
 };
 
-/// A menu that deletes itself when it closes. @param favourites whether all of the materials are favourites.
-QMenu* libraryMenu(const QStringList& ids, bool favourites, const LibraryActions& actions, QWidget* parent);
+/// What all of the selected materials have: false, and 0, where they differ.
+struct LibraryCommon {
+  bool favourites = false;
+  int rating = 0;
+};
+
+/// A menu that deletes itself when it closes.
+QMenu* libraryMenu(const QStringList& ids, const LibraryCommon& common, const LibraryActions& actions, QWidget* parent);
 
 }  // namespace gonio::widgets

@@ -9,15 +9,28 @@
 
 namespace gonio::widgets {
 
+QStringList tagsOf(const QString& text) {
+  QStringList tags;
+  for (const QString& part : text.split(',')) tags << part.simplified();
+  tags.removeAll(QString());
+  tags.removeDuplicates();
+  return tags;
+}
+
 void LibraryModel::setItems(std::vector<LibraryItem> items) {
   beginResetModel();
+  QHash<QString, Entry> before;
+  for (Entry& entry : m_entries) before.insert(entry.item.id, std::move(entry));
   m_entries.clear();
   m_headings.clear();
   QStringList sources, kinds;
   for (LibraryItem& item : items) {
     if (!sources.contains(item.source)) sources << item.source;
     if (!kinds.contains(item.kind)) kinds << item.kind;
-    m_entries.push_back({std::move(item), {}, {}, {}});
+    const auto known = before.find(item.id);
+    Entry entry = known != before.end() && known->item.version == item.version ? std::move(*known) : Entry{};
+    entry.item = std::move(item);
+    m_entries.push_back(std::move(entry));
   }
   kinds.sort(Qt::CaseInsensitive);
   addHeadings(LibraryGrouping::source, sources);
@@ -87,15 +100,34 @@ const LibraryLook* LibraryModel::look(const QString& id) const {
   return row < 0 || !m_entries[std::size_t(row)].look ? nullptr : &*m_entries[std::size_t(row)].look;
 }
 
-void LibraryModel::setFavourites(const QStringList& ids) {
-  m_favourites = ids;
-  if (!m_entries.empty()) Q_EMIT dataChanged(index(0), index(int(m_entries.size()) - 1), {FavouriteRole});
+void LibraryModel::setNotes(LibraryNotes notes) {
+  m_notes = std::move(notes);
+  if (!m_entries.empty()) Q_EMIT dataChanged(index(0), index(int(m_entries.size()) - 1));
 }
 
-void LibraryModel::setFavourite(const QString& id, bool favourite) {
-  m_favourites.removeAll(id);
-  if (favourite) m_favourites << id;
-  if (const int row = find(id); row >= 0) Q_EMIT dataChanged(index(row), index(row), {FavouriteRole});
+void LibraryModel::setNote(const QString& id, const LibraryNote& note) {
+  if (m_notes.value(id) == note) return;
+  note.isEmpty() ? void(m_notes.remove(id)) : void(m_notes.insert(id, note));
+  if (const int row = find(id); row >= 0) Q_EMIT dataChanged(index(row), index(row));
+  Q_EMIT noteChanged(id, note);
+}
+
+QStringList LibraryModel::tags() const {
+  QStringList tags;
+  for (const Entry& entry : m_entries) tags << m_notes.value(entry.item.id).tags;
+  tags.removeDuplicates();
+  tags.sort(Qt::CaseInsensitive);
+  return tags;
+}
+
+QString LibraryModel::toolTip(const Entry& entry) const {
+  QStringList lines{QStringLiteral("<b>%1</b>").arg(entry.item.name.toHtmlEscaped()),
+                    entry.item.toolTip.toHtmlEscaped()};
+  const LibraryNote note = m_notes.value(entry.item.id);
+  if (note.rating > 0) lines << tr("Rating: %1 of %2").arg(note.rating).arg(LibraryNote::highestRating);
+  if (!note.tags.isEmpty()) lines << tr("Tags: %1").arg(note.tags.join(QStringLiteral(", ")).toHtmlEscaped());
+  if (!entry.failure.isEmpty()) lines << entry.failure.toHtmlEscaped();
+  return lines.join(QStringLiteral("<br>"));
 }
 
 QStringList LibraryModel::pending() const {
@@ -131,9 +163,7 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     case Qt::DecorationRole:
       return entry.pixmap.isNull() ? QVariant() : entry.pixmap;
     case Qt::ToolTipRole:
-      return QStringLiteral("<b>%1</b><br>%2%3")
-          .arg(entry.item.name.toHtmlEscaped(), entry.item.toolTip.toHtmlEscaped(),
-               entry.failure.isEmpty() ? QString() : "<br>" + entry.failure.toHtmlEscaped());
+      return toolTip(entry);
     case Qt::AccessibleDescriptionRole:
       return entry.item.toolTip;
     case IdRole:
@@ -151,7 +181,19 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
     case FailureRole:
       return entry.failure;
     case FavouriteRole:
-      return m_favourites.contains(entry.item.id);
+      return m_notes.value(entry.item.id).favourite;
+    case RatingRole:
+      return m_notes.value(entry.item.id).rating;
+    case RatingOrderRole:
+      return -m_notes.value(entry.item.id).rating;
+    case TagsRole:
+      return m_notes.value(entry.item.id).tags;
+    case OpenedRole:
+      return m_notes.value(entry.item.id).opened;
+    case OpenedOrderRole: {
+      const QDateTime opened = m_notes.value(entry.item.id).opened;
+      return opened.isNull() ? 1e18 : -double(opened.toMSecsSinceEpoch());
+    }
     case BadgeRole:
       return entry.item.badge;
     default:

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/math/types.h"
+#include "widgets/library/library_note.h"
 
 namespace gonio::widgets {
 
@@ -20,6 +21,7 @@ struct LibraryItem {
   QString badge = {};   ///< in a word or two, on the picture: "measured"
   QString source = {};  ///< heading of its group by source; empty: none
   QString kind = {};    ///< heading of its group by kind, which is also searched: "Metal"
+  qint64 version = 0;   ///< another number: another content, so that the look is another
 };
 
 enum class LibraryGrouping { none, source, kind };
@@ -45,11 +47,17 @@ class LibraryModel : public QAbstractListModel {
     FailureRole,
     BadgeRole,
     HeadingRole,
-    FavouriteRole
+    FavouriteRole,
+    RatingRole,  ///< 0 to 5
+    RatingOrderRole,
+    TagsRole,
+    OpenedRole,  ///< null: never
+    OpenedOrderRole
   };
 
   using QAbstractListModel::QAbstractListModel;
 
+  /// Looks of materials that were here before, in the same version, stay.
   void setItems(std::vector<LibraryItem> items);
   void setLook(const QString& id, const LibraryLook& look);
   /// Why a material has no picture; shown in its tool tip.
@@ -58,10 +66,11 @@ class LibraryModel : public QAbstractListModel {
   void setReference(const std::optional<LibraryLook>& look);
   /// Null while it is not known.
   const LibraryLook* look(const QString& id) const;
-  /// Ids that the user marked, of any library.
-  void setFavourites(const QStringList& ids);
-  const QStringList& favourites() const { return m_favourites; }
-  void setFavourite(const QString& id, bool favourite);
+  void setNotes(LibraryNotes notes);
+  LibraryNote note(const QString& id) const { return m_notes.value(id); }
+  void setNote(const QString& id, const LibraryNote& note);
+  /// Of the materials that are here, each once, in alphabetical order.
+  QStringList tags() const;
   /// Ids without a look and without a failure, in order.
   QStringList pending() const;
 
@@ -77,6 +86,9 @@ class LibraryModel : public QAbstractListModel {
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
+ Q_SIGNALS:
+  void noteChanged(const QString& id, const gonio::widgets::LibraryNote& note);
+
  private:
   struct Entry {
     LibraryItem item;
@@ -91,11 +103,12 @@ class LibraryModel : public QAbstractListModel {
   };
   void addHeadings(LibraryGrouping grouping, const QStringList& titles);
   int find(const QString& id) const;
+  QString toolTip(const Entry& entry) const;
   const Heading* heading(int row) const;
 
   std::vector<Entry> m_entries;
   std::vector<Heading> m_headings;
-  QStringList m_favourites;
+  LibraryNotes m_notes;
   struct Reference {
     Rgb lab;
     double roughness;

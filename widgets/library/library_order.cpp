@@ -45,9 +45,16 @@ bool LibraryOrder::matches(int row) const {
   if (m_filter.favourites && !index.data(LibraryModel::FavouriteRole).toBool()) return false;
   if (!m_filter.badges.isEmpty() && !m_filter.badges.contains(badge)) return false;
   if (!m_filter.kinds.isEmpty() && !m_filter.kinds.contains(kind)) return false;
+  const QStringList tags = index.data(LibraryModel::TagsRole).toStringList();
+  const auto isTagged = [&](const QString& tag) { return tags.contains(tag); };
+  if (!m_filter.tags.isEmpty() && std::ranges::none_of(m_filter.tags, isTagged)) return false;
+  constexpr int recentDays = 7;
+  const QDateTime opened = index.data(LibraryModel::OpenedRole).toDateTime();
+  if (m_filter.recent && (opened.isNull() || opened.daysTo(QDateTime::currentDateTime()) > recentDays)) return false;
   if (m_words.isEmpty()) return true;
-  const QStringList own =
-      wordsOf(index.data().toString() + ' ' + kind + ' ' + badge + ' ' + m_model->group(row, LibraryGrouping::source));
+  const QStringList own = wordsOf(
+      QStringList{index.data().toString(), kind, badge, m_model->group(row, LibraryGrouping::source), tags.join(' ')}
+          .join(' '));
   return std::ranges::all_of(m_words, [&](const QString& word) {
     return std::ranges::any_of(own, [&](const QString& one) { return one.startsWith(word); });
   });

@@ -10,8 +10,9 @@ namespace gonio::widgets {
 
 /// What is shown of a library: of a list that is empty anything.
 struct LibraryFilter {
-  QStringList badges, kinds;
+  QStringList badges, kinds, tags;
   bool favourites = false;
+  bool recent = false;  ///< opened in the last week
   bool operator==(const LibraryFilter&) const = default;
 };
 
@@ -23,7 +24,7 @@ class LibraryOrder : public QSortFilterProxyModel {
   LibraryOrder(LibraryModel* model, QObject* parent);
 
   void setGrouping(LibraryGrouping grouping);
-  /// Words in any order: each must be the beginning of a word of the name, the kind, the badge or the source.
+  /// Words in any order: each must be the beginning of a word of the name, the kind, the badge, the source or a tag.
   void setSearch(const QString& text);
   void setFilter(const LibraryFilter& filter);
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/library/library_selection.h"
 
+#include <QInputDialog>
 #include <QKeyEvent>
 #include <QListView>
 #include <algorithm>
@@ -36,12 +37,46 @@ void LibrarySelection::openCurrent() {
 }
 
 void LibrarySelection::setFavourites(const QStringList& ids, bool favourite) {
-  for (const QString& id : ids) m_model.setFavourite(id, favourite);
-  Q_EMIT favouritesChanged(m_model.favourites());
+  for (const QString& id : ids) {
+    LibraryNote note = m_model.note(id);
+    note.favourite = favourite;
+    m_model.setNote(id, note);
+  }
 }
 
-bool LibrarySelection::areFavourites(const QStringList& ids) const {
-  return std::ranges::all_of(ids, [this](const QString& id) { return m_model.favourites().contains(id); });
+void LibrarySelection::setRating(const QStringList& ids, int rating) {
+  for (const QString& id : ids) {
+    LibraryNote note = m_model.note(id);
+    note.rating = rating;
+    m_model.setNote(id, note);
+  }
+}
+
+void LibrarySelection::editTags(const QStringList& ids) {
+  QStringList shared = m_model.note(ids.front()).tags;
+  for (const QString& id : ids)
+    shared.removeIf([&, own = m_model.note(id).tags](const QString& tag) { return !own.contains(tag); });
+  bool accepted = false;
+  const QString text = QInputDialog::getText(
+      &m_list, tr("Tags"),
+      ids.size() == 1 ? tr("Tags of %1, with commas between them:").arg(m_list.currentIndex().data().toString())
+                      : tr("Tags that all %1 materials have, with commas between them:").arg(ids.size()),
+      QLineEdit::Normal, shared.join(QStringLiteral(", ")), &accepted);
+  if (!accepted) return;
+  const QStringList wanted = tagsOf(text);
+  for (const QString& id : ids) {
+    LibraryNote note = m_model.note(id);
+    note.tags.removeIf([&](const QString& tag) { return shared.contains(tag) || wanted.contains(tag); });
+    note.tags << wanted;
+    m_model.setNote(id, note);
+  }
+}
+
+LibraryCommon LibrarySelection::common(const QStringList& ids) const {
+  const auto note = [this](const QString& id) { return m_model.note(id); };
+  const int rating = note(ids.front()).rating;
+  return {std::ranges::all_of(ids, [&](const QString& id) { return note(id).favourite; }),
+          std::ranges::all_of(ids, [&](const QString& id) { return note(id).rating == rating; }) ? rating : 0};
 }
 
 QStringList LibrarySelection::ids() const {
@@ -60,13 +95,15 @@ void LibrarySelection::showMenu(const QPoint& position) {
   LibraryActions actions{.open = [this](const QString& id) { Q_EMIT openRequested(id); },
                          .look = [this](const QString&) { toggleLook(); },
                          .compare = [this](const QString& id) { Q_EMIT referenceRequested(id); },
-                         .favour = [this](const QStringList& all, bool on) { setFavourites(all, on); }};
+                         .favour = [this](const QStringList& all, bool on) { setFavourites(all, on); },
+                         .rate = [this](const QStringList& all, int rating) { setRating(all, rating); },
+                         .tag = [this](const QStringList& all) { editTags(all); }};
   if (!m_single) {
     actions.comparePair = [this](const QStringList& two) { Q_EMIT pairRequested(two[0], two[1]); };
     actions.interpolate = [this](const QStringList& all) { Q_EMIT interpolationRequested(all); };
     actions.exportAll = [this](const QStringList& all) { Q_EMIT exportRequested(all); };
   }
-  libraryMenu(ids, areFavourites(ids), actions, &m_list)->popup(m_list.viewport()->mapToGlobal(position));
+  libraryMenu(ids, common(ids), actions, &m_list)->popup(m_list.viewport()->mapToGlobal(position));
 }
 
 void LibrarySelection::toggleLook() { m_look->isVisible() ? m_look->hide() : showLook(); }
@@ -86,10 +123,14 @@ bool LibrarySelection::key(int key, Qt::KeyboardModifiers modifiers) {
     toggleLook();
   } else if (key == Qt::Key_Escape && m_look->isVisible()) {
     m_look->hide();
-  } else if (ids.isEmpty() || (key != Qt::Key_Asterisk && key != Qt::Key_Return && key != Qt::Key_Enter)) {
+  } else if (ids.isEmpty()) {
     return false;
   } else if (key == Qt::Key_Asterisk) {
-    setFavourites(ids, !areFavourites(ids));
+    setFavourites(ids, !common(ids).favourites);
+  } else if (key >= Qt::Key_0 && key <= Qt::Key_0 + LibraryNote::highestRating) {
+    setRating(ids, key - Qt::Key_0);
+  } else if (key != Qt::Key_Return && key != Qt::Key_Enter) {
+    return false;
   } else if (modifiers & Qt::ControlModifier) {
     Q_EMIT referenceRequested(current());
   } else if (modifiers & Qt::ShiftModifier && !m_single) {

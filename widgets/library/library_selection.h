@@ -11,6 +11,7 @@ namespace gonio::widgets {
 
 class LibraryModel;
 class QuickLook;
+struct LibraryCommon;
 
 /// What the user does with the materials that are selected in a library's grid: by a double-click, by keys, by the
 /// menu.
@@ -40,7 +41,6 @@ class LibrarySelection : public QObject {
   void exportRequested(const QStringList& ids);
   /// A large picture for the quick look, by its setPicture().
   void largePictureRequested(const QString& id);
-  void favouritesChanged(const QStringList& ids);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -51,7 +51,10 @@ class LibrarySelection : public QObject {
   bool key(int key, Qt::KeyboardModifiers modifiers);
   QString current() const;
   void setFavourites(const QStringList& ids, bool favourite);
-  bool areFavourites(const QStringList& ids) const;
+  void setRating(const QStringList& ids, int rating);
+  /// Asks for tags, starting from those that all have.
+  void editTags(const QStringList& ids);
+  LibraryCommon common(const QStringList& ids) const;
   void toggleLook();
   void showLook();
 

@@ -89,7 +89,8 @@ void LibraryView::buildControls() {
   m_group->setAccessibleName(tr("Group by"));
   m_group->setToolTip(tr("Groups the materials by where they come from, or by what they are"));
   connect(m_group, &QComboBox::currentIndexChanged, this, &LibraryView::setGrouping);
-  m_sort->addItems({tr("Name"), tr("Hue"), tr("Roughness"), tr("Lightness"), tr("Likeness")});
+  m_sort->addItems(
+      {tr("Name"), tr("Hue"), tr("Roughness"), tr("Lightness"), tr("Likeness"), tr("Rating"), tr("Last opened")});
   m_sort->setAccessibleName(tr("Sort by"));
   m_sort->setToolTip(tr("The order of the materials"));
   m_sort->setItemData(likenessMode, tr("To the open material: mean colour and roughness of the thumbnails"),
@@ -203,8 +204,13 @@ int LibraryView::tileSize() const { return m_size->value(); }
 
 void LibraryView::setSortMode(int mode) {
   m_sort->setCurrentIndex(mode);
-  constexpr int roles[] = {Qt::DisplayRole, LibraryModel::HueRole, LibraryModel::RoughnessRole,
-                           LibraryModel::LightnessRole, LibraryModel::UnlikenessRole};
+  constexpr int roles[] = {Qt::DisplayRole,
+                           LibraryModel::HueRole,
+                           LibraryModel::RoughnessRole,
+                           LibraryModel::LightnessRole,
+                           LibraryModel::UnlikenessRole,
+                           LibraryModel::RatingOrderRole,
+                           LibraryModel::OpenedOrderRole};
   m_proxy->setSortRole(roles[m_sort->currentIndex()]);
   m_proxy->sort(0);
   m_visibleTimer.start();

@@ -16,7 +16,7 @@ namespace gonio::app {
 namespace {
 
 const QString thumbnailKey = QStringLiteral("thumbnail"), likenessKey = QStringLiteral("library-likeness"),
-              largePictureKey = QStringLiteral("library-large-picture");
+              largePictureKey = QStringLiteral("library-large-picture"), folderKey = QStringLiteral("library-folder");
 
 /// A picture, or why there is none.
 struct Made {
@@ -75,10 +75,35 @@ QString titled(const std::string& kind) {
   return title;
 }
 
+/// Each file is looked into: a suffix such as .txt is that of other files too.
+std::vector<widgets::LibraryItem> materialsIn(const QString& folder, const TaskControl& control) {
+  std::vector<widgets::LibraryItem> items;
+  for (const QFileInfo& file :
+       QDir(folder).entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name)) {
+    control.throwIfStopped();
+    const materials::MaterialFormat* format = materials::formatOfFile(file.filesystemAbsoluteFilePath());
+    if (!format) continue;
+    const std::string_view label = format->label;
+    const QString kind = QString::fromUtf8(label.data(), qsizetype(label.size()));
+    items.push_back({.id = file.absoluteFilePath(),
+                     .name = file.completeBaseName(),
+                     .toolTip = LibraryController::tr("%1, %2").arg(kind, file.fileName()),
+                     .version = file.lastModified().toMSecsSinceEpoch()});
+  }
+  return items;
+}
+
 }  // namespace
 
 LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QObject* parent)
-    : QObject(parent), m_tasks(tasks), m_makeLook(std::move(makeLook)) {}
+    : QObject(parent), m_tasks(tasks), m_makeLook(std::move(makeLook)) {
+  // While a file is written its folder changes many times.
+  constexpr int quietMilliseconds = 500;
+  m_change.setSingleShot(true);
+  m_change.setInterval(quietMilliseconds);
+  connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_change, qOverload<>(&QTimer::start));
+  connect(&m_change, &QTimer::timeout, this, &LibraryController::listFolder);
+}
 
 void LibraryController::showBundled() {
   std::vector<widgets::LibraryItem> items;
@@ -86,30 +111,37 @@ void LibraryController::showBundled() {
     items.push_back({QString::fromStdString("library:" + entry.id), QString::fromStdString(entry.name),
                      QString::fromStdString(entry.description), badgeOf(entry.origin), sourceOf(entry),
                      titled(entry.kind)});
-  show(std::move(items), tr("Bundled library"), {});
+  begin(tr("Bundled library"), {});
+  show(std::move(items));
 }
 
 void LibraryController::showFolder(const QString& folder) {
-  std::vector<widgets::LibraryItem> items;
-  const QDir dir(folder);
-  for (const QFileInfo& file : dir.entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name)) {
-    const materials::MaterialFormat* format = materials::formatOfFile(file.filesystemAbsoluteFilePath());
-    // A suffix such as .txt is that of other files too.
-    if (!format) continue;
-    const std::string_view label = format->label;
-    const QString kind = QString::fromUtf8(label.data(), qsizetype(label.size()));
-    items.push_back({file.absoluteFilePath(), file.completeBaseName(), tr("%1, %2").arg(kind, file.fileName())});
-  }
-  show(std::move(items), dir.dirName(), folder);
+  begin(QDir(folder).dirName(), folder);
+  m_watcher.addPath(folder);
+  m_model.setItems({});
+  listFolder();
 }
 
-void LibraryController::show(std::vector<widgets::LibraryItem> items, const QString& title, const QString& folder) {
-  m_tasks.drop(thumbnailKey);
+void LibraryController::begin(const QString& title, const QString& folder) {
+  m_tasks.drop(folderKey);
+  m_change.stop();
+  if (!m_watcher.directories().isEmpty()) m_watcher.removePaths(m_watcher.directories());
   m_title = title;
   m_folder = folder;
   m_visible.clear();
-  m_model.setItems(std::move(items));
   Q_EMIT titleChanged(m_title);
+}
+
+void LibraryController::listFolder() {
+  m_tasks.run<std::vector<widgets::LibraryItem>>(
+      {.title = tr("Listing %1").arg(m_title), .key = folderKey, .quiet = true},
+      [folder = m_folder](const TaskControl& control) { return materialsIn(folder, control); },
+      [this](std::vector<widgets::LibraryItem> items) { show(std::move(items)); });
+}
+
+void LibraryController::show(std::vector<widgets::LibraryItem> items) {
+  m_tasks.drop(thumbnailKey);
+  m_model.setItems(std::move(items));
   makeNext();
 }
 

@@ -2,8 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QFileSystemWatcher>
 #include <QObject>
 #include <QStringList>
+#include <QTimer>
 #include <functional>
 
 #include "app/gonio/document/background_task.h"
@@ -23,7 +25,8 @@ class LibraryController : public QObject {
 
   widgets::LibraryModel& model() { return m_model; }
   void showBundled();
-  /// Every file of a material in a folder, not in its subfolders.
+  /// Every file of a material in a folder, not in its subfolders. It is listed in the background, and again when files
+  /// come, go or change.
   void showFolder(const QString& folder);
   /// The material that LibraryModel::UnlikenessRole compares with; empty: none. Its picture is made where there is
   /// none.
@@ -43,7 +46,9 @@ class LibraryController : public QObject {
   void largePictureMade(const QString& id, const QImage& picture);
 
  private:
-  void show(std::vector<widgets::LibraryItem> items, const QString& title, const QString& folder);
+  void begin(const QString& title, const QString& folder);
+  void listFolder();
+  void show(std::vector<widgets::LibraryItem> items);
   void makeNext();
   /// What is not there yet, those in sight first.
   QStringList nextOnes() const;
@@ -53,6 +58,8 @@ class LibraryController : public QObject {
   widgets::LibraryModel m_model;
   QStringList m_visible;
   QString m_title, m_folder;
+  QFileSystemWatcher m_watcher;
+  QTimer m_change;  ///< runs out when a folder has been quiet
 };
 
 }  // namespace gonio::app

@@ -45,7 +45,8 @@ LibraryController::LookMaker lookMaker() {
 }  // namespace
 
 EditorParts::EditorParts()
-    : recentFiles(settings),
+    : libraryStore(QFileInfo(settings.fileName()).absolutePath() + QStringLiteral("/library.sqlite")),
+      recentFiles(settings),
       controller(document, tasks),
       exports(document, tasks),
       exporter(document, tasks),
@@ -112,14 +113,17 @@ void EditorParts::use(const gonio::study::Representation& representation) {
 void EditorParts::connectLibrary() {
   QObject::connect(&library, &LibraryController::titleChanged, &libraryView, &widgets::LibraryView::setTitle);
   QObject::connect(&libraryView, &widgets::LibraryView::visibleIdsChanged, &library, &LibraryController::setVisible);
-  QObject::connect(&libraryView.selection(), &widgets::LibrarySelection::favouritesChanged, &libraryView,
-                   [this](const QStringList& ids) { settings.setValue(favouritesKey, ids); });
+  QObject::connect(&library.model(), &widgets::LibraryModel::noteChanged, &libraryView,
+                   [this](const QString& id, const widgets::LibraryNote& note) { libraryStore.write(id, note); });
   QObject::connect(&libraryView.selection(), &widgets::LibrarySelection::referenceRequested, &comparison,
                    &ComparisonController::openReference);
   QObject::connect(&controller, &DocumentController::opened, &libraryView, [this] {
     const QString id = QString::fromStdString(document.material()->material.source.path.string());
     libraryView.selectItem(id);
     library.setReference(id);
+    widgets::LibraryNote note = library.model().note(id);
+    note.opened = QDateTime::currentDateTime();
+    library.model().setNote(id, note);
   });
   QObject::connect(&libraryView.selection(), &widgets::LibrarySelection::largePictureRequested, &library,
                    [this](const QString& id) {
@@ -185,7 +189,8 @@ void EditorParts::restoreSettings() {
   libraryView.setSortMode(settings.value(sortKey, 0).toInt());
   libraryView.setGrouping(settings.value(groupKey, int(widgets::LibraryGrouping::source)).toInt());
   libraryView.setChipsShown(settings.value(chipsKey, false).toBool());
-  library.model().setFavourites(settings.value(favouritesKey).toStringList());
+  library.model().setNotes(libraryStore.read());
+  takeOldFavourites();
   preview.setOverlayVisible(settings.value(overlayKey, true).toBool());
   preview.setNoiseFiltered(settings.value(noiseKey, true).toBool());
   const QString folder = settings.value(libraryKey).toString();
@@ -193,6 +198,16 @@ void EditorParts::restoreSettings() {
     library.showBundled();
   else
     library.showFolder(folder);
+}
+
+/// The favourites that stood in the settings before there was the store.
+void EditorParts::takeOldFavourites() {
+  for (const QString& id : settings.value(favouritesKey).toStringList()) {
+    widgets::LibraryNote note = library.model().note(id);
+    note.favourite = true;
+    library.model().setNote(id, note);
+  }
+  settings.remove(favouritesKey);
 }
 
 void EditorParts::saveSettings() {

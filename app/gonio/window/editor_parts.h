@@ -10,6 +10,7 @@
 #include "app/gonio/document/recent_files.h"
 #include "app/gonio/export/export_controller.h"
 #include "app/gonio/library/library_controller.h"
+#include "app/gonio/library/library_store.h"
 #include "app/gonio/scene/environment_controller.h"
 #include "core/study/representation.h"
 
@@ -44,6 +45,7 @@ struct EditorParts {
   void saveSettings();
 
   QSettings settings;
+  LibraryStore libraryStore;  ///< beside the settings
   RecentFiles recentFiles;
   BackgroundTasks tasks;
   Document document;
@@ -71,6 +73,7 @@ struct EditorParts {
   void connectStandIns();
   void connectLibrary();
   void connectPlots();
+  void takeOldFavourites();
   /// Fits and checks of a material wait for its first picture: the preview has the processors.
   void connectFirstPicture();
   void restoreSavedView(const nlohmann::json& view);

@@ -157,6 +157,12 @@ void MainWindow::connectDocument() {
   connect(&m_parts.document, &Document::materialChanged, m_messages, &QWidget::hide);
   connect(&m_parts.controller, &DocumentController::saved, this,
           [this](const QString& path) { m_status->showNotice(tr("Saved %1").arg(path)); });
+  const auto tellLostNotes = [this] {
+    if (const QString& failure = m_parts.libraryStore.failure(); !failure.isEmpty())
+      m_status->showNotice(tr("Notes on materials are not kept: %1").arg(failure));
+  };
+  tellLostNotes();
+  connect(&m_parts.library.model(), &widgets::LibraryModel::noteChanged, this, tellLostNotes);
   const auto written = [this](const QString& path) { m_status->showNotice(tr("Wrote %1").arg(path)); };
   const auto cancelled = [this](const QString& path) {
     m_status->showNotice(tr("Cancelled: %1 was not written").arg(path));

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/library/library_controller.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
 #include <mutex>
@@ -30,6 +31,32 @@ class LibraryControllerTest : public QObject {
   }
 
  private Q_SLOTS:
+  /// Files that come and go do so in the library; the pictures of the others stay.
+  void aFolderIsWatched() {
+    const QString source = QStringLiteral(GONIO_CODES_DIR "/paper_blue.code");
+    const QTemporaryDir folder;
+    const auto add = [&](const QString& name) { return QFile::copy(source, folder.filePath(name)); };
+    QVERIFY(add("a.code"));
+    BackgroundTasks tasks;
+    std::atomic<int> made = 0;
+    LibraryController library(tasks, [&](const QString&, const TaskControl&) {
+      ++made;
+      return anyLook();
+    });
+    library.showFolder(folder.path());
+    QTRY_COMPARE(idsOf(library.model()), QStringList{folder.filePath("a.code")});
+    QTRY_VERIFY(library.model().pending().isEmpty());
+    QVERIFY(add("b.code"));
+    QFile none(folder.filePath("notes.txt"));
+    QVERIFY(none.open(QFile::WriteOnly));
+    QTRY_COMPARE(idsOf(library.model()), QStringList({folder.filePath("a.code"), folder.filePath("b.code")}));
+    QTRY_VERIFY(library.model().pending().isEmpty());
+    QCOMPARE(made.load(), 2);
+    QVERIFY(QFile::remove(folder.filePath("a.code")));
+    QTRY_COMPARE(idsOf(library.model()), QStringList{folder.filePath("b.code")});
+    QCOMPARE(made.load(), 2);
+  }
+
   /// The window may take half a second a frame: the pictures must not wait for one each.
   void quickPicturesComeTogether() {
     BackgroundTasks tasks;
