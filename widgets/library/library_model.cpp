@@ -3,6 +3,7 @@
 #include "widgets/library/library_model.h"
 
 #include <algorithm>
+#include <map>
 
 #include "widgets/library/look_colour.h"
 #include "widgets/library/material_drag.h"
@@ -19,8 +20,8 @@ QStringList tagsOf(const QString& text) {
 
 void LibraryModel::setItems(std::vector<LibraryItem> items) {
   beginResetModel();
-  QHash<QString, Entry> before;
-  for (Entry& entry : m_entries) before.insert(entry.item.id, std::move(entry));
+  std::map<QString, Entry> before;
+  for (Entry& entry : m_entries) before.emplace(entry.item.id, std::move(entry));
   m_entries.clear();
   m_headings.clear();
   QStringList sources, kinds;
@@ -28,7 +29,7 @@ void LibraryModel::setItems(std::vector<LibraryItem> items) {
     if (!sources.contains(item.source)) sources << item.source;
     if (!kinds.contains(item.kind)) kinds << item.kind;
     const auto known = before.find(item.id);
-    Entry entry = known != before.end() && known->item.version == item.version ? std::move(*known) : Entry{};
+    Entry entry = known != before.end() && known->second.item.version == item.version ? std::move(known->second) : Entry{};
     entry.item = std::move(item);
     m_entries.push_back(std::move(entry));
   }

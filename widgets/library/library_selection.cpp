@@ -118,25 +118,31 @@ void LibrarySelection::showLook() {
 }
 
 bool LibrarySelection::key(int key, Qt::KeyboardModifiers modifiers) {
-  const QStringList ids = this->ids();
   if (key == Qt::Key_Space && !modifiers) {
     toggleLook();
   } else if (key == Qt::Key_Escape && m_look->isVisible()) {
     m_look->hide();
-  } else if (ids.isEmpty()) {
-    return false;
-  } else if (key == Qt::Key_Asterisk) {
+  } else {
+    const QStringList ids = this->ids();
+    return !ids.isEmpty() && keyFor(ids, key, modifiers);
+  }
+  return true;
+}
+
+bool LibrarySelection::keyFor(const QStringList& ids, int key, Qt::KeyboardModifiers modifiers) {
+  const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
+  if (key == Qt::Key_Asterisk) {
     setFavourites(ids, !common(ids).favourites);
   } else if (key >= Qt::Key_0 && key <= Qt::Key_0 + LibraryNote::highestRating) {
     setRating(ids, key - Qt::Key_0);
-  } else if (key != Qt::Key_Return && key != Qt::Key_Enter) {
-    return false;
-  } else if (modifiers & Qt::ControlModifier) {
+  } else if (isEnter && modifiers & Qt::ControlModifier) {
     Q_EMIT referenceRequested(current());
-  } else if (modifiers & Qt::ShiftModifier && !m_single) {
+  } else if (isEnter && modifiers & Qt::ShiftModifier && !m_single) {
     Q_EMIT interpolationRequested(ids);
-  } else {
+  } else if (isEnter) {
     openCurrent();
+  } else {
+    return false;
   }
   return true;
 }

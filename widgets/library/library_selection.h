@@ -49,6 +49,7 @@ class LibrarySelection : public QObject {
   void showMenu(const QPoint& position);
   /// Whether a key of the grid meant something.
   bool key(int key, Qt::KeyboardModifiers modifiers);
+  bool keyFor(const QStringList& ids, int key, Qt::KeyboardModifiers modifiers);
   QString current() const;
   void setFavourites(const QStringList& ids, bool favourite);
   void setRating(const QStringList& ids, int rating);
