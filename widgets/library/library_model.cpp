@@ -29,7 +29,8 @@ void LibraryModel::setItems(std::vector<LibraryItem> items) {
     if (!sources.contains(item.source)) sources << item.source;
     if (!kinds.contains(item.kind)) kinds << item.kind;
     const auto known = before.find(item.id);
-    Entry entry = known != before.end() && known->second.item.version == item.version ? std::move(known->second) : Entry{};
+    Entry entry =
+        known != before.end() && known->second.item.version == item.version ? std::move(known->second) : Entry{};
     entry.item = std::move(item);
     m_entries.push_back(std::move(entry));
   }
