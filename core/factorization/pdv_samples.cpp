@@ -18,7 +18,7 @@ constexpr std::size_t meanSteps = 180;
 /// Weight of a cell beside the disk, in that of its neighbours on it.
 constexpr double besideShare = 0.01;
 /// Added to all cells, in mean weights: with none, the mirror directions of grazing viewers are left free.
-constexpr double evenShare = 2e-5;
+constexpr double evenSampleShare = 2e-5;
 /// The last nodes stand on the limit itself.
 const double smallestSampleCosine = std::cos(largestPolarAngle) * (1 - 1e-9);
 
@@ -164,7 +164,7 @@ void addEvenShare(MaskedTensor& t, std::size_t cells) {
   double total = 0;
   for (const float weight : t.weights) total += double(weight);
   for (float& weight : t.weights)
-    if (weight > 0) weight += float(evenShare * total / double(cells));
+    if (weight > 0) weight += float(evenSampleShare * total / double(cells));
 }
 
 }  // namespace

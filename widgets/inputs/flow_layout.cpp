@@ -4,6 +4,8 @@
 
 #include <QWidget>
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace gonio::widgets {
 
@@ -41,18 +43,26 @@ void FlowLayout::setGeometry(const QRect& area) {
 int FlowLayout::layOut(const QRect& area, bool place) const {
   const QRect inside = area.marginsRemoved(contentsMargins());
   int x = inside.x(), y = inside.y(), rowHeight = 0;
+  std::vector<std::pair<QLayoutItem*, QRect>> row;
+  const auto finishRow = [&] {
+    for (const auto& [item, rectangle] : row)
+      item->setGeometry(rectangle.translated(0, (rowHeight - rectangle.height()) / 2));
+    row.clear();
+  };
   for (const auto& item : m_items) {
     if (item->isEmpty()) continue;
     const QSize size = item->sizeHint();
     if (x > inside.x() && x + size.width() > inside.x() + inside.width()) {
+      finishRow();
       x = inside.x();
       y += rowHeight + spacing();
       rowHeight = 0;
     }
-    if (place) item->setGeometry({{x, y}, size});
+    if (place) row.emplace_back(item.get(), QRect({x, y}, size));
     x += size.width() + spacing();
     rowHeight = std::max(rowHeight, size.height());
   }
+  finishRow();
   return y + rowHeight - area.y() + contentsMargins().bottom();
 }
 

@@ -50,15 +50,9 @@ void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const Q
   painter.drawLine(area.bottomLeft(), area.bottomRight());
 }
 
-/// A word in the lower edge of the picture.
-void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRect& picture, const QString& badge) {
-  if (badge.isEmpty()) return;
-  QFont font = option.font;
-  font.setPointSizeF(font.pointSizeF() * 0.78);
-  const QFontMetrics metrics(font);
-  const QString text = metrics.elidedText(badge, Qt::ElideRight, picture.width() - 2 * margin);
-  QRect pill(0, 0, metrics.horizontalAdvance(text) + 2 * margin, metrics.height());
-  pill.moveCenter({picture.center().x(), picture.bottom() - pill.height() / 2});
+/// A text on a ground of its own, legible on any picture.
+void paintPill(QPainter& painter, const QStyleOptionViewItem& option, const QRect& pill, const QFont& font,
+               const QString& text) {
   QColor ground = option.palette.color(QPalette::Base);
   ground.setAlphaF(0.85f);
   painter.setPen(Qt::NoPen);
@@ -69,19 +63,23 @@ void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRe
   painter.drawText(pill, Qt::AlignCenter, text);
 }
 
+/// A word at the lower edge of the picture.
+void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QRect& picture, const QString& badge) {
+  if (badge.isEmpty()) return;
+  QFont font = option.font;
+  font.setPointSizeF(font.pointSizeF() * 0.78);
+  const QFontMetrics metrics(font);
+  const QString text = metrics.elidedText(badge, Qt::ElideRight, picture.width() - 2 * margin);
+  QRect pill(0, 0, metrics.horizontalAdvance(text) + 2 * margin, metrics.height());
+  pill.moveCenter({picture.center().x(), picture.bottom() - pill.height() / 2});
+  paintPill(painter, option, pill, font, text);
+}
+
 /// "4" and a star in the upper left corner of the picture.
 void paintRating(QPainter& painter, const QStyleOptionViewItem& option, const QRect& picture, int rating) {
   const QString text = QString::number(rating) + QChar(0x2605);
-  QRect pill(0, 0, option.fontMetrics.horizontalAdvance(text) + margin, option.fontMetrics.height());
-  pill.moveTopLeft(picture.topLeft());
-  QColor ground = option.palette.color(QPalette::Base);
-  ground.setAlphaF(0.85f);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(ground);
-  painter.drawRoundedRect(pill, pill.height() / 2.0, pill.height() / 2.0);
-  painter.setPen(option.palette.color(QPalette::Text));
-  painter.setFont(option.font);
-  painter.drawText(pill, Qt::AlignCenter, text);
+  const QSize size(option.fontMetrics.horizontalAdvance(text) + margin, option.fontMetrics.height());
+  paintPill(painter, option, {picture.topLeft(), size}, option.font, text);
 }
 
 /// A star in the upper right corner of the picture.

@@ -42,6 +42,16 @@ QString costText(const EffectCosts& costs, const EffectCost& cost) {
   return EffectList::tr("%1 ms (%2 %)").arg(1000 * cost.seconds, 0, 'f', 1).arg(share, 0, 'f', 0);
 }
 
+QString costToolTip(const EffectCost& cost) {
+  return EffectList::tr(
+             "CPU time of the picture with the effect less that without it: %1 ms, uncertain by %2 ms. The effect "
+             "changes the picture by %3 %; noise alone changes it by %4 %.")
+      .arg(1000 * cost.seconds, 0, 'f', 1)
+      .arg(1000 * cost.secondsNoise, 0, 'f', 1)
+      .arg(100 * cost.difference, 0, 'g', 2)
+      .arg(100 * cost.noise, 0, 'g', 2);
+}
+
 }  // namespace
 
 EffectList::EffectList(QWidget* parent) : QWidget(parent) {
@@ -104,14 +114,7 @@ void EffectList::setCosts(const std::optional<EffectCosts>& costs) {
     QLabel& label = *m_rows[i].cost;
     label.setEnabled(costs.has_value());
     label.setText(costs ? costText(*costs, costs->effects[i]) : tr("-"));
-    label.setToolTip(costs ? tr("The picture's time with it less that without it, on the CPU: %3 ms, uncertain by %4 "
-                                "ms. It changes the "
-                                "picture by %1 %; chance alone by %2 %.")
-                                 .arg(100 * costs->effects[i].difference, 0, 'g', 2)
-                                 .arg(100 * costs->effects[i].noise, 0, 'g', 2)
-                                 .arg(1000 * costs->effects[i].seconds, 0, 'f', 1)
-                                 .arg(1000 * costs->effects[i].secondsNoise, 0, 'f', 1)
-                           : tr("Not measured yet"));
+    label.setToolTip(costs ? costToolTip(costs->effects[i]) : tr("Not measured yet"));
   }
 }
 

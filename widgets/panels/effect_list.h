@@ -27,6 +27,7 @@ class EffectList : public QWidget {
   EffectOverrides overrides() const;
   /// The switch of an effect: by the plan, on, off.
   QComboBox& switchOf(Effect effect) const { return *m_rows[std::size_t(effect)].choice; }
+  QLabel& costOf(Effect effect) const { return *m_rows[std::size_t(effect)].cost; }
 
  Q_SIGNALS:
   /// By the user.

@@ -17,7 +17,7 @@ namespace gonio::app {
 namespace {
 
 constexpr int mostPixelsOfSide = 8192, mostSamples = 1 << 20, mostSeconds = 86'400;
-const QString settingsGroup = QStringLiteral("image/");
+const QString pictureSettingsGroup = QStringLiteral("image/");
 
 /// Sizes that are offered; that of the preview comes first.
 constexpr QSize offeredSizes[] = {{1024, 1024}, {2048, 2048}, {1920, 1080}, {3840, 2160}};
@@ -140,7 +140,7 @@ void PictureSettings::showChoices() {
 
 void PictureSettings::restore(const QSettings& settings, bool environmentShown) {
   const auto stored = [&](const char* key, const QVariant& otherwise) {
-    return settings.value(settingsGroup + key, otherwise);
+    return settings.value(pictureSettingsGroup + key, otherwise);
   };
   m_width->setValue(stored("width", 1024).toInt());
   m_height->setValue(stored("height", 1024).toInt());
@@ -156,7 +156,9 @@ void PictureSettings::restore(const QSettings& settings, bool environmentShown) 
 }
 
 void PictureSettings::remember(QSettings& settings) const {
-  const auto store = [&](const char* key, const QVariant& value) { settings.setValue(settingsGroup + key, value); };
+  const auto store = [&](const char* key, const QVariant& value) {
+    settings.setValue(pictureSettingsGroup + key, value);
+  };
   store("width", m_width->value());
   store("height", m_height->value());
   store("samples", m_samples->value());

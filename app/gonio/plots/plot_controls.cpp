@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "widgets/inputs/flow_layout.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/inputs/parameter_slider.h"
 #include "widgets/plots/plot_text.h"
@@ -53,16 +54,15 @@ plots::Section PlotChoices::section() const {
           .cosine = settings.cosine};
 }
 
-PlotControls::PlotControls(QWidget* parent) : QToolBar(tr("Plots"), parent) {
-  setMovable(false);
-  setToolButtonStyle(Qt::ToolButtonTextOnly);
+PlotControls::PlotControls(QWidget* parent) : QWidget(parent) {
+  constexpr int margin = 4, space = 4;
+  auto* layout = new widgets::FlowLayout(this);  // all of it stays in sight in a narrow window
+  layout->setContentsMargins(margin, margin / 2, margin, margin / 2);
+  layout->setSpacing(space);
   addKinds();
   addSections();
-  addSeparator();
   addIncidence();
-  addSeparator();
   addValues();
-  addSeparator();
   addExport();
   show(m_choices);
 }
@@ -100,10 +100,10 @@ void PlotControls::addKinds() {
   for (const auto& [name, toolTip] : kinds) m_kinds->setTabToolTip(m_kinds->addTab(name), toolTip);
   connect(m_kinds, &QTabBar::currentChanged, this,
           [this](int index) { change([index](PlotChoices& choices) { choices.kind = PlotKind(index); }); });
-  addWidget(m_kinds);
+  layout()->addWidget(m_kinds);
 }
 
-QAction* PlotControls::addLabelled(const QString& text, QWidget* widget) {
+QWidget* PlotControls::addLabelled(const QString& text, QWidget* widget) {
   auto* both = new QWidget;
   both->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
   auto* layout = new QHBoxLayout(both);
@@ -111,12 +111,14 @@ QAction* PlotControls::addLabelled(const QString& text, QWidget* widget) {
   auto* label = new QLabel(text);
   label->setBuddy(widget);
   label->setToolTip(widget->toolTip());
+  label->setVisible(!text.isEmpty());
   layout->addWidget(label);
   layout->addWidget(widget);
-  return addWidget(both);
+  this->layout()->addWidget(both);
+  return both;
 }
 
-QAction* PlotControls::addNumber(const QString& label, const QString& toolTip, double min, double max,
+QWidget* PlotControls::addNumber(const QString& label, const QString& toolTip, double min, double max,
                                  double PlotChoices::*member, NumberField*& field) {
   field = new NumberField;
   field->setRange(min, max);
@@ -135,19 +137,18 @@ void PlotControls::addSections() {
                     tr("θh: half vector from the normal; θd: half the angle between light and viewer; θo: viewer"));
   connect(m_axis, &QComboBox::activated, this,
           [this](int index) { change([index](PlotChoices& choices) { choices.axis = SectionAxis(index); }); });
-  m_axisAction = addLabelled({}, m_axis);
+  m_axisRow = addLabelled({}, m_axis);
   m_spacing = comboBox({tr("θh even"), tr("θh as MERL")}, tr("Spacing of θh"),
                        tr("Even in degrees, or by the square root as MERL stores it: wide at the highlight"));
   connect(m_spacing, &QComboBox::activated, this, [this](int index) {
     change([index](PlotChoices& choices) { choices.spacing = plots::ThetaHSpacing(index); });
   });
-  m_spacingAction = addLabelled({}, m_spacing);
-  m_phiDAction =
-      addNumber(tr("φd"), tr("Azimuth of the light about the half vector"), 0, pi, &PlotChoices::phiD, m_phiD);
-  m_thetaHAction = addNumber(tr("θh"), tr("Angle of the half vector from the normal"), 0, radians(89),
-                             &PlotChoices::thetaH, m_thetaH);
-  m_planeAzimuthAction = addNumber(tr("φ"), tr("Azimuth of the viewer's plane from the plane of incidence"), 0, pi,
-                                   &PlotChoices::planeAzimuth, m_planeAzimuth);
+  m_spacingRow = addLabelled({}, m_spacing);
+  m_phiDRow = addNumber(tr("φd"), tr("Azimuth of the light about the half vector"), 0, pi, &PlotChoices::phiD, m_phiD);
+  m_thetaHRow = addNumber(tr("θh"), tr("Angle of the half vector from the normal"), 0, radians(89),
+                          &PlotChoices::thetaH, m_thetaH);
+  m_planeAzimuthRow = addNumber(tr("φ"), tr("Azimuth of the viewer's plane from the plane of incidence"), 0, pi,
+                                &PlotChoices::planeAzimuth, m_planeAzimuth);
 }
 
 void PlotControls::addIncidence() {
@@ -162,7 +163,6 @@ void PlotControls::addIncidence() {
   connect(m_thetaISlider, &widgets::ParameterSlider::numberEdited, this, &PlotControls::setThetaI);
   connect(m_thetaISlider, &widgets::ParameterSlider::resetRequested, this,
           [this] { setThetaI(widgets::PlotSettings().thetaI); });
-  addLabelled(tr("θi"), m_thetaISlider);
   m_thetaI = new NumberField;
   m_thetaI->setRange(0, widgets::maxThetaI);
   m_thetaI->setUnit(QStringLiteral("°"), degrees(1));
@@ -171,7 +171,8 @@ void PlotControls::addIncidence() {
   m_thetaI->setToolTip(toolTip);
   m_thetaI->setAccessibleName(tr("Angle of incidence"));
   connect(m_thetaI, &NumberField::valueEdited, this, &PlotControls::setThetaI);
-  addWidget(m_thetaI);
+  QWidget* row = addLabelled(tr("θi"), m_thetaISlider);
+  row->layout()->addWidget(m_thetaI);
   auto* pick = new QCheckBox(tr("Pick on sphere"));
   pick->setToolTip(tr("Pick the angle on the sphere of the preview (there also Ctrl + drag)"));
   connect(pick, &QCheckBox::toggled, this, &PlotControls::pickingToggled);
@@ -194,7 +195,7 @@ void PlotControls::addValues() {
   connect(m_cosine, &QComboBox::activated, this, [this](int index) {
     change([index](PlotChoices& choices) { choices.settings.cosine = CosineFactor(index); });
   });
-  m_cosineAction = addLabelled({}, m_cosine);
+  m_cosineRow = addLabelled({}, m_cosine);
   m_logarithmic = new QCheckBox(tr("Logarithmic"));
   m_logarithmic->setObjectName("logarithmic");
   m_logarithmic->setToolTip(tr("Logarithmic axis of values, for each kind of plot"));
@@ -218,8 +219,7 @@ void PlotControls::addExport() {
   menu->addSeparator();
   addExportSizes(menu->addMenu(tr("&Size of Pictures")));
   m_export->setMenu(menu);
-  addWidget(m_export);
-  m_export->setAutoRaise(false);  // the tool bar makes it look like a label
+  layout()->addWidget(m_export);
 }
 
 void PlotControls::addExportSizes(QMenu* menu) {
@@ -249,12 +249,12 @@ void PlotControls::show(const PlotChoices& choices) {
   m_thetaH->setValue(choices.thetaH);
   m_planeAzimuth->setValue(choices.planeAzimuth);
   const bool cartesian = choices.kind == PlotKind::cartesian;
-  m_axisAction->setVisible(cartesian);
-  m_spacingAction->setVisible(choices.kind == PlotKind::slice);
-  m_phiDAction->setVisible(choices.kind == PlotKind::slice || (cartesian && choices.axis != SectionAxis::thetaO));
-  m_thetaHAction->setVisible(cartesian && choices.axis == SectionAxis::thetaD);
-  m_planeAzimuthAction->setVisible(cartesian && choices.axis == SectionAxis::thetaO);
-  m_cosineAction->setVisible(choices.kind != PlotKind::albedo);
+  m_axisRow->setVisible(cartesian);
+  m_spacingRow->setVisible(choices.kind == PlotKind::slice);
+  m_phiDRow->setVisible(choices.kind == PlotKind::slice || (cartesian && choices.axis != SectionAxis::thetaO));
+  m_thetaHRow->setVisible(cartesian && choices.axis == SectionAxis::thetaD);
+  m_planeAzimuthRow->setVisible(cartesian && choices.axis == SectionAxis::thetaO);
+  m_cosineRow->setVisible(choices.kind != PlotKind::albedo);
 }
 
 void PlotControls::saveState(QSettings& settings) const {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include <QToolBar>
+#include <QWidget>
 #include <array>
 
 #include "app/gonio/plots/plot_data.h"
@@ -39,7 +39,7 @@ struct PlotChoices {
 
 /// The line above the plots: which plot, angle of incidence, channel, cosine, logarithm, picking on the sphere, export.
 /// Shows only what the chosen plot needs.
-class PlotControls : public QToolBar {
+class PlotControls : public QWidget {
   Q_OBJECT
 
  public:
@@ -67,9 +67,9 @@ class PlotControls : public QToolBar {
   void addValues();
   void addExport();
   void addExportSizes(QMenu* menu);
-  QAction* addNumber(const QString& label, const QString& toolTip, double min, double max, double PlotChoices::*member,
+  QWidget* addNumber(const QString& label, const QString& toolTip, double min, double max, double PlotChoices::*member,
                      widgets::NumberField*& field);
-  QAction* addLabelled(const QString& label, QWidget* widget);
+  QWidget* addLabelled(const QString& label, QWidget* widget);
   template <class Change>
   void change(Change change);
   void show(const PlotChoices& choices);
@@ -82,7 +82,8 @@ class PlotControls : public QToolBar {
   QCheckBox* m_logarithmic;
   QToolButton* m_export;
   QSize m_exportSize;
-  QAction *m_axisAction, *m_spacingAction, *m_phiDAction, *m_thetaHAction, *m_planeAzimuthAction, *m_cosineAction;
+  /// With their labels; hidden where a kind of plot has no use for them.
+  QWidget *m_axisRow, *m_spacingRow, *m_phiDRow, *m_thetaHRow, *m_planeAzimuthRow, *m_cosineRow;
 };
 
 }  // namespace gonio::app

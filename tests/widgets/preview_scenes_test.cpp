@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#include <QTest>
+
+#include "core/rendering/path_tracer.h"
+#include "core/rendering/scene_file.h"
+#include "tests/support/test_program.h"
+#include "tests/widgets/preview_pictures.h"
+
+namespace preview_scenes_test {
+using namespace gonio;
+using test::agreement;
+using test::bakedModel;
+using test::rougherEdit;
+
+constexpr int side = test::OffscreenSpheres::side;
+
+class PreviewScenesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    spheres_ = std::make_unique<test::OffscreenSpheres>();
+    if (!spheres_->isValid()) QSKIP("no OpenGL 4.1 core context on this machine");
+    renderer_ = &spheres_->renderer();
+  }
+  void cleanupTestCase() { spheres_.reset(); }
+
+  /// Under one light both pictures are sums over the same sphere with different edge samples and float tables: they
+  /// agree to 40 dB at least (the edge pixels' coverage differs by some percent).
+  void pictureUnderADirectionalLight() {
+    const auto table = bakedModel("ggx", {{"roughness", 0.2}});
+    QVERIFY2(agreement(*spheres_, table, {}, sphereScene()) > 40, "shader and CPU differ");
+  }
+
+  /// Under an environment both are Monte Carlo estimates of the same integral with 512 samples of each kind.
+  void pictureUnderTheStudio() {
+    Scene scene = sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2});
+    scene.environmentRotation = 0.6;
+    for (const double roughness : {0.03, 0.2, 0.7}) {
+      const auto table = bakedModel("ggx", {{"roughness", roughness}, {"f0", 0.5}});
+      const double snr = agreement(*spheres_, table, {}, scene);
+      qInfo("roughness %g: %.1f dB", roughness, snr);
+      QVERIFY2(snr > 30, qPrintable(QString("roughness %1: %2 dB").arg(roughness).arg(snr)));
+    }
+  }
+
+  /// Scenes of spheres and rectangles: the shader's shadows, lamps and reflections are those of the reference renderer,
+  /// followed as far as the shader follows them.
+  void scenesAreThoseOfThePathTracer() {
+    const auto table = bakedModel("ggx", {{"roughness", 0.3}, {"f0", 0.6}});
+    const auto material = std::make_shared<const RenderMaterial>(table);
+    for (const std::string& name : bundledSceneNames()) {
+      const Scene scene = openScene(name, 2);
+      if (!widgets::SceneUniforms::canDraw(scene)) continue;
+      EffectPlan plan = widgets::previewPlan(scene, material);
+      plan.reflections = std::min(plan.reflections, widgets::SceneUniforms::mostReflections);
+      renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table)));
+      renderer_->setScene(scene, plan);
+      constexpr int small = side / 4;
+      renderer_->setSize({side, side});  // so that each target is a new one: none may unbind a texture
+      renderer_->setSize({small, small});
+      // Interreflection between the parts of a mesh is noisier.
+      const int samples = plan.simulates(Effect::selfShadowing) ? 2048 : 1024;
+      for (int i = 0; i < samples / 64; ++i) renderer_->accumulate(64);
+      Film film(small, small);
+      const std::vector slotMaterials(2, material);
+      PathTracer(scene, bindMaterials(scene, slotMaterials), plan, 7).accumulate(film, samples);
+      const double snr = metrics::signalToNoiseRatio(film.image(), renderer_->readPicture());
+      qInfo("%s: %.1f dB", name.c_str(), snr);
+      QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name.c_str()).arg(snr)));
+    }
+  }
+
+  /// Each material has a pass of its own: light that is reflected once is all there.
+  void severalMaterials() {
+    const auto other = bakedModel("ggx", {{"roughness", 0.6}, {"f0", 0.2}});
+    const widgets::PreviewSubject edited{widgets::EditedMaterial{other, {rougherEdit("ggx", "roughness", 0.4)}},
+                                         std::make_shared<const TabulatedLobe>(*other)};
+    const auto traced = std::make_shared<const RenderMaterial>(widgets::subjectBrdf(edited), edited.lobe);
+    for (const char* name : {"two-spheres", "row"}) checkTwoMaterials(name, edited, traced, 1);
+  }
+
+  /// So is light between objects of one material and those that have no material of the slots; what a black one sends
+  /// to others is none.
+  void reflectionsBesideAnotherMaterial() {
+    const auto black = bakedModel("lambert", {{"diffuse", 0}});
+    checkTwoMaterials("row", widgets::measuredSubject(black), diffuseMaterial(Rgb(0)), 8);
+  }
+
+  void orthographicViewWithTheEnvironmentShown() {
+    Scene scene = sphereScene(skyEnvironment(), {.fieldOfView = 0});
+    scene.showEnvironment = true;
+    const auto table = bakedModel("lambert", {});
+    for (const bool blurred : {false, true}) {
+      scene.blurBackground = blurred;
+      const double snr = agreement(*spheres_, table, {}, scene);
+      QVERIFY2(snr > 30, qPrintable(QString("blurred %1: %2 dB").arg(blurred).arg(snr)));
+    }
+  }
+
+ private:
+  /// A scene of two materials against the path tracer.
+  void checkTwoMaterials(const char* name, const widgets::PreviewSubject& other,
+                         const std::shared_ptr<const RenderMaterial>& tracedOther, int reflections) {
+    const auto table = bakedModel("ggx", {{"roughness", 0.3}, {"f0", 0.6}});
+    const Scene scene = openScene(name, 2);
+    const RenderMaterials slots{std::make_shared<const RenderMaterial>(table), tracedOther};
+    const RenderMaterials bound = bindMaterials(scene, slots);
+    EffectPlan plan = planEffects(scene, bound);
+    plan.reflections = std::min(plan.reflections, reflections);
+    renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table)));
+    renderer_->setScene(scene, plan, {other});
+    renderer_->setSize({side / 2, side / 2});
+    for (int i = 0; i < 16; ++i) renderer_->accumulate(64);
+    Film film(side / 2, side / 2);
+    PathTracer(scene, bound, plan, 7).accumulate(film, 1024);
+    const double snr = metrics::signalToNoiseRatio(film.image(), renderer_->readPicture());
+    qInfo("%s: %.1f dB", name, snr);
+    QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name).arg(snr)));
+  }
+
+  std::unique_ptr<test::OffscreenSpheres> spheres_;
+  widgets::PreviewRenderer* renderer_ = nullptr;
+};
+
+GONIO_TEST(PreviewScenesTest)
+}  // namespace preview_scenes_test
+
+#include "preview_scenes_test.moc"
