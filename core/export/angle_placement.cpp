@@ -10,7 +10,9 @@ namespace gonio::exports {
 
 namespace {
 
-constexpr std::size_t probeSize = 16;
+constexpr std::size_t probeSize = 16;  // a power of two
+/// A jump between two angles, which tables have, is not worth more of them.
+constexpr double leastWidth = radians(0.5);
 /// The rest of the sphere's rim is 1/3000 of its disk.
 constexpr double firstAngles[] = {0, radians(89), radians(75), radians(45)};
 
@@ -21,21 +23,37 @@ struct Interval {
   double error = 0;
 };
 
-/// Squared error of the interpolated file at the nodes of the slice between, as light in the picture of a sphere.
+/// Sum over the blocks of all sizes from one node to the whole slice of the squared mean error in a block, times its
+/// share of the slice: lights in a picture are of all sizes.
+double errorOfAllSizes(std::span<const Rgb> differences) {
+  constexpr std::size_t plane = probeSize * probeSize;
+  double sum = 0;
+  for (std::size_t block = 1; block <= probeSize; block *= 2)
+    for (std::size_t first = 0; first < differences.size(); first += plane)
+      for (std::size_t y = 0; y < probeSize; y += block)
+        for (std::size_t x = 0; x < probeSize; x += block) {
+          Rgb total(0);
+          for (std::size_t row = y; row < y + block; ++row)
+            for (std::size_t column = x; column < x + block; ++column)
+              total += differences[first + row * probeSize + column];
+          sum += glm::dot(total, total) / double(block * block);
+        }
+  return sum;
+}
+
+/// Error of the interpolated file at the slice between, as light in the picture of a sphere.
 double interpolationError(const RglLayout& layout, const Interval& interval) {
+  const double width = double(interval.high->theta) - double(interval.low->theta);
+  if (width < leastWidth) return 0;
   const RglSlice* const ends[] = {interval.low.get(), interval.high.get()};
   const RglBrdf file(assemble(layout, ends));
   const RglSlice& truth = *interval.middle;
   std::vector<Rgb> values(truth.pairs.size());
   file.evaluate(truth.pairs, values);
-  double sum = 0;
-  for (std::size_t node = 0; node < values.size(); ++node) {
-    if (truth.scale[node] <= 0) continue;
-    const Rgb difference = values[node] * truth.scale[node] - Rgb(truth.rgb.values[node]);
-    sum += glm::dot(difference, difference);
-  }
+  for (std::size_t node = 0; node < values.size(); ++node)
+    values[node] = truth.scale[node] > 0 ? values[node] * truth.scale[node] - Rgb(truth.rgb.values[node]) : Rgb(0);
   const double theta = truth.theta;
-  return sum * std::sin(theta) * std::cos(theta) * double(interval.high->theta - interval.low->theta);
+  return errorOfAllSizes(values) * std::sin(theta) * std::cos(theta) * width;
 }
 
 class Placement {
@@ -60,7 +78,7 @@ class Placement {
   SharedSlice sample(double theta) const {
     return std::make_shared<const RglSlice>(sampleSlice(material_, layout_, theta, probeSize));
   }
-  void add(SharedSlice low, SharedSlice high) {
+  void add(const SharedSlice& low, const SharedSlice& high) {
     Interval interval{low, sample(0.5 * (double(low->theta) + double(high->theta))), high};
     interval.error = interpolationError(layout_, interval);
     intervals_.push_back(std::move(interval));

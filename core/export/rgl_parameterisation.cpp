@@ -12,10 +12,11 @@ namespace gonio::exports {
 
 namespace {
 
-constexpr double densityFloor = 0.1;
+constexpr double densityFloor = 0.02;
 
-/// From small to large. What a mirror-like material lacks is angles, what a glossy one lacks nodes.
-constexpr RglSize ladder[] = {{8, 32}, {16, 32}, {32, 32}, {32, 48}, {64, 48}, {60, 64}};
+/// From small to large, then of one size with ever more nodes. What a mirror-like material lacks is angles, what a
+/// highlight over a body lacks is nodes.
+constexpr RglSize ladder[] = {{8, 32}, {16, 32}, {32, 32}, {32, 48}, {64, 48}, {60, 64}, {32, 88}, {20, 112}};
 
 /// The smallest files first, none above the limit; where all are, the first with as many angles as it has room for.
 std::vector<RglSize> candidates(const RglLayout& layout, const RglOptions& options) {

@@ -120,8 +120,8 @@ class RglExportTest : public QObject {
     }
   }
 
-  /// By the published formula a file comes to the material with its size, to less than half the error with four times
-  /// the nodes each way: the parameterisation has a square root at the pole and kinks at the horizon.
+  /// By the published formula a file comes to the material with its size, to less than a quarter of the error with four
+  /// times the nodes each way; then the parameterisation's square root at the pole and its kinks at the horizon remain.
   void filesConverge() {
     const auto material = glossy();
     const auto found = [&](std::size_t thetaCount, std::size_t size) {
@@ -129,8 +129,8 @@ class RglExportTest : public QObject {
       const test::PublishedReader file(made.rgb);
       return ratio(*material, [&](const DirectionPair& pair) { return file.value(pair.wo, pair.wi); });
     };
-    const double coarse = found(12, 16), fine = found(48, 64);
-    QVERIFY2(fine > coarse + 6, qPrintable(QString("%1 to %2 dB").arg(coarse).arg(fine)));
+    const double coarse = found(6, 8), fine = found(24, 32), finest = found(48, 64);
+    QVERIFY2(fine > coarse + 12 && finest > fine, qPrintable(QString("%1 to %2 dB").arg(coarse).arg(fine)));
     const double snr = exports::exportRgl(sourceOf(material), small(24, 32)).snr;
     QVERIFY2(snr > 40, qPrintable(QString::number(snr)));
   }
