@@ -51,7 +51,7 @@ ComparisonController::ComparisonController(Document& document, BackgroundTasks& 
 void ComparisonController::openReference(const QString& path) {
   m_tasks.run<LoadedMaterialPtr>(
       {tr("Opening %1 as the reference").arg(path.section('/', -1)), referenceKey},
-      [path](const TaskControl& control) { return loadMaterial(path.toStdString(), control); },
+      [path](const TaskControl& control) { return loadEdited(path.toStdString(), control); },
       [this](const LoadedMaterialPtr& material) {
         m_reference = material;
         const ComparedSubject first = m_sides[0] == ComparedSubject::reference ? ComparedSubject::edited : m_sides[0];

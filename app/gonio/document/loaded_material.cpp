@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 
+#include "core/editing/edit_document.h"
+#include "core/editing/edited_material.h"
 #include "core/materials/near_measured_library.h"
 #include "core/materials/sgd_library.h"
 #include "widgets/preview/gl/shader_base.h"
@@ -61,6 +63,13 @@ LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskCont
   constexpr double readShare = 0.3;
   return measuredMaterial(materials::readMaterial(path, control.between(0, readShare)), nullptr,
                           control.between(readShare, 1));
+}
+
+LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control) {
+  if (!editing::isDocumentName(path)) return loadMaterial(path, control);
+  constexpr double editedShare = 0.6;
+  return measuredMaterial(editing::editedMaterial(path, control.between(0, editedShare)), nullptr,
+                          control.between(editedShare, 1));
 }
 
 LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control) {

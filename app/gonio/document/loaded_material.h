@@ -55,6 +55,8 @@ using LoadedMaterialPtr = std::shared_ptr<const LoadedMaterial>;
 /// that are tabulated.
 /// @throws Error, Cancelled.
 LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskControl& control = {});
+/// The same, or a document with its edits applied as a material of its own.
+LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control = {});
 /// What a document of resolved paths is about, without its edits. @throws Error, Cancelled.
 LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskControl& control = {});
 /// The same of a material that is there already.

@@ -6,9 +6,11 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/library/sphere_picture.h"
+#include "app/gonio/library/thumbnail.h"
 #include "core/materials/material_formats.h"
 
 namespace gonio::app {
@@ -75,19 +77,37 @@ QString titled(const std::string& kind) {
   return title;
 }
 
-/// Each file is looked into: a suffix such as .txt is that of other files too.
-std::vector<widgets::LibraryItem> materialsIn(const QString& folder, const TaskControl& control) {
+std::vector<widgets::LibraryItem> bundledItems() {
   std::vector<widgets::LibraryItem> items;
-  for (const QFileInfo& file :
-       QDir(folder).entryInfoList(materialFilePatterns(), QDir::Files | QDir::Readable, QDir::Name)) {
+  for (const materials::LibraryEntry& entry : materials::bundledLibrary())
+    items.push_back({QString::fromStdString("library:" + entry.id), QString::fromStdString(entry.name),
+                     QString::fromStdString(entry.description), badgeOf(entry.origin), sourceOf(entry),
+                     titled(entry.kind)});
+  return items;
+}
+
+/// The format of a file that is a material or a document; empty for others.
+QString formatLabel(const QFileInfo& file) {
+  if (isDocument(file.fileName())) return LibraryController::tr("Gonio document");
+  // Each file is looked into: a suffix such as .txt is that of other files too.
+  const materials::MaterialFormat* format = materials::formatOfFile(file.filesystemAbsoluteFilePath());
+  return format ? QString::fromUtf8(format->label.data(), qsizetype(format->label.size())) : QString();
+}
+
+/// @param source the heading of all of them
+std::vector<widgets::LibraryItem> materialsIn(const QString& folder, const QString& source,
+                                              const TaskControl& control) {
+  std::vector<widgets::LibraryItem> items;
+  const QStringList patterns = materialFilePatterns() + QStringList{'*' + documentSuffix()};
+  for (const QFileInfo& file : QDir(folder).entryInfoList(patterns, QDir::Files | QDir::Readable, QDir::Name)) {
     control.throwIfStopped();
-    const materials::MaterialFormat* format = materials::formatOfFile(file.filesystemAbsoluteFilePath());
-    if (!format) continue;
-    const std::string_view label = format->label;
-    const QString kind = QString::fromUtf8(label.data(), qsizetype(label.size()));
+    const QString format = formatLabel(file);
+    if (format.isEmpty()) continue;
     items.push_back({.id = file.absoluteFilePath(),
                      .name = file.completeBaseName(),
-                     .toolTip = LibraryController::tr("%1, %2").arg(kind, file.fileName()),
+                     .toolTip = LibraryController::tr("%1, %2").arg(format, file.fileName()),
+                     .badge = isDocument(file.fileName()) ? LibraryController::tr("edited") : QString(),
+                     .source = source,
                      .version = file.lastModified().toMSecsSinceEpoch()});
   }
   return items;
@@ -95,8 +115,8 @@ std::vector<widgets::LibraryItem> materialsIn(const QString& folder, const TaskC
 
 }  // namespace
 
-LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QObject* parent)
-    : QObject(parent), m_tasks(tasks), m_makeLook(std::move(makeLook)) {
+LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QString ownFolder, QObject* parent)
+    : QObject(parent), m_tasks(tasks), m_makeLook(std::move(makeLook)), m_ownFolder(std::move(ownFolder)) {
   // While a file is written its folder changes many times.
   constexpr int quietMilliseconds = 500;
   m_change.setSingleShot(true);
@@ -106,20 +126,26 @@ LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook,
 }
 
 void LibraryController::showBundled() {
-  std::vector<widgets::LibraryItem> items;
-  for (const materials::LibraryEntry& entry : materials::bundledLibrary())
-    items.push_back({QString::fromStdString("library:" + entry.id), QString::fromStdString(entry.name),
-                     QString::fromStdString(entry.description), badgeOf(entry.origin), sourceOf(entry),
-                     titled(entry.kind)});
   begin(tr("Bundled library"), {});
-  show(std::move(items));
+  show(bundledItems());
+  refreshOwn();
+}
+
+void LibraryController::refreshOwn() {
+  if (!m_folder.isEmpty() || m_ownFolder.isEmpty()) return;
+  watch(m_ownFolder);
+  listFolder();
 }
 
 void LibraryController::showFolder(const QString& folder) {
   begin(QDir(folder).dirName(), folder);
-  m_watcher.addPath(folder);
+  watch(folder);
   m_model.setItems({});
   listFolder();
+}
+
+void LibraryController::watch(const QString& folder) {
+  if (QDir(folder).exists() && !m_watcher.directories().contains(folder)) m_watcher.addPath(folder);
 }
 
 void LibraryController::begin(const QString& title, const QString& folder) {
@@ -135,7 +161,12 @@ void LibraryController::begin(const QString& title, const QString& folder) {
 void LibraryController::listFolder() {
   m_tasks.run<std::vector<widgets::LibraryItem>>(
       {.title = tr("Listing %1").arg(m_title), .key = folderKey, .quiet = true},
-      [folder = m_folder](const TaskControl& control) { return materialsIn(folder, control); },
+      [folder = m_folder, own = m_ownFolder](const TaskControl& control) {
+        if (!folder.isEmpty()) return materialsIn(folder, {}, control);
+        std::vector<widgets::LibraryItem> items = materialsIn(own, tr("Own materials"), control);
+        std::ranges::move(bundledItems(), std::back_inserter(items));
+        return items;
+      },
       [this](std::vector<widgets::LibraryItem> items) { show(std::move(items)); });
 }
 
@@ -162,7 +193,7 @@ void LibraryController::makeLargePicture(const QString& id, int pixels) {
   m_tasks.run<QImage>(
       {.title = tr("Rendering %1").arg(id.section('/', -1)), .key = largePictureKey, .live = true},
       [id, pixels](const TaskControl& control) {
-        return spherePicture(*materials::readMaterial(id.toStdString(), control).brdf, pixels, samples, control);
+        return spherePicture(*libraryMaterial(id, control).brdf, pixels, samples, control);
       },
       [this, id](const QImage& picture) { Q_EMIT largePictureMade(id, picture); }, [](const QString&) {});
 }

@@ -21,12 +21,17 @@ class LibraryController : public QObject {
  public:
   using LookMaker = std::function<widgets::LibraryLook(const QString& id, const TaskControl&)>;
 
-  LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QObject* parent = nullptr);
+  /// @param ownFolder whose materials stand beside the bundled ones; it need not be there. Empty: none.
+  LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QString ownFolder = {}, QObject* parent = nullptr);
 
   widgets::LibraryModel& model() { return m_model; }
+  /// The bundled materials, and those of the user's own folder.
   void showBundled();
-  /// Every file of a material in a folder, not in its subfolders. It is listed in the background, and again when files
-  /// come, go or change.
+  /// Lists the user's own folder again, which may be new: call it when a document has been kept there.
+  void refreshOwn();
+  QString ownFolder() const { return m_ownFolder; }
+  /// Every material and document in a folder, not in its subfolders. It is listed in the background, and again when
+  /// files come, go or change.
   void showFolder(const QString& folder);
   /// The material that LibraryModel::UnlikenessRole compares with; empty: none. Its picture is made where there is
   /// none.
@@ -48,6 +53,7 @@ class LibraryController : public QObject {
  private:
   void begin(const QString& title, const QString& folder);
   void listFolder();
+  void watch(const QString& folder);
   void show(std::vector<widgets::LibraryItem> items);
   void makeNext();
   /// What is not there yet, those in sight first.
@@ -58,6 +64,7 @@ class LibraryController : public QObject {
   widgets::LibraryModel m_model;
   QStringList m_visible;
   QString m_title, m_folder;
+  const QString m_ownFolder;
   QFileSystemWatcher m_watcher;
   QTimer m_change;  ///< runs out when a folder has been quiet
 };

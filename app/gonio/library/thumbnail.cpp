@@ -6,10 +6,13 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/library/shipped_thumbnails.h"
 #include "app/gonio/library/sphere_picture.h"
+#include "core/editing/edited_material.h"
+#include "core/io/byte_source.h"
+#include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
-#include "core/materials/material.h"
 
 namespace gonio::app {
 
@@ -18,6 +21,14 @@ namespace {
 /// Part of the cache's file names: a change of the renderer, the scene or the tone curve needs a new one.
 constexpr int rendererVersion = 1;
 constexpr int side = 192, samplesPerPixel = 16;
+
+/// What names a picture in the cache: the bytes that the material is made of.
+QString cacheName(const QString& id, const materials::Material& material) {
+  const std::string source = material.source.sha256;
+  // The edits of a document are in its own bytes.
+  return QString::fromStdString(isDocument(id) ? io::sha256Hex(source + io::sha256Hex(io::FileSource(id.toStdString())))
+                                               : source);
+}
 
 widgets::LibraryLook fromImage(const QImage& image) {
   return {image, image.text("hue").toDouble(), image.text("roughness").toDouble()};
@@ -29,14 +40,23 @@ QString thumbnailCacheFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/thumbnails");
 }
 
+QString ownMaterialsFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/materials");
+}
+
+materials::Material libraryMaterial(const QString& id, const TaskControl& control) {
+  return isDocument(id) ? editing::editedMaterial(id.toStdString(), control)
+                        : materials::readMaterial(id.toStdString(), control);
+}
+
 widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control) {
   // A bundled material is not read for its hash: that would decode it.
   if (const std::string hash = materials::librarySha256(id.toStdString()); !hash.empty())
     if (const auto shipped = shippedLook(hash)) return *shipped;
   // A file has to be read for its hash; its values are parsed beside that.
-  const materials::Material material = materials::readMaterial(id.toStdString(), control);
-  const QString hash = QString::fromStdString(material.source.sha256);
-  const QString cached = cacheFolder + QStringLiteral("/%1-%2-%3.png").arg(hash).arg(rendererVersion).arg(side);
+  const materials::Material material = libraryMaterial(id, control);
+  const QString cached =
+      cacheFolder + QStringLiteral("/%1-%2-%3.png").arg(cacheName(id, material)).arg(rendererVersion).arg(side);
   if (const QImage known(cached); !known.isNull()) return fromImage(known);
   const QImage image = spherePicture(*material.brdf, side, samplesPerPixel, control);
   // A cache that cannot be written costs time and nothing else.

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "core/support/task_control.h"
+#include "core/materials/material.h"
 #include "widgets/library/library_model.h"
 
 namespace gonio::app {
@@ -16,7 +16,13 @@ namespace gonio::app {
 /// @throws Error, Cancelled.
 widgets::LibraryLook materialLook(const QString& id, const QString& cacheFolder, const TaskControl& control);
 
+/// What an id of the library is: a bundled material, a file, or a document with its edits applied.
+/// @throws Error, Cancelled.
+materials::Material libraryMaterial(const QString& id, const TaskControl& control);
+
 /// Under the user's cache folder.
 QString thumbnailCacheFolder();
+/// Where documents lie that the user keeps in the library: under the user's data folder.
+QString ownMaterialsFolder();
 
 }  // namespace gonio::app

@@ -2,15 +2,20 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/window/document_files.h"
 
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 
 #include "app/gonio/document/document_controller.h"
 #include "app/gonio/document/file_exports.h"
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/document/recent_files.h"
 #include "app/gonio/export/image_dialog.h"
+#include "app/gonio/library/library_controller.h"
 #include "app/gonio/window/view_state.h"
 #include "core/editing/edit_words.h"
 #include "widgets/inputs/dialog_folder.h"
@@ -136,8 +141,28 @@ bool DocumentFiles::saveAs() {
   if (path.isEmpty()) return false;
   if (!isDocument(path)) path += documentSuffix();
   widgets::rememberDialogFolder(openPurpose, path);
-  if (m_parts.exports.refuses(path)) return false;
-  return m_parts.controller.save(path, viewToJson(m_parts.preview));
+  return saveTo(path);
+}
+
+bool DocumentFiles::saveTo(const QString& path) {
+  return !m_parts.exports.refuses(path) && m_parts.controller.save(path, viewToJson(m_parts.preview));
+}
+
+void DocumentFiles::saveInLibrary() {
+  if (!m_parts.document.material()) return;
+  bool accepted = false;
+  QString name = QInputDialog::getText(m_window, tr("Save in Library"), tr("&Name:"), QLineEdit::Normal,
+                                       QFileInfo(m_parts.document.name()).completeBaseName(), &accepted)
+                     .trimmed();
+  if (!accepted || name.isEmpty()) return;
+  const QDir folder(m_parts.library.ownFolder());
+  const QString path =
+      folder.filePath(name.replace(QRegularExpression(QStringLiteral(R"([/\\:*?"<>|])")), "-") + documentSuffix());
+  if (QFileInfo::exists(path) && path != m_parts.document.path() &&
+      QMessageBox::question(m_window, tr("Save in Library"), tr("Replace %1?").arg(name)) != QMessageBox::Yes)
+    return;
+  folder.mkpath(QStringLiteral("."));
+  if (saveTo(path)) m_parts.library.refreshOwn();
 }
 
 void DocumentFiles::exportBrdf() {

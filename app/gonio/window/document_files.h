@@ -21,6 +21,7 @@ class DocumentController;
 class ComparisonController;
 struct FileSave;
 class FileExports;
+class LibraryController;
 class RecentFiles;
 
 /// The files of a document as the user meets them: opening, saving and exporting with their questions, the recent
@@ -38,6 +39,7 @@ class DocumentFiles : public QObject {
     RecentFiles& recent;
     widgets::PreviewWidget& preview;  ///< its view is saved
     const ComparisonController& comparison;
+    LibraryController& library;
     QSettings& settings;
   };
 
@@ -53,6 +55,8 @@ class DocumentFiles : public QObject {
   /// Saves under the known path, else asks for one. False when it was not saved.
   bool save();
   bool saveAs();
+  /// Asks for a name and saves the document among the user's own materials.
+  void saveInLibrary();
   void exportBrdf();
   void exportImage();
   /// Asks for a name and writes it in the background.
@@ -64,6 +68,7 @@ class DocumentFiles : public QObject {
   bool close();
 
  private:
+  bool saveTo(const QString& path);
   bool mayDiscard();
   bool mayStopExports();
   void askAboutChangedSource(const QString& text);

@@ -8,6 +8,7 @@
 
 #include "app/gonio/acquisition/acquisition_panel.h"
 #include "app/gonio/comparison/comparison_panel.h"
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/factors/factor_curves_panel.h"
 #include "app/gonio/inspector/inspector.h"
 #include "app/gonio/inspector/representation_panel.h"
@@ -50,7 +51,7 @@ EditorParts::EditorParts()
       controller(document, tasks),
       exports(document, tasks),
       exporter(document, tasks),
-      library(tasks, lookMaker()),
+      library(tasks, lookMaker(), ownMaterialsFolder()),
       preview(*new widgets::PreviewWidget),
       environment(tasks, preview),
       libraryView(*new widgets::LibraryView(&library.model())),
@@ -118,7 +119,8 @@ void EditorParts::connectLibrary() {
   QObject::connect(&libraryView.selection(), &widgets::LibrarySelection::referenceRequested, &comparison,
                    &ComparisonController::openReference);
   QObject::connect(&controller, &DocumentController::opened, &libraryView, [this] {
-    const QString id = QString::fromStdString(document.material()->material.source.path.string());
+    const QString source = QString::fromStdString(document.material()->material.source.path.string());
+    const QString id = document.path().isEmpty() ? source : document.path();
     libraryView.selectItem(id);
     library.setReference(id);
     widgets::LibraryNote note = library.model().note(id);
@@ -136,7 +138,7 @@ void EditorParts::connectLibrary() {
     QStringList ids;
     for (int row = 0; row < shown.rowCount(); ++row)
       if (const QModelIndex index = shown.index(row, 0); index.flags() & Qt::ItemIsEnabled)
-        ids << index.data(widgets::LibraryModel::IdRole).toString();
+        if (const QString id = index.data(widgets::LibraryModel::IdRole).toString(); !isDocument(id)) ids << id;
     return ids;
   });
 }

@@ -51,6 +51,7 @@ void FileMenu::addSaving() {
   needMaterial << addAction(tr("&Save"), QKeySequence::Save, &m_files, &DocumentFiles::save);
   needMaterial << addAction(tr("Save &As..."), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), &m_files,
                             &DocumentFiles::saveAs);
+  needMaterial << addAction(tr("Save in Librar&y..."), &m_files, &DocumentFiles::saveInLibrary);
   addSeparator();
   needMaterial << addAction(tr("&Export BRDF..."), QKeySequence(Qt::CTRL | Qt::Key_E), &m_files,
                             &DocumentFiles::exportBrdf);

@@ -57,7 +57,7 @@ constexpr int libraryLines = 27, inspectorLines = 28;
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       m_files({m_parts.document, m_parts.controller, m_parts.exports, m_parts.tasks, m_parts.recentFiles,
-               m_parts.preview, m_parts.comparison, m_parts.settings},
+               m_parts.preview, m_parts.comparison, m_parts.library, m_parts.settings},
               this),
       m_docks(new DockLayout(*this)),
       m_messages(new widgets::MessageBar) {

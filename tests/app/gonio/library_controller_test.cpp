@@ -2,11 +2,15 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/library/library_controller.h"
 
+#include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
 #include <mutex>
 
+#include "app/gonio/library/thumbnail.h"
+#include "core/editing/edit_document.h"
+#include "core/models/registry.h"
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 
@@ -67,6 +71,44 @@ class LibraryControllerTest : public QObject {
     QVERIFY(library.model().rowCount() > 100);
     QTRY_VERIFY(library.model().pending().isEmpty());
     QVERIFY(turns < library.model().rowCount() / 2);
+  }
+
+  /// Documents that the user keeps stand before the bundled materials, edits and all, as soon as they are saved.
+  void ownMaterials() {
+    QTemporaryDir root;
+    const QString own = root.filePath("own"), document = own + "/softer.gonio";
+    BackgroundTasks tasks;
+    LibraryController library(
+        tasks,
+        [&](const QString& id, const TaskControl& control) {
+          return id == document ? materialLook(id, root.filePath("cache"), control) : anyLook();
+        },
+        own);
+    library.showBundled();
+    QTRY_VERIFY(library.model().pending().isEmpty());
+    QStringList bundled = idsOf(library.model());
+    QVERIFY(QDir().mkpath(own));
+    const materials::Material source = materials::readMaterial("library:sgd/brass");
+    const models::Model& model = models::findModel("ggx");
+    editing::DifferentialEdit edit{.model = &model, .fitted = models::defaultParameters(model.spec())};
+    edit.edited = edit.fitted;
+    edit.edited.values[*model.spec().find("diffuse")] = Rgb(0.9, 0, 0);
+    editing::writeDocument({.sourcePath = "library:sgd/brass", .sourceSha256 = source.source.sha256, .edits = {{edit}}},
+                           document.toStdString());
+    library.refreshOwn();
+    bundled.removeAll(QString());  // headings
+    const auto materials = [&] {
+      QStringList ids = idsOf(library.model());
+      ids.removeAll(QString());
+      return ids;
+    };
+    QTRY_COMPARE(materials(), QStringList{document} + bundled);
+    const QModelIndex first = library.model().index(0, 0);
+    QCOMPARE(first.data(widgets::LibraryModel::BadgeRole).toString(), QStringLiteral("edited"));
+    QTRY_VERIFY(library.model().look(document));
+    const widgets::LibraryLook plain = materialLook("library:sgd/brass", root.filePath("cache"), {});
+    const QColor edited = library.model().look(document)->thumbnail.pixelColor(96, 96);
+    QVERIFY(edited.red() > plain.thumbnail.pixelColor(plain.thumbnail.rect().center()).red() + 20);
   }
 
   void oneThatFailsHoldsNoOtherUp() {
