@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
@@ -10,7 +11,7 @@
 #include "app/goniotool/tool.h"
 #include "core/export/export_target.h"
 #include "core/rendering/environment_file.h"
-#include "core/rendering/render_picture.h"
+#include "core/rendering/scene_file.h"
 
 namespace gonio::tool {
 
@@ -20,8 +21,8 @@ struct ExportArguments {
   std::string material, out, target;
   double snr = 40;
   std::size_t thetaCount = 0, size = 0;
-  bool scene = false;
-  std::string environment;  ///< of the scene; empty: that of the rendered SNR
+  std::string scene;        ///< a name or a file; empty: none
+  std::string environment;  ///< in the place of the scene's own
 };
 
 std::string textOf(const exports::MadeExport& made, std::span<const exports::ExportFile> files) {
@@ -40,6 +41,14 @@ Json filesJson(std::span<const exports::ExportFile> files) {
   return json;
 }
 
+/// "mitsuba, pbrt"
+std::string sceneTargetList() {
+  std::string text;
+  for (const exports::ExportTarget& target : exports::exportTargets())
+    if (target.scene) text += (text.empty() ? "" : ", ") + std::string(target.id);
+  return text;
+}
+
 exports::ExportOptions exportOptions(const ExportArguments& arguments, const exports::ExportTarget& target) {
   if ((arguments.thetaCount > 0) != (arguments.size > 0))
     throw UsageError("export: --theta-count and --size belong together");
@@ -52,9 +61,13 @@ exports::ExportOptions exportOptions(const ExportArguments& arguments, const exp
   return options;
 }
 
-/// The scene of the rendered SNR, with the environment that was asked for.
-Scene exportScene(const ExportArguments& arguments) {
-  Scene scene = comparisonScene();
+constexpr const char* sphereName = "sphere";
+
+/// What is written beside the material; nothing where it is not asked for.
+std::optional<Scene> exportScene(const ExportArguments& arguments, const exports::ExportTarget& target) {
+  if (arguments.scene.empty() && arguments.environment.empty()) return std::nullopt;
+  if (!target.scene) throw UsageError("export: --scene is for " + sceneTargetList());
+  Scene scene = openScene(arguments.scene.empty() ? sphereName : arguments.scene);
   if (!arguments.environment.empty()) scene.environment = openEnvironment(arguments.environment);
   return scene;
 }
@@ -62,18 +75,16 @@ Scene exportScene(const ExportArguments& arguments) {
 int exportMaterial(const ExportArguments& arguments, const Tool& tool) {
   const exports::ExportTarget& target = *exports::findExportTarget(arguments.target);
   const exports::ExportOptions options = exportOptions(arguments, target);
-  const bool withScene = arguments.scene || !arguments.environment.empty();
-  if (withScene && !target.scene) throw UsageError("export: --scene is for Mitsuba and pbrt");
   const auto start = std::chrono::steady_clock::now();
-  const Scene scene = withScene ? exportScene(arguments) : Scene();
+  const std::optional<Scene> scene = exportScene(arguments, target);
   const OpenedSource source = openForExport(arguments.material, tool.control("reading"));
   const std::filesystem::path name = target.nameOf(arguments.out);
-  const std::vector<std::filesystem::path> paths = target.paths(name, withScene);
+  const std::vector<std::filesystem::path> paths = target.paths(name, scene ? &*scene : nullptr);
   if (!tool.force)
     for (const std::filesystem::path& path : paths) checkOutput(path, source.files);
   exports::checkTargets(paths, {}, tool.force);
   exports::MadeExport made = exports::makeExport(target, source.material, options, tool.control("exporting"));
-  if (withScene) exports::addScene(made, target, scene, name);
+  if (scene) exports::addScene(made, target, *scene, name);
   const std::vector<exports::ExportFile> files = exports::filesOf(made, name);
   exports::writeExport(files);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -115,9 +126,14 @@ void addExport(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(4, 1024));
   command->add_option("--size", options->size, "Nodes along each side of a slice, with --theta-count")
       ->check(CLI::Range(4, 512));
-  command->add_flag("--scene", options->scene, "Write a scene with a sphere too, for mitsuba and pbrt");
+  command
+      ->add_option("--scene", options->scene,
+                   "Write a scene with the material too, for " + sceneTargetList() +
+                       ": a bundled one, a scene file or a mesh (sphere where no name follows)")
+      ->expected(0, 1)
+      ->default_str(sphereName);
   command->add_option("--environment", options->environment,
-                      "Of the scene, a bundled one or a picture (studio); implies --scene");
+                      "In the place of the scene's own, a bundled one or a picture; implies --scene");
   command->callback([options, &tool] { tool.run = [options, &tool] { return exportMaterial(*options, tool); }; });
 }
 

@@ -39,7 +39,8 @@ def main():
         bpy.ops.wm.save_as_mainfile(filepath=arguments[0])
 
 
-main()
+if __name__ == "__main__":
+    main()
 )";
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "core/export/blender_scene.h"
 #include "core/export/blender_script.h"
 #include "core/export/export_report.h"
 
@@ -153,6 +154,7 @@ ExportTarget blenderTarget() {
               "the stated accuracy; later versions have another masking term, which differs near the horizon.",
           .suffixes = {"_blender.py"},
           .choosesSnr = true,
+          .scene = &blenderSceneFormat(),
           .make = makeScript};
 }
 

@@ -9,6 +9,12 @@
 
 namespace gonio::exports {
 
+/// One file of an export, in memory.
+struct ExportPart {
+  std::string suffix;  ///< after the export's name
+  std::vector<std::byte> bytes;
+};
+
 /// One file that is to be written.
 struct ExportFile {
   std::filesystem::path path;

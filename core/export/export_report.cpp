@@ -37,7 +37,7 @@ std::string commentLines(const std::string& text, std::string_view mark) {
   return lines + "\n";
 }
 
-MadeExport::Part textPart(std::string_view suffix, std::string_view text) {
+ExportPart textPart(std::string_view suffix, std::string_view text) {
   const auto* bytes = reinterpret_cast<const std::byte*>(text.data());
   return {std::string(suffix), {bytes, bytes + text.size()}};
 }

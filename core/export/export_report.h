@@ -23,7 +23,7 @@ std::string originText(const ExportSource& source, double snr);
 std::string commentLines(const std::string& text, std::string_view mark);
 
 /// A part of an export.
-MadeExport::Part textPart(std::string_view suffix, std::string_view text);
+ExportPart textPart(std::string_view suffix, std::string_view text);
 
 /// The sentence about an anisotropic material in a target that holds isotropic ones.
 std::string meanAzimuthWarning();

@@ -10,6 +10,7 @@
 #include "core/export/materialx_targets.h"
 #include "core/export/principled_target.h"
 #include "core/export/rgl_target.h"
+#include "core/export/slices_target.h"
 #include "core/export/table_targets.h"
 #include "core/export/values_target.h"
 
@@ -19,15 +20,15 @@ namespace fs = std::filesystem;
 
 std::uint64_t MadeExport::bytes() const {
   std::uint64_t sum = 0;
-  for (const Part& part : parts) sum += part.bytes.size();
+  for (const ExportPart& part : parts) sum += part.bytes.size();
   return sum;
 }
 
-std::vector<fs::path> ExportTarget::paths(const fs::path& name, bool withScene) const {
+std::vector<fs::path> ExportTarget::paths(const fs::path& name, const Scene* withScene) const {
   std::vector<fs::path> result;
   for (const std::string_view suffix : suffixes) result.push_back(fs::path(name) += suffix);
   if (withScene)
-    for (const std::string_view suffix : sceneSuffixes) result.push_back(fs::path(name) += suffix);
+    for (const std::string& suffix : sceneSuffixes(*scene, *withScene)) result.push_back(fs::path(name) += suffix);
   return result;
 }
 
@@ -48,7 +49,7 @@ std::span<const ExportTarget> exportTargets() {
       mitsubaTarget(), pbrtTarget(),      blenderTarget(), principledTarget(),
       gltfTarget(),    materialXTarget(), openPbrTarget(), standardSurfaceTarget(),
       valuesTarget(),  glslTarget(),      merlTarget(),    merlCircleTarget(),
-      utiaTarget(),    csvTarget()};
+      utiaTarget(),    csvTarget(),       slicesTarget()};
   return targets;
 }
 
@@ -70,12 +71,13 @@ MadeExport makeExport(const ExportTarget& target, const ExportSource& source, co
 }
 
 void addScene(MadeExport& made, const ExportTarget& target, const Scene& scene, const fs::path& name) {
-  for (MadeExport::Part& part : target.scene(scene, name.filename().string())) made.parts.push_back(std::move(part));
+  for (ExportPart& part : sceneParts(*target.scene, scene, name.filename().string()))
+    made.parts.push_back(std::move(part));
 }
 
 std::vector<ExportFile> filesOf(const MadeExport& made, const fs::path& name) {
   std::vector<ExportFile> files;
-  for (const MadeExport::Part& part : made.parts) files.push_back({fs::path(name) += part.suffix, part.bytes});
+  for (const ExportPart& part : made.parts) files.push_back({fs::path(name) += part.suffix, part.bytes});
   return files;
 }
 

@@ -11,7 +11,7 @@
 #include "core/export/export_files.h"
 #include "core/export/export_source.h"
 #include "core/export/rgl_parameterisation.h"
-#include "core/rendering/scene.h"
+#include "core/export/scene_files.h"
 
 namespace gonio::exports {
 
@@ -29,11 +29,7 @@ struct ExportFact {
 
 /// An export in memory.
 struct MadeExport {
-  struct Part {
-    std::string suffix;  ///< one of the target's suffixes
-    std::vector<std::byte> bytes;
-  };
-  std::vector<Part> parts;
+  std::vector<ExportPart> parts;
   double snr = 0;                    ///< dB of `brdf` against the material; +infinity for equal pictures
   std::shared_ptr<const Brdf> brdf;  ///< what the renderer shows of the files, by the target's own formula
   std::vector<ExportFact> facts;
@@ -52,15 +48,12 @@ struct ExportTarget {
   std::vector<std::string_view> suffixes;  ///< "_rgb.bsdf": the files are NAME with each of them
   bool choosesSize = false;                ///< ExportOptions::size counts
   bool choosesSnr = false;                 ///< ExportOptions::snr counts: the files grow with it
-  /// Suffixes of the files of a scene with the material; empty where the target has none.
-  std::vector<std::string_view> sceneSuffixes = {};
-  /// These files. NAME is without folders. @throws Error where the target cannot show the scene.
-  std::vector<MadeExport::Part> (*scene)(const Scene&, const std::string& name) = nullptr;
+  const SceneFormat* scene = nullptr;      ///< of scenes with the material; null where the target has none
   /// Some seconds. @throws Error; Cancelled.
   MadeExport (*make)(const ExportSource&, const ExportOptions&, const TaskControl&);
 
-  /// NAME with each of the suffixes, those of the scene too where it is asked for.
-  std::vector<std::filesystem::path> paths(const std::filesystem::path& name, bool withScene = false) const;
+  /// NAME with each of the suffixes, and with those of a scene that is written beside them.
+  std::vector<std::filesystem::path> paths(const std::filesystem::path& name, const Scene* withScene = nullptr) const;
   /// NAME of what a user calls a file of the export: without a suffix of the target, or without its last part ".bsdf".
   std::filesystem::path nameOf(const std::filesystem::path& file) const;
 };
@@ -73,7 +66,7 @@ const ExportTarget* findExportTarget(std::string_view id);
 /// Makes an export; the warnings that concern the material (exportWarnings()) are among its own.
 MadeExport makeExport(const ExportTarget& target, const ExportSource& source, const ExportOptions& options = {},
                       const TaskControl& control = {});
-/// Adds the files of a scene. Contract: the target has one. @throws Error where it cannot show the scene.
+/// Adds the files of a scene. Contract: the target has scenes.
 void addScene(MadeExport& made, const ExportTarget& target, const Scene& scene, const std::filesystem::path& name);
 /// The parts at the target's paths, for writeExport().
 std::vector<ExportFile> filesOf(const MadeExport& made, const std::filesystem::path& name);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/export/blender_scene.h"
 #include "core/export/blender_script.h"
 #include "core/export/principled_model.h"
 #include "core/export/surface_target.h"
@@ -103,6 +104,7 @@ ExportTarget principledTarget() {
               "An approximation by a diffuse lobe, one highlight and a coat; isotropic or with one direction of the "
               "grain. The prediction is that of Blender 3.4; Blender 4 has another shader of this name.",
           .suffixes = {principledSuffix},
+          .scene = &principledSceneFormat(),
           .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
             return makeSurfaceExport(
                 principledShader(), principledSuffix,

@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/export/rgl_target.h"
 
+#include "core/export/mitsuba_scene.h"
+#include "core/export/pbrt_scene.h"
 #include "core/export/rgl_export.h"
-#include "core/export/scene_files.h"
 
 namespace gonio::exports {
 
@@ -54,8 +55,7 @@ ExportTarget mitsubaTarget() {
       target("mitsuba", "Mitsuba 3",
              "Two files for the BSDF plugin \"measured\": NAME_rgb.bsdf for the RGB variants, NAME_spec.bsdf for "
              "the spectral ones.");
-  mitsuba.sceneSuffixes = {"_scene.xml", "_environment.exr"};
-  mitsuba.scene = mitsubaScene;
+  mitsuba.scene = &mitsubaSceneFormat();
   return mitsuba;
 }
 
@@ -64,8 +64,7 @@ ExportTarget pbrtTarget() {
       target("pbrt", "pbrt-v4",
              "Two files: NAME_spec.bsdf for the material \"measured\", and NAME_rgb.bsdf, which Mitsuba's RGB "
              "variants read.");
-  pbrt.sceneSuffixes = {"_scene.pbrt", "_environment_octahedral.exr"};
-  pbrt.scene = pbrtScene;
+  pbrt.scene = &pbrtSceneFormat();
   return pbrt;
 }
 

@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "core/geometry/triangle_mesh.h"
 #include "core/io/byte_source.h"
 
@@ -14,5 +17,9 @@ namespace gonio::io {
 /// @throws Error with the line of the header, or the element, what was found and what was expected; where there are no
 /// faces; over 2 GB or 100 million triangles; as TriangleMesh does.
 TriangleMesh readPly(const ByteSource& source);
+
+/// The mesh with its shading normals as binary little-endian PLY, float32 and int32: a vertex for each pair of a
+/// position and a normal that a corner has, since the format has normals at vertices alone. O(corners).
+std::vector<std::byte> encodePly(const TriangleMesh& mesh);
 
 }  // namespace gonio::io

@@ -109,7 +109,7 @@ ExportRequest BatchDialog::request(qsizetype index) const {
 QStringList BatchDialog::existing() const {
   QStringList names;
   for (qsizetype i = 0; i < m_ids.size(); ++i)
-    for (const auto& path : target().paths(request(i).name.toStdString(), false))
+    for (const auto& path : target().paths(request(i).name.toStdString()))
       if (const QFileInfo info(QString::fromStdString(path.string())); info.exists()) names << info.fileName();
   return names;
 }

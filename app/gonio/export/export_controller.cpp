@@ -4,6 +4,7 @@
 
 #include <QFileInfo>
 
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/library/sphere_picture.h"
 #include "core/editing/blend_source.h"
 #include "core/export/export_origin.h"
@@ -41,7 +42,7 @@ QString ExportSubject::proposedName() const {
   return QString::fromStdString(exports::proposedName(material->material.name, edits));
 }
 
-QString fileNames(const exports::ExportTarget& target, const QString& name, bool withScene) {
+QString fileNames(const exports::ExportTarget& target, const QString& name, const Scene* withScene) {
   QStringList names;
   for (const std::filesystem::path& path : target.paths(name.toStdString(), withScene))
     names << QString::fromStdString(path.filename().string());
@@ -89,7 +90,7 @@ void ExportController::write(const ExportSubject& subject, const ExportRequest& 
   Q_EMIT lastChanged();
   writeInBackground(request, [subject, request, trial](const TaskControl& control) {
     const std::filesystem::path name = request.name.toStdString();
-    exports::checkTargets(request.target->paths(name, request.scene != nullptr), subject.files, true);
+    exports::checkTargets(request.target->paths(name, request.scene.get()), subject.files, true);
     exports::MadeExport made =
         trial ? trial->made : exports::makeExport(*request.target, subject.source(), request.options, control);
     if (request.scene) exports::addScene(made, *request.target, *request.scene, name);
@@ -101,7 +102,8 @@ void ExportController::write(const ExportSubject& subject, const ExportRequest& 
 void ExportController::writeMeasured(const QString& id, const ExportRequest& request, bool replace) {
   writeInBackground(request, [id, request, replace](const TaskControl& control) {
     const std::filesystem::path name = request.name.toStdString(), source = id.toStdString();
-    exports::checkTargets(request.target->paths(name, false), std::span(&source, 1), replace);
+    if (isDocument(id)) throw Error(source.string() + ": open the document to export it with its edits");
+    exports::checkTargets(request.target->paths(name), std::span(&source, 1), replace);
     const materials::Material material = materials::readMaterial(source, control.between(0, 0.1));
     const exports::MadeExport made =
         exports::makeExport(*request.target, exports::exportSource(material.name, material, material.brdf, {}),
@@ -112,7 +114,7 @@ void ExportController::writeMeasured(const QString& id, const ExportRequest& req
 }
 
 void ExportController::writeInBackground(const ExportRequest& request, Writer writer) {
-  const QString files = fileNames(*request.target, request.name, request.scene != nullptr);
+  const QString files = fileNames(*request.target, request.name, request.scene.get());
   m_tasks.run<std::vector<std::string>>(
       {.title = tr("Exporting %1").arg(files), .file = true}, std::move(writer),
       [this, files](const std::vector<std::string>& warnings) {

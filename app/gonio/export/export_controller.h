@@ -94,6 +94,6 @@ class ExportController : public QObject {
 QString materialName(const QString& id);
 
 /// "chrome_rgb.bsdf and chrome_spec.bsdf"
-QString fileNames(const exports::ExportTarget& target, const QString& name, bool withScene = false);
+QString fileNames(const exports::ExportTarget& target, const QString& name, const Scene* withScene = nullptr);
 
 }  // namespace gonio::app

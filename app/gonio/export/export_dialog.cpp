@@ -114,10 +114,9 @@ QWidget* ExportDialog::details() {
   m_progress->setSizePolicy(kept);
   m_snr = exportSnrField();
   m_withScene = new QCheckBox(tr("Also write a &scene"));
-  m_withScene->setToolTip(
-      canShowScene() ? tr("A sphere of the material in the preview's environment, seen by the preview's camera, for "
-                          "Mitsuba and pbrt.")
-                     : tr("A scene needs an environment and a perspective camera in the preview."));
+  m_withScene->setToolTip(tr(
+      "The preview's shapes, lights, environment and camera with the material, for Mitsuba, pbrt and Blender. Not in "
+      "it: a blurred background."));
   auto* form = new QFormLayout;
   form->addRow(tr("&Rendered SNR >="), m_snr);
   form->addRow(QString(), m_withScene);
@@ -207,7 +206,7 @@ void ExportDialog::showTarget() {
   m_description->setText(widgets::fromView(target().description) + '\n' + widgets::fromView(target().holds));
   m_pictures->setExportedName(tr("Export for %1").arg(widgets::fromView(target().label)));
   m_snr->setEnabled(target().choosesSnr);
-  m_withScene->setEnabled(target().scene && canShowScene());
+  m_withScene->setEnabled(target().scene != nullptr);
   m_error.clear();
   m_controller.dropTrial();
   if (!trial()) m_delay.start();
@@ -270,9 +269,9 @@ void ExportDialog::showFiles() {
   m_export->setEnabled(!path.isEmpty());
   if (path.isEmpty()) return m_files->setText(tr("Enter a name."));
   bool exists = false;
-  for (const auto& file : target().paths(path.toStdString(), withScene()))
+  for (const auto& file : target().paths(path.toStdString(), writtenScene()))
     exists |= QFileInfo::exists(QString::fromStdString(file.string()));
-  const QString files = fileNames(target(), path, withScene());
+  const QString files = fileNames(target(), path, writtenScene());
   m_files->setText(exists ? tr("%1 (replaces existing files)").arg(files) : files);
 }
 
@@ -284,7 +283,7 @@ void ExportDialog::browse() {
 
 bool ExportDialog::mayReplace() {
   QStringList existing;
-  for (const auto& file : target().paths(name().toStdString(), withScene()))
+  for (const auto& file : target().paths(name().toStdString(), writtenScene()))
     if (const QFileInfo info(QString::fromStdString(file.string())); info.exists()) existing << info.fileName();
   return existing.isEmpty() ||
          QMessageBox::question(this, tr("Replace files"), tr("Replace %1?").arg(existing.join(QStringLiteral(", "))),

@@ -68,7 +68,7 @@ class ExportDialog : public QDialog {
   void showProgress();
   void browse();
   bool mayReplace();
-  bool canShowScene() const { return m_scene->environment && m_scene->camera.fieldOfView > 0; }
+  const Scene* writtenScene() const { return withScene() ? m_scene.get() : nullptr; }
 
   ExportController& m_controller;
   QSettings& m_settings;

@@ -6,6 +6,7 @@
 import array
 import math
 import os
+import runpy
 import sys
 
 import bpy
@@ -13,11 +14,8 @@ import bpy
 script, out, side, samples, theta = sys.argv[sys.argv.index("--") + 1:]
 side, samples, theta = int(side), int(samples), float(theta)
 
-sys.argv = ["blender"]  # the script of the material has arguments of its own
 bpy.ops.wm.read_factory_settings(use_empty=True)
-before = set(bpy.data.materials)
-exec(compile(open(script).read(), script, "exec"), {"__name__": "material"})
-material = (set(bpy.data.materials) - before).pop()
+material = runpy.run_path(script, run_name="material")["make_material"]()
 
 scene = bpy.context.scene
 # Blender's own operator takes 20 s for a sphere as fine as this.

@@ -12,11 +12,13 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/coordinates/half_difference.h"
 #include "core/export/export_target.h"
 #include "core/export/glsl_target.h"
 #include "core/export/gltf_target.h"
 #include "core/export/materialx_targets.h"
 #include "core/io/byte_source.h"
+#include "core/io/exr_codec.h"
 #include "core/materials/material_file.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
@@ -208,6 +210,22 @@ class SurfaceFilesTest : public QObject {
     QCOMPARE(row.mid(0, 4).join(' '), QString("30 0 15 180"));
     const double expected = source.brdf->evaluate(fromSpherical(radians(30), 0), fromSpherical(radians(15), pi)).x;
     QVERIFY(std::abs(row[4].toDouble() / expected - 1) < 1e-5);
+  }
+
+  /// A pixel is the BRDF at its half vector and difference vector; below the horizon it is 0.
+  void slicesHaveTheValues() {
+    const exports::ExportSource source{.name = "test", .brdf = test::ggx(Rgb(0.3), Rgb(0.5), 0.5, 0.05)};
+    const auto made = exports::makeExport(*exports::findExportTarget("slices"), source);
+    const Image image = io::decodeExr(made.parts[0].bytes);
+    QCOMPARE(std::pair(image.width, image.height), std::pair(4 * 180, 180));
+    const int columns[] = {7, 180 + 40, 2 * 180 + 60, 3 * 180 + 90};
+    for (const int column : columns) {
+      const double u = (column % 180 + 0.5) / 180, thetaH = halfPi * u * u, thetaD = halfPi * 30.5 / 180;
+      const DirectionPair pair = fromHalfDifference(thetaH, thetaD, radians(30.0 * (column / 180)));
+      const double expected = source.brdf->evaluate(pair.wi, pair.wo).x;
+      QVERIFY(expected > 0 && std::abs(image.at(column, 180 - 31).x / expected - 1) < 1e-6);
+    }
+    QVERIFY(image.at(179, 0).x == 0);
   }
 
   /// Three programs, each with all its inputs once.

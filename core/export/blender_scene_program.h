@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+
+namespace gonio::exports {
+
+/// The Python script of a scene. @param description of the dictionary SCENE, in Python: directions and positions with z
+/// up; "environment" is left out where there is none.
+std::string blenderSceneProgram(const std::string& description);
+
+}  // namespace gonio::exports

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/export/scene_files.h"
+
+namespace gonio::exports {
+
+/// NAME_scene.xml of Mitsuba 3 with NAME_rgb.bsdf, and NAME_environment.exr, a latitude-longitude picture.
+const SceneFormat& mitsubaSceneFormat();
+
+}  // namespace gonio::exports
