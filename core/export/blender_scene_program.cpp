@@ -13,11 +13,11 @@ constexpr const char* sceneProgramStart = R"(# A scene for Cycles, made by Gonio
 import math
 import os
 import runpy
+import struct
 import sys
 
 import bpy
 import mathutils
-import numpy
 
 SCENE = )";
 
@@ -37,21 +37,24 @@ def read_ply(path):
     start = data.index(b"end_header\n") + len(b"end_header\n")
     words = data[:start].split()
     counts = [int(words[index + 2]) for index, word in enumerate(words) if word == b"element"]
-    vertices = numpy.frombuffer(data, "<f4", 6 * counts[0], start).reshape(-1, 6)
-    kind = numpy.dtype([("corners", "u1"), ("indices", "<i4", 3)])
-    faces = numpy.frombuffer(data, kind, counts[1], start + vertices.nbytes)["indices"]
-    return vertices[:, :3], vertices[:, 3:], faces
+    vertices = list(struct.iter_unpack("<6f", data[start:start + 24 * counts[0]]))
+    faces = [face[1:] for face in struct.iter_unpack("<B3i", data[start + 24 * counts[0]:])]
+    return [vertex[:3] for vertex in vertices], [vertex[3:] for vertex in vertices], faces
+
+
+def upright(vectors):
+    """From y up to z up."""
+    return [(x, -z, y) for x, y, z in vectors]
 
 
 def mesh_from_file(name, path):
     vertices, normals, faces = read_ply(path)
-    upright = numpy.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]], "f4")
     mesh = bpy.data.meshes.new(name)
-    mesh.from_pydata((vertices @ upright).tolist(), [], faces.tolist())
+    mesh.from_pydata(upright(vertices), [], faces)
     mesh.polygons.foreach_set("use_smooth", [True] * len(faces))
     if hasattr(mesh, "use_auto_smooth"):
         mesh.use_auto_smooth = True
-    mesh.normals_split_custom_set_from_vertices((normals @ upright).tolist())
+    mesh.normals_split_custom_set_from_vertices(upright(normals))
     return mesh
 
 
