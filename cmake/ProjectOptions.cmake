@@ -35,10 +35,10 @@ if(GONIO_SANITIZE)
   target_link_options(gonio_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# gonio_unity(TARGET [FILES]): compiles up to FILES (8) sources of a room at once. Names in the anonymous namespaces of a room
-# therefore differ from file to file.
+# gonio_unity(TARGET [FILES]): compiles up to FILES (16) sources of a target at once. Names in the anonymous namespaces of a
+# target therefore differ from file to file.
 function(gonio_unity target)
-  set(files 8)
+  set(files 16)
   if(ARGC GREATER 1)
     set(files ${ARGV1})
   endif()
