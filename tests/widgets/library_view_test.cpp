@@ -243,6 +243,43 @@ class LibraryViewTest : public QObject {
     QVERIFY(idsOf(view).isEmpty());
   }
 
+  /// What is selected stays so when the materials are listed again; what is not listed yet is selected when it comes.
+  void selectionOutlivesANewList() {
+    LibraryModel model;
+    LibraryView view(&model);
+    model.setItems(threeMaterials());
+    const auto selected = [&] {
+      QStringList ids;
+      for (const QModelIndex& index : view.list()->selectionModel()->selectedIndexes())
+        ids << index.data(LibraryModel::IdRole).toString();
+      return ids;
+    };
+    view.selectItem("b");
+    model.setItems(threeMaterials());
+    QCOMPARE(selected(), QStringList{"b"});
+    QCOMPARE(view.list()->currentIndex().data(LibraryModel::IdRole).toString(), QString("b"));
+
+    view.selectItem("new");
+    QVERIFY(selected().isEmpty());
+    std::vector<LibraryItem> more = threeMaterials();
+    more.push_back({.id = "new", .name = "new"});
+    model.setItems(more);
+    QCOMPARE(selected(), QStringList{"new"});
+
+    view.list()->selectAll();
+    const auto sorted = [](QStringList ids) {
+      ids.sort();
+      return ids;
+    };
+    const QStringList all = sorted(selected());
+    model.setItems(more);
+    QCOMPARE(sorted(selected()), all);
+    QCOMPARE(all.size(), 4);
+    view.list()->clearSelection();
+    model.setItems(threeMaterials());
+    QVERIFY(selected().isEmpty());
+  }
+
   /// The keys 0 to 5 rate what is selected; the order by rating, the menu and the tool tip follow.
   void ratings() {
     LibraryModel model;

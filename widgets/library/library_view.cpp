@@ -13,6 +13,7 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "widgets/inputs/icons.h"
 #include "widgets/library/library_chips.h"
@@ -131,7 +132,13 @@ void LibraryView::connectList() {
   connect(&m_visibleTimer, &QTimer::timeout, this, [this] { Q_EMIT visibleIdsChanged(visibleIds()); });
   const auto later = [this] { m_visibleTimer.start(); };
   connect(m_list->verticalScrollBar(), &QScrollBar::valueChanged, this, later);
-  connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
+  connect(m_proxy, &QAbstractItemModel::modelAboutToBeReset, this, [this] {
+    const QModelIndexList selected = m_list->selectionModel()->selectedIndexes();
+    if (!selected.isEmpty()) m_kept.clear();
+    for (const QModelIndex& index : selected) m_kept << index.data(LibraryModel::IdRole).toString();
+  });
+  connect(m_proxy, &QAbstractItemModel::modelReset, this, [this] {
+    restoreSelection();
     updateEmptyState();
     m_visibleTimer.start();
   });
@@ -227,13 +234,24 @@ int LibraryView::grouping() const { return m_group->currentIndex(); }
 int LibraryView::sortMode() const { return m_sort->currentIndex(); }
 
 void LibraryView::selectItem(const QString& id) {
-  for (int row = 0; row < m_proxy->rowCount(); ++row)
-    if (m_proxy->index(row, 0).data(LibraryModel::IdRole).toString() == id) {
-      m_list->setCurrentIndex(m_proxy->index(row, 0));
-      m_list->scrollTo(m_proxy->index(row, 0));
-      return;
-    }
   m_list->clearSelection();
+  m_kept = {id};
+  restoreSelection();
+}
+
+void LibraryView::restoreSelection() {
+  const QStringList wanted = std::exchange(m_kept, {});
+  QStringList missing = wanted;
+  for (int row = 0; row < m_proxy->rowCount(); ++row) {
+    const QModelIndex index = m_proxy->index(row, 0);
+    const QString id = index.data(LibraryModel::IdRole).toString();
+    if (missing.removeAll(id) == 0) continue;
+    m_list->selectionModel()->select(index, QItemSelectionModel::Select);
+    if (id != wanted.front()) continue;
+    m_list->selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+    m_list->scrollTo(index);
+  }
+  m_kept = missing;
 }
 
 QStringList LibraryView::visibleIds() const {

@@ -128,10 +128,15 @@ LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook,
 void LibraryController::showBundled() {
   begin(tr("Bundled library"), {});
   show(bundledItems());
-  refreshOwn();
+  listOwn();
 }
 
-void LibraryController::refreshOwn() {
+void LibraryController::addOwn(const QString& path) {
+  listOwn();
+  Q_EMIT added(path);
+}
+
+void LibraryController::listOwn() {
   if (!m_folder.isEmpty() || m_ownFolder.isEmpty()) return;
   watch(m_ownFolder);
   listFolder();

@@ -27,8 +27,8 @@ class LibraryController : public QObject {
   widgets::LibraryModel& model() { return m_model; }
   /// The bundled materials, and those of the user's own folder.
   void showBundled();
-  /// Lists the user's own folder again, which may be new: call it when a document has been kept there.
-  void refreshOwn();
+  /// Lists the user's own folder again, which may be new, because a document has been saved there.
+  void addOwn(const QString& path);
   QString ownFolder() const { return m_ownFolder; }
   /// Every material and document in a folder, not in its subfolders. It is listed in the background, and again when
   /// files come, go or change.
@@ -48,11 +48,14 @@ class LibraryController : public QObject {
 
  Q_SIGNALS:
   void titleChanged(const QString& title);
+  /// A material comes into the list soon that the user has just saved.
+  void added(const QString& id);
   void largePictureMade(const QString& id, const QImage& picture);
 
  private:
   void begin(const QString& title, const QString& folder);
   void listFolder();
+  void listOwn();
   void watch(const QString& folder);
   void show(std::vector<widgets::LibraryItem> items);
   void makeNext();

@@ -162,7 +162,7 @@ void DocumentFiles::saveInLibrary() {
       QMessageBox::question(m_window, tr("Save in Library"), tr("Replace %1?").arg(name)) != QMessageBox::Yes)
     return;
   folder.mkpath(QStringLiteral("."));
-  if (saveTo(path)) m_parts.library.refreshOwn();
+  if (saveTo(path)) m_parts.library.addOwn(path);
 }
 
 void DocumentFiles::exportBrdf() {

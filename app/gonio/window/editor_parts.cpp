@@ -113,6 +113,7 @@ void EditorParts::use(const gonio::study::Representation& representation) {
 
 void EditorParts::connectLibrary() {
   QObject::connect(&library, &LibraryController::titleChanged, &libraryView, &widgets::LibraryView::setTitle);
+  QObject::connect(&library, &LibraryController::added, &libraryView, &widgets::LibraryView::selectItem);
   QObject::connect(&libraryView, &widgets::LibraryView::visibleIdsChanged, &library, &LibraryController::setVisible);
   QObject::connect(&library.model(), &widgets::LibraryModel::noteChanged, &libraryView,
                    [this](const QString& id, const widgets::LibraryNote& note) { libraryStore.write(id, note); });

@@ -3,6 +3,7 @@
 #include "app/gonio/library/library_controller.h"
 
 #include <QDir>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
@@ -95,7 +96,9 @@ class LibraryControllerTest : public QObject {
     edit.edited.values[*model.spec().find("diffuse")] = Rgb(0.9, 0, 0);
     editing::writeDocument({.sourcePath = "library:sgd/brass", .sourceSha256 = source.source.sha256, .edits = {{edit}}},
                            document.toStdString());
-    library.refreshOwn();
+    const QSignalSpy added(&library, &LibraryController::added);
+    library.addOwn(document);
+    QCOMPARE(added.value(0).value(0).toString(), document);
     bundled.removeAll(QString());  // headings
     const auto materials = [&] {
       QStringList ids = idsOf(library.model());

@@ -164,9 +164,9 @@ class BlenderTest : public QObject {
     }
     const auto material = test::ggx(Rgb(0.3, 0.12, 0.05), Rgb(0.9), 0.4, 0.06);
     const exports::ViewLobes lobes = exports::fitViewLobes(*material, {.lobes = 2, .knots = 12});
-    const Image found = renderedScene(m_folder, scene, exports::blenderScript(lobes, "test", "A test."), 96, 256);
+    const Image found = renderedScene(m_folder, scene, exports::blenderScript(lobes, "test", "A test."), 64, 256);
     const Image expected =
-        renderPicture(*exports::viewLobesBrdf(lobes), scene, {.width = 96, .height = 96, .samples = 512});
+        renderPicture(*exports::viewLobesBrdf(lobes), scene, {.width = 64, .height = 64, .samples = 512});
     QCOMPARE(found.width, expected.width);
     const double snr = metrics::signalToNoiseRatio(expected, found);
     qInfo() << "Cycles against Gonio:" << snr << "dB";
