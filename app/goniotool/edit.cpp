@@ -8,7 +8,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 #include "core/export/export_origin.h"
 
 namespace gonio::tool {

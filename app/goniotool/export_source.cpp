@@ -4,7 +4,7 @@
 
 #include "app/goniotool/materials.h"
 #include "app/goniotool/outputs.h"
-#include "core/editing/blend_source.h"
+#include "core/documents/blend_source.h"
 #include "core/export/export_origin.h"
 #include "core/export/spectral_edit.h"
 #include "core/io/atomic_file.h"

@@ -9,7 +9,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/dictionary/decode.h"
-#include "core/editing/interpolation/interpolation.h"
+#include "core/interpolation/interpolation.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/math/weights.h"

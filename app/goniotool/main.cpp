@@ -6,7 +6,7 @@
 #include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 #include "core/materials/material_formats.h"
 #include "core/math/parallel.h"
 

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <fstream>
 
-#include "core/editing/edited_material.h"
+#include "core/documents/edited_material.h"
 
 namespace gonio::tool {
 

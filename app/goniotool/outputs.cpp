@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "app/goniotool/materials.h"
-#include "core/editing/blend_source.h"
+#include "core/documents/blend_source.h"
 #include "core/io/atomic_file.h"
 
 namespace gonio::tool {

@@ -16,19 +16,11 @@ namespace {
 
 using Materials = std::span<const std::shared_ptr<const RenderMaterial>>;
 
-struct EffectNames {
-  const char *id, *name;
-};
-constexpr std::array<EffectNames, effectCount> names{{{"emitted-light", "emitted light"},
-                                                      {"direct-light", "direct light"},
-                                                      {"environment-light", "environment light"},
-                                                      {"cast-shadows", "cast shadows"},
-                                                      {"self-shadowing", "self-shadowing"},
-                                                      {"interreflection", "interreflection"},
-                                                      {"anisotropic-frames", "anisotropic frames"},
-                                                      {"area-light-sampling", "area light sampling"}}};
+constexpr std::array<const char*, effectCount> ids{"emitted-light",      "direct-light",       "environment-light",
+                                                   "cast-shadows",       "self-shadowing",     "interreflection",
+                                                   "anisotropic-frames", "area-light-sampling"};
 
-/// "a sixteenth" is for books: two significant digits of a percentage.
+/// Two significant digits of a percentage.
 std::string percent(double share) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
@@ -239,15 +231,13 @@ void Analysis::decideFrames() {
 
 }  // namespace
 
-const char* effectId(Effect effect) { return names[std::size_t(effect)].id; }
-
-std::string effectName(Effect effect) { return names[std::size_t(effect)].name; }
+const char* effectId(Effect effect) { return ids[std::size_t(effect)]; }
 
 Effect effectOfId(const std::string& id) {
   std::string known;
   for (std::size_t i = 0; i < effectCount; ++i) {
-    if (id == names[i].id) return Effect(i);
-    known += std::string(i ? ", " : "") + names[i].id;
+    if (id == ids[i]) return Effect(i);
+    known += std::string(i ? ", " : "") + ids[i];
   }
   throw Error("found the effect '" + id + "', expected one of " + known);
 }

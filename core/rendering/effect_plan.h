@@ -25,9 +25,8 @@ enum class Effect {
   areaLightSampling,  ///< rays are sent to places on lamps that have a size
 };
 inline constexpr std::size_t effectCount = 8;
-/// "emitted-light", as files and the command line name it; and "emitted light" for people.
+/// "emitted-light", as files and the command line name it.
 const char* effectId(Effect effect);
-std::string effectName(Effect effect);
 /// @throws Error that lists the ids.
 Effect effectOfId(const std::string& id);
 

@@ -144,9 +144,4 @@ bool encloses(const Shape& shape, const Direction& point) {
   return true;
 }
 
-const char* shapeKind(const Shape& shape) {
-  constexpr const char* kinds[] = {"a sphere", "a rectangle", "a mesh"};
-  return kinds[shape.index()];
-}
-
 }  // namespace gonio

@@ -64,7 +64,5 @@ Sphere boundingSphere(const Shape& shape);
 bool isConvex(const Shape& shape);
 /// Whether the point certainly lies inside the shape, so that its outside turns away from it everywhere.
 bool encloses(const Shape& shape, const Direction& point);
-/// "a sphere", "a rectangle", "a mesh".
-const char* shapeKind(const Shape& shape);
 
 }  // namespace gonio

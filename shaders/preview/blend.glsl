@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 // Materials mixed while a point is dragged between them; only the weights change (and the target that all move to).
-// Twin of editing::TransformedMixture and of the blends of core/editing/interpolation that it stands for.
+// Twin of editing::TransformedMixture and of the blends of core/interpolation that it stands for.
 //   BLEND_TABLES     how many
 //   BLEND_TRANSFORM  the DataTransform of their values; the mean is transformed back
 //   BLEND_MOVES      each is moved by a model first, with EVALUATE_MODEL and MODEL_PARAMETERS: by model(target) -

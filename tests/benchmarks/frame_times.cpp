@@ -89,27 +89,30 @@ class Session {
     const auto table = bakeTable(*widgets::subjectBrdf(ggx));
     const auto lobe = std::make_shared<const TabulatedLobe>(*table);
     measure("nothing: the empty window", [](int) {});
-    measure("open a material", [&](int) { preview_.setSubject(widgets::measuredSubject(table, lobe)); });
+    measure("open a material", [&](int) { preview_.content().setSubject(widgets::measuredSubject(table, lobe)); });
     measure(
         "exposure", [&](int step) { preview_.setExposure(0.05 * step); }, 20);
-    measure("choose a model (new shader)", [&](int) { preview_.setSubject(ggx); });
-    measure("choose another model (new shader)", [&](int) { preview_.setSubject(modelAlone("cook-torrance", 0.3)); });
+    measure("choose a model (new shader)", [&](int) { preview_.content().setSubject(ggx); });
+    measure("choose another model (new shader)",
+            [&](int) { preview_.content().setSubject(modelAlone("cook-torrance", 0.3)); });
     measure(
-        "drag a slider", [&](int step) { preview_.setSubject(modelAlone("ggx", 0.1 + 0.01 * step)); }, 60);
-    const auto orbit = [&](int) { preview_.setView(widgets::orbited(preview_.scene().camera, 4, 0), 0); };
+        "drag a slider", [&](int step) { preview_.content().setSubject(modelAlone("ggx", 0.1 + 0.01 * step)); }, 60);
+    const auto orbit = [&](int) {
+      preview_.content().setView(widgets::orbited(preview_.content().scene().camera, 4, 0), 0);
+    };
     measure("orbit", orbit, 60);
     const Scene spheres = openScene("two-spheres"), bowl = openScene("bowl");
-    measure("another scene (new shader)", [&](int) { preview_.showScene(spheres); });
+    measure("another scene (new shader)", [&](int) { preview_.content().showScene(spheres); });
     measure("orbit", orbit, 60);
-    preview_.setOther(widgets::measuredSubject(table, lobe), "Other");
+    preview_.content().setOther(widgets::measuredSubject(table, lobe), "Other");
     for (const auto& [mode, name] : {std::pair{CompareMode::split, "compare: split"},
                                      {CompareMode::difference, "compare: difference"},
                                      {CompareMode::twoUp, "compare: side by side"},
                                      {CompareMode::off, "compare: off"}})
-      measure(name, [&, mode = mode](int) { preview_.setComparison({.mode = mode}); });
+      measure(name, [&, mode = mode](int) { preview_.content().setComparison({.mode = mode}); });
     measure(
         "resize", [&](int) { preview_.resize(preview_.size() + QSize(4, 2)); }, 20);
-    measure("a mesh (traced on the CPU)", [&](int) { preview_.showScene(bowl); });
+    measure("a mesh (traced on the CPU)", [&](int) { preview_.content().showScene(bowl); });
   }
 
  private:
@@ -133,7 +136,7 @@ class Session {
       process(16);
     }
     process(settleMs);
-    while (preview_.hasMaterial() && !preview_.converged() && clock_.elapsed() < longestWaitMs) process(20);
+    while (preview_.content().hasMaterial() && !preview_.converged() && clock_.elapsed() < longestWaitMs) process(20);
     const TimedApplication::Event& event = application_.longest;
     std::printf("%-36s %14.1f %14.1f %14.1f   %s\n", what, event.milliseconds, event.cpuMilliseconds, firstFrame_,
                 qPrintable(event.what));

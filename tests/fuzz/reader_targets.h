@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 #include "core/geometry/mesh_intersector.h"
 #include "core/io/astm_file.h"
 #include "core/io/curet_file.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/brdf/sampling_lobe.h"
-#include "core/editing/interpolation/interpolation.h"
+#include "core/interpolation/interpolation.h"
 #include "core/metrics/image_metrics.h"
 #include "core/models/registry.h"
 #include "core/rendering/render_picture.h"

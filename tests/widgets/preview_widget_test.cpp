@@ -19,6 +19,8 @@
 
 namespace preview_widget_test {
 using namespace gonio;
+using widgets::PreviewContent;
+using widgets::PreviewInput;
 using widgets::PreviewWidget;
 using widgets::Tracing;
 
@@ -39,14 +41,14 @@ class PreviewWidgetTest : public QObject {
   void init() {
     widget_ = std::make_unique<PreviewWidget>();
     widget_->resize(220, 220);
-    widget_->showScene(openScene("sphere-distant-light"));
+    content().showScene(openScene("sphere-distant-light"));
     widget_->show();
     QVERIFY(QTest::qWaitForWindowExposed(widget_.get()));
   }
   void cleanup() { widget_.reset(); }
 
   void emptyStateShowsAHintAndNothingElse() {
-    QVERIFY(!widget_->hasMaterial());
+    QVERIFY(!content().hasMaterial());
     QVERIFY(!widget_->converged());
     const QImage picture = widget_->grabPicture();
     QCOMPARE(picture.pixel(2, 2), picture.pixel(110, 4));
@@ -54,22 +56,22 @@ class PreviewWidgetTest : public QObject {
 
   /// The plan of a mesh says what it calls for; OpenGL draws it.
   void aMeshIsDrawn() {
-    QSignalSpy planned(widget_.get(), &PreviewWidget::planChanged);
-    widget_->setSubject(widgets::measuredSubject(table_));
-    widget_->showScene(openScene("bowl"));
-    QVERIFY(widget_->tracing() != Tracing::always && planned.count() > 0);
-    QVERIFY(widget_->plan().simulates(Effect::selfShadowing) && !widget_->plan().simulates(Effect::castShadows));
+    QSignalSpy planned(&content(), &PreviewContent::planChanged);
+    content().setSubject(widgets::measuredSubject(table_));
+    content().showScene(openScene("bowl"));
+    QVERIFY(content().tracing() != Tracing::always && planned.count() > 0);
+    QVERIFY(content().plan().simulates(Effect::selfShadowing) && !content().plan().simulates(Effect::castShadows));
     showsSomethingAfter(4);
     QVERIFY(widget_->linearPicture().at(4, 4).x == 0);
   }
 
   /// Materials that reflect each other are drawn at once and traced at rest, to the end; a change draws again.
   void severalMaterialsAreTracedAtRest() {
-    widget_->setSubject(widgets::measuredSubject(table_));
-    widget_->showScene(openScene("two-spheres", 2));
+    content().setSubject(widgets::measuredSubject(table_));
+    content().showScene(openScene("two-spheres", 2));
     const auto other = grey();
-    widget_->setOthers({{widgets::measuredSubject(other), std::make_shared<const RenderMaterial>(other)}});
-    QVERIFY(widget_->tracing() == Tracing::atRest);
+    content().setOthers({{widgets::measuredSubject(other), std::make_shared<const RenderMaterial>(other)}});
+    QVERIFY(content().tracing() == Tracing::atRest);
     QSignalSpy rendered(widget_.get(), &PreviewWidget::frameRendered);
     QTRY_VERIFY_WITH_TIMEOUT(!rendered.isEmpty(), 20000);
     QVERIFY(!widget_->showsFilm());
@@ -77,41 +79,41 @@ class PreviewWidgetTest : public QObject {
     showsSomethingAfter(16);
     QTest::keyClick(widget_.get(), Qt::Key_Right);
     QTRY_VERIFY_WITH_TIMEOUT(!widget_->showsFilm(), 20000);
-    widget_->setOthers({});
-    QVERIFY(widget_->tracing() == Tracing::never);
-    widget_->showScene(openScene("sphere"));
+    content().setOthers({});
+    QVERIFY(content().tracing() == Tracing::never);
+    content().showScene(openScene("sphere"));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
   }
 
   /// Looked at from elsewhere the plan stays; only a lamp that comes into view changes it.
   void orbitingKeepsThePlan() {
-    widget_->showScene(openScene("two-spheres"));
-    QSignalSpy planned(widget_.get(), &PreviewWidget::planChanged), moved(widget_.get(), &PreviewWidget::sceneChanged);
+    content().showScene(openScene("two-spheres"));
+    QSignalSpy planned(&content(), &PreviewContent::planChanged), moved(&content(), &PreviewContent::sceneChanged);
     for (int i = 0; i < 12; ++i) QTest::keyClick(widget_.get(), Qt::Key_Right);
     QCOMPARE(planned.count(), 0);
     QCOMPARE(moved.count(), 12);
-    widget_->showScene(openScene("sphere-under-lamp"));
+    content().showScene(openScene("sphere-under-lamp"));
     planned.clear();
-    const EffectPlan before = widget_->plan();
+    const EffectPlan before = content().plan();
     for (int i = 0; i < 12; ++i) QTest::keyClick(widget_.get(), Qt::Key_Down);
-    Scene scene = widget_->scene();
-    QVERIFY(widget_->plan() ==
-            widgets::previewPlan(scene, widget_->material() ? widget_->material() : diffuseMaterial(Rgb(0.5))));
-    QCOMPARE(planned.count() > 0, !(before == widget_->plan()));
+    Scene scene = content().scene();
+    QVERIFY(content().plan() == widgets::previewPlan(scene, content().first().material() ? content().first().material()
+                                                                                         : diffuseMaterial(Rgb(0.5))));
+    QCOMPARE(planned.count() > 0, !(before == content().plan()));
   }
 
   /// What the user forces off is gone from the picture and the plan; resetting brings it back.
   void aForcedEffectChangesThePicture() {
     widget_->setFixedSize(96, 96);
-    widget_->showScene(openScene("sphere-point-light"));
-    widget_->setSubject(widgets::measuredSubject(table_));
+    content().showScene(openScene("sphere-point-light"));
+    content().setSubject(widgets::measuredSubject(table_));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const auto shadowed = [&] { return luminance(Rgb(widget_->linearPicture().at(79, 74))); };
     const double inShadow = shadowed();
     EffectOverrides overrides;
     overrides[std::size_t(Effect::castShadows)] = false;
-    widget_->setOverrides(overrides);
-    QVERIFY(!widget_->plan().simulates(Effect::castShadows) && widget_->plan()[Effect::castShadows].calledFor);
+    content().setOverrides(overrides);
+    QVERIFY(!content().plan().simulates(Effect::castShadows) && content().plan()[Effect::castShadows].calledFor);
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     QVERIFY2(shadowed() > 2 * inShadow, qPrintable(QString("%1 against %2").arg(shadowed()).arg(inShadow)));
   }
@@ -131,12 +133,12 @@ class PreviewWidgetTest : public QObject {
   }
 
   void controlClickPicksTheViewersAngle() {
-    QSignalSpy picked(widget_.get(), &PreviewWidget::polarAnglePicked);
+    QSignalSpy picked(&widget_->input(), &PreviewInput::polarAnglePicked);
     QTest::mouseClick(widget_.get(), Qt::LeftButton, Qt::ControlModifier, {110, 110});
     QVERIFY(picked.count() == 1 && picked[0][0].toDouble() < 0.01);
     QTest::mouseClick(widget_.get(), Qt::LeftButton, {}, {60, 110});
     QCOMPARE(picked.count(), 1);
-    widget_->setPicking(true);
+    widget_->input().setPicking(true);
     QTest::mouseClick(widget_.get(), Qt::LeftButton, {}, {60, 110});
     QVERIFY(picked.count() == 2 && picked[1][0].toDouble() > 0.3);
     QTest::mouseClick(widget_.get(), Qt::LeftButton, {}, {2, 2});  // beside the sphere
@@ -149,7 +151,7 @@ class PreviewWidgetTest : public QObject {
   }
 
   void convergesAndThenRests() {
-    widget_->setSubject(widgets::measuredSubject(table_));
+    content().setSubject(widgets::measuredSubject(table_));
     QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     const auto count = frames.count();
@@ -161,28 +163,28 @@ class PreviewWidgetTest : public QObject {
   }
 
   void dragMovesTheDirectionalLight() {
-    widget_->setSubject(widgets::measuredSubject(table_));
-    QSignalSpy changes(widget_.get(), &PreviewWidget::sceneChanged);
-    const Direction before = widget_->scene().directionalLights.front().toLight;
+    content().setSubject(widgets::measuredSubject(table_));
+    QSignalSpy changes(&content(), &PreviewContent::sceneChanged);
+    const Direction before = content().scene().directionalLights.front().toLight;
     QTest::mousePress(widget_.get(), Qt::LeftButton, {}, {60, 110});
     QTest::mouseRelease(widget_.get(), Qt::LeftButton, {}, {60, 110});
     QVERIFY(changes.count() >= 1);
-    QVERIFY(widget_->scene().directionalLights.front().toLight != before);
-    QVERIFY(widget_->scene().directionalLights.front().toLight.x < 0);
+    QVERIFY(content().scene().directionalLights.front().toLight != before);
+    QVERIFY(content().scene().directionalLights.front().toLight.x < 0);
   }
 
   void keyboardOrbitsZoomsAndResets() {
-    widget_->setSubject(widgets::measuredSubject(table_));
-    const double distance = widget_->scene().camera.distance;
+    content().setSubject(widgets::measuredSubject(table_));
+    const double distance = content().scene().camera.distance;
     QTest::keyClick(widget_.get(), Qt::Key_Left);
     QTest::keyClick(widget_.get(), Qt::Key_Up);
     QTest::keyClick(widget_.get(), Qt::Key_Plus);
-    QVERIFY(widget_->scene().camera.yaw > 0);
-    QVERIFY(widget_->scene().camera.pitch < 0);
-    QVERIFY(widget_->scene().camera.distance < distance);
+    QVERIFY(content().scene().camera.yaw > 0);
+    QVERIFY(content().scene().camera.pitch < 0);
+    QVERIFY(content().scene().camera.distance < distance);
     QTest::keyClick(widget_.get(), Qt::Key_R);
-    QCOMPARE(widget_->scene().camera.yaw, 0.0);
-    QCOMPARE(widget_->scene().camera.distance, distance);
+    QCOMPARE(content().scene().camera.yaw, 0.0);
+    QCOMPARE(content().scene().camera.distance, distance);
   }
 
   /// Samples follow the edit: a rough material edited into a mirror is a clean mirror, not a dark one with sparkles.
@@ -194,8 +196,8 @@ class PreviewWidgetTest : public QObject {
     edit.edited.values[*model.spec().find("roughness")] = Rgb(0.01);
     const auto rough = bakeTable(*model.instantiate(edit.fitted));
     const Scene scene = comparisonScene();
-    widget_->setScene(scene);
-    widget_->setSubject({widgets::EditedMaterial{rough, {{edit}}}, std::make_shared<const TabulatedLobe>(*rough)});
+    content().setScene(scene);
+    content().setSubject({widgets::EditedMaterial{rough, {{edit}}}, std::make_shared<const TabulatedLobe>(*rough)});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 120000);
     const Image shown = widget_->linearPicture();
     const auto edited = editing::applyEdits(rough, editing::EditList{{edit}});
@@ -209,10 +211,10 @@ class PreviewWidgetTest : public QObject {
   /// more.
   void comparisonOfTwoSubjects() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
-    widget_->setSubject(widgets::measuredSubject(table_), "Grey");
-    widget_->setOther(widgets::measuredSubject(black), "Black");
-    widget_->setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
-    QVERIFY(widget_->isComparing());
+    content().setSubject(widgets::measuredSubject(table_), "Grey");
+    content().setOther(widgets::measuredSubject(black), "Black");
+    content().setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
+    QVERIFY(content().isComparing());
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     QImage picture = widget_->grabPicture();
     QVERIFY(picture.pixelColor(90, 110).red() > 60 && picture.pixelColor(130, 110).red() < 10);
@@ -222,17 +224,17 @@ class PreviewWidgetTest : public QObject {
     QVERIFY(widget_->grabPicture().pixelColor(90, 110).red() < 10);
     QCOMPARE(widget_->overlay()->name(0)->text(), "Black");
     widget_->setFlickering(false);
-    widget_->setComparison({});
-    QVERIFY(!widget_->isComparing() && widget_->converged());
+    content().setComparison({});
+    QVERIFY(!content().isComparing() && widget_->converged());
     QVERIFY(widget_->grabPicture().pixelColor(130, 110).red() > 60);
     QVERIFY(!widget_->overlay()->name(0)->isVisible());
   }
 
   /// The bar follows the mouse and the keys, and tells its place.
   void splitBarMoves() {
-    widget_->setSubject(widgets::measuredSubject(table_), "A");
-    widget_->setOther(widgets::measuredSubject(table_), "B");
-    widget_->setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
+    content().setSubject(widgets::measuredSubject(table_), "A");
+    content().setOther(widgets::measuredSubject(table_), "B");
+    content().setComparison({.mode = widgets::CompareMode::split, .split = 0.5});
     QSignalSpy moves(widget_.get(), &PreviewWidget::splitMoved);
     widgets::SplitBar* bar = widget_->overlay()->splitBar();
     QVERIFY(bar->isVisible());
@@ -240,26 +242,26 @@ class PreviewWidgetTest : public QObject {
     QTest::mousePress(bar, Qt::LeftButton, {}, middle);
     QTest::mouseMove(bar, middle + QPoint(44, 0));
     QTest::mouseRelease(bar, Qt::LeftButton, {}, bar->rect().center());
-    QVERIFY(std::abs(widget_->comparison().split - 0.7) < 0.02);
+    QVERIFY(std::abs(content().comparison().split - 0.7) < 0.02);
     QTest::keyClick(bar, Qt::Key_Left);
-    QVERIFY(std::abs(widget_->comparison().split - 0.68) < 0.02);
+    QVERIFY(std::abs(content().comparison().split - 0.68) < 0.02);
     QTest::keyClick(bar, Qt::Key_Home);
-    QCOMPARE(widget_->comparison().split, 0.5);
+    QCOMPARE(content().comparison().split, 0.5);
     QVERIFY(moves.count() >= 3);
   }
 
   /// The legend tells the range that the colours have: 0.18 against black is a difference of at most 0.18 here.
   void differenceFindsItsRange() {
     const auto black = bakeTable(*models::findModel("lambert").instantiate({{Rgb(0)}}));
-    widget_->setSubject(widgets::measuredSubject(table_), "Grey");
-    widget_->setOther(widgets::measuredSubject(black), "Black");
-    widget_->setComparison({.mode = widgets::CompareMode::difference});
+    content().setSubject(widgets::measuredSubject(table_), "Grey");
+    content().setOther(widgets::measuredSubject(black), "Black");
+    content().setComparison({.mode = widgets::CompareMode::difference});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     const double found = widget_->differenceRange();
     QVERIFY2(found >= 0.1 && found <= 1, qPrintable(QString::number(found)));
     QCOMPARE(widget_->overlay()->legend()->range(), found);
     QVERIFY(widget_->overlay()->legend()->isVisible());
-    widget_->setComparison({.mode = widgets::CompareMode::difference, .range = 0.25});
+    content().setComparison({.mode = widgets::CompareMode::difference, .range = 0.25});
     widget_->grabPicture();
     QCOMPARE(widget_->differenceRange(), 0.25);
   }
@@ -271,12 +273,12 @@ class PreviewWidgetTest : public QObject {
       for (const QLabel* label : widget_->findChildren<QLabel*>()) texts << label->text();
       return texts.join('\n');
     };
-    widget_->setSubject(widgets::measuredSubject(table_));
+    content().setSubject(widgets::measuredSubject(table_));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);
     const models::Model& model = models::findModel("cook-torrance");
     bool toldWhy = false;
-    widget_->setSubject({widgets::ModelAlone{&model, models::defaultParameters(model.spec())}});
+    content().setSubject({widgets::ModelAlone{&model, models::defaultParameters(model.spec())}});
     while (frames.isEmpty()) {
       QVERIFY(widget_->picture().pixelColor(110, 110).red() > 60);
       QTest::qWait(1);
@@ -292,18 +294,18 @@ class PreviewWidgetTest : public QObject {
     QSignalSpy failures(widget_.get(), &PreviewWidget::failed);
     const models::Model &ward = models::findModel("ward"), &ggx = models::findModel("ggx");
     qputenv("GONIO_SHADER_DIR", "/nowhere");
-    widget_->setSubject({widgets::ModelAlone{&ward, models::defaultParameters(ward.spec())}});
+    content().setSubject({widgets::ModelAlone{&ward, models::defaultParameters(ward.spec())}});
     QTRY_COMPARE_WITH_TIMEOUT(failures.count(), 1, 20000);
     QVERIFY(failures[0][0].toString().contains("/nowhere"));
     qunsetenv("GONIO_SHADER_DIR");
-    widget_->setSubject({widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}});
+    content().setSubject({widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}});
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     QCOMPARE(failures.count(), 1);
   }
 
   /// A dock that floats gives the widget another window, and with it another context.
   void anotherWindowShowsThePictureAgain() {
-    widget_->setSubject(widgets::measuredSubject(table_));
+    content().setSubject(widgets::measuredSubject(table_));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     QWidget window;
     window.resize(260, 260);
@@ -317,15 +319,17 @@ class PreviewWidgetTest : public QObject {
 
   /// Taking the material away shows the empty state again, never a stale picture.
   void materialCanBeTakenAway() {
-    widget_->setSubject(widgets::measuredSubject(table_));
+    content().setSubject(widgets::measuredSubject(table_));
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
-    widget_->setSubject({});
+    content().setSubject({});
     QTest::qWait(50);
     const QImage picture = widget_->grabPicture();
     QCOMPARE(picture.pixel(110, 110), picture.pixel(2, 2));
   }
 
  private:
+  PreviewContent& content() { return widget_->content(); }
+
   void showsSomethingAfter(int samples) {
     QSignalSpy rendered(widget_.get(), &PreviewWidget::frameRendered);
     QTRY_VERIFY_WITH_TIMEOUT(!rendered.isEmpty() && rendered.last()[1].toInt() >= samples, 20000);

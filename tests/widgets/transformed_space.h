@@ -7,7 +7,7 @@
 
 #include "core/brdf/data_transform.h"
 #include "core/dictionary/signals.h"
-#include "core/editing/interpolation/interpolation.h"
+#include "core/interpolation/interpolation.h"
 
 namespace gonio::test {
 

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "core/editing/blend_source.h"
+#include "core/documents/blend_source.h"
 #include "widgets/preview/gl/preview_subject.h"
 
 namespace gonio::widgets {

@@ -6,7 +6,7 @@
 #include <QMimeData>
 #include <QUrl>
 
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 #include "core/materials/material_formats.h"
 
 namespace gonio::widgets {

@@ -20,7 +20,6 @@ PreviewWidget::PreviewWidget(QWidget* parent)
   setAccessibleDescription(tr("The material on a sphere. Drag to orbit, wheel to zoom."));
   connectContent();
   connectThread();
-  connect(m_input, &PreviewInput::polarAnglePicked, this, &PreviewWidget::polarAnglePicked);
   connect(m_overlay->splitBar(), &SplitBar::moved, this, [this](double share) {
     PreviewComparison comparison = m_content.comparison();
     comparison.split = share;
@@ -49,8 +48,6 @@ void PreviewWidget::connectContent() {
   });
   connect(&m_content, &PreviewContent::comparisonChanged, this, changed);
   connect(&m_content, &PreviewContent::refined, this, refresh);
-  connect(&m_content, &PreviewContent::sceneChanged, this, &PreviewWidget::sceneChanged);
-  connect(&m_content, &PreviewContent::planChanged, this, &PreviewWidget::planChanged);
   connect(&m_content, &PreviewContent::failed, this, &PreviewWidget::showFailure);
 }
 
@@ -67,9 +64,9 @@ void PreviewWidget::connectThread() {
 }
 
 void PreviewWidget::setFlickering(bool flickering) {
-  m_flickering = flickering && isComparing() && comparison().mode != CompareMode::twoUp;
+  m_flickering = flickering && m_content.isComparing() && m_content.comparison().mode != CompareMode::twoUp;
   showOverlay();
-  if (hasMaterial() && m_state.number > 0) showStatus(m_state.milliseconds);
+  if (m_content.hasMaterial() && m_state.number > 0) showStatus(m_state.milliseconds);
   requestPicture();
 }
 
@@ -90,22 +87,6 @@ void PreviewWidget::setExposure(double stops) {
   setDisplay(settings);
 }
 
-void PreviewWidget::setToneMap(ToneMap toneMap) {
-  DisplaySettings settings = m_settings;
-  settings.toneMap = toneMap;
-  setDisplay(settings);
-}
-
-void PreviewWidget::setChecker(bool checker) {
-  DisplaySettings settings = m_settings;
-  settings.checker = checker;
-  setDisplay(settings);
-}
-
-void PreviewWidget::setOverlayVisible(bool visible) { m_overlay->setStatusWanted(visible); }
-
-bool PreviewWidget::overlayVisible() const { return m_overlay->statusWanted(); }
-
 QSize PreviewWidget::pixelSize() const { return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1}); }
 
 void PreviewWidget::requestPicture() {
@@ -120,11 +101,11 @@ void PreviewWidget::requestPicture() {
 }
 
 bool PreviewWidget::converged() const {
-  if (!hasMaterial() || m_content.isBusy() || m_state.number < m_fresh) return false;
+  if (!m_content.hasMaterial() || m_content.isBusy() || m_state.number < m_fresh) return false;
   const auto done = [this](const PictureState::Side& side) {
     return side.size == m_content.pictureSize() && side.samples >= m_content.wantedSamples();
   };
-  return done(m_state.sides[0]) && (!isComparing() || done(m_state.sides[1]));
+  return done(m_state.sides[0]) && (!m_content.isComparing() || done(m_state.sides[1]));
 }
 
 QImage PreviewWidget::grabPicture() {
@@ -143,9 +124,9 @@ QImage PreviewWidget::grabLabelledPicture() {
 
 void PreviewWidget::adopt(const PictureState& state) {
   m_state = state;
-  if (isComparing() && comparison().mode == CompareMode::difference && state.range > 0)
-    m_overlay->setRange(comparison().difference, state.range);
-  if (state.isNew && hasMaterial()) {
+  if (m_content.isComparing() && m_content.comparison().mode == CompareMode::difference && state.range > 0)
+    m_overlay->setRange(m_content.comparison().difference, state.range);
+  if (state.isNew && m_content.hasMaterial()) {
     const bool isTraced = state.sides[0].isTraced;
     const double milliseconds = isTraced ? m_content.first().tracer().millisecondsOfSample() : state.milliseconds;
     showStatus(milliseconds);
@@ -188,31 +169,32 @@ void PreviewWidget::resizeEvent(QResizeEvent* event) {
 }
 
 void PreviewWidget::showOverlay() {
-  PreviewComparison shown = comparison();
-  if (!isComparing()) shown.mode = CompareMode::off;
-  m_overlay->setComparison(shown, {m_content.first().name(), m_content.second().name()}, m_flickering && isComparing());
+  PreviewComparison shown = m_content.comparison();
+  if (!m_content.isComparing()) shown.mode = CompareMode::off;
+  m_overlay->setComparison(shown, {m_content.first().name(), m_content.second().name()},
+                           m_flickering && m_content.isComparing());
   if (!m_failure.isEmpty()) return;
-  m_overlay->setHint(hasMaterial() ? QString()
-                                   : tr("Open a measured material (Ctrl+O), drop a file here,\n"
-                                        "or double-click one in the library."));
-  if (!hasMaterial()) m_overlay->setStatus({});
+  m_overlay->setHint(m_content.hasMaterial() ? QString()
+                                             : tr("Open a measured material (Ctrl+O), drop a file here,\n"
+                                                  "or double-click one in the library."));
+  if (!m_content.hasMaterial()) m_overlay->setStatus({});
 }
 
 void PreviewWidget::showStatus(double milliseconds) {
   const QString curve = QString::fromUtf8(toneMapName(m_settings.toneMap).data());
-  const bool second = m_flickering && isComparing();
+  const bool second = m_flickering && m_content.isComparing();
   const PictureState::Side& shown = m_state.sides[second ? 1 : 0];
-  const int followed = shown.isTraced ? plan().reflections : SceneUniforms::mostReflections;
+  const int followed = shown.isTraced ? m_content.plan().reflections : SceneUniforms::mostReflections;
   const QString& name = (second ? m_content.second() : m_content.first()).name();
   m_overlay->setStatus(tr("%1%2 | exposure %3 | %4 | %5 ms%6 | %7%8\n%9")
                            .arg(name.isEmpty() ? QString() : tr("%1 | ").arg(name))
-                           .arg(QString::fromStdString(scene().name))
+                           .arg(QString::fromStdString(m_content.scene().name))
                            .arg(m_settings.exposure, 0, 'f', 1)
                            .arg(curve)
                            .arg(milliseconds, 0, 'f', 1)
                            .arg(shown.isTraced ? tr(" a sample, on the CPU") : QString())
                            .arg(samplesText(shown.samples), shown.isFiltered ? tr(", noise filtered") : QString(),
-                                effectsText(plan(), followed)));
+                                effectsText(m_content.plan(), followed)));
 }
 
 }  // namespace gonio::widgets

@@ -29,41 +29,10 @@ class PreviewWidget : public QWidget {
   PreviewInput& input() { return *m_input; }
   PreviewOverlay* overlay() const { return m_overlay; }
 
-  /// The first subject: a table without an edit. A null table shows the empty state with a hint.
-  void setSubject(const PreviewSubject& subject, const QString& name = {}) { m_content.setSubject(subject, name); }
-  void setOther(const PreviewSubject& subject, const QString& name) { m_content.setOther(subject, name); }
-  void setComparison(const PreviewComparison& comparison) { m_content.setComparison(comparison); }
-  const PreviewComparison& comparison() const { return m_content.comparison(); }
-  bool isComparing() const { return m_content.isComparing(); }
-  void showScene(const Scene& scene) { m_content.showScene(scene); }
-  void setScene(const Scene& scene) { m_content.setScene(scene); }
-  void setView(const OrbitCamera& camera, double environmentRotation) {
-    m_content.setView(camera, environmentRotation);
-  }
-  const Scene& scene() const { return m_content.scene(); }
-  void setEnvironment(const std::shared_ptr<const EnvironmentMap>& environment) {
-    m_content.setEnvironment(environment);
-  }
-  void setOthers(const std::vector<SceneMaterial>& others) { m_content.setOthers(others); }
-  RenderMaterials others() const { return m_content.others(); }
-  void setOverrides(const EffectOverrides& overrides) { m_content.setOverrides(overrides); }
-  const EffectOverrides& overrides() const { return m_content.overrides(); }
-  const EffectPlan& plan() const { return m_content.plan(); }
-  Tracing tracing() const { return m_content.tracing(); }
-  const std::shared_ptr<const RenderMaterial>& material() const { return m_content.first().material(); }
-  bool hasMaterial() const { return m_content.hasMaterial(); }
-  void setPicking(bool picking) { m_input->setPicking(picking); }
-  void frameObject() { m_input->frameObject(); }
-  void resetView() { m_input->resetView(); }
-
+  void setDisplay(const DisplaySettings& settings);
+  const DisplaySettings& display() const { return m_settings; }
+  /// The display with another exposure, in stops.
   void setExposure(double stops);
-  double exposure() const { return m_settings.exposure; }
-  void setToneMap(ToneMap toneMap);
-  ToneMap toneMap() const { return m_settings.toneMap; }
-  void setChecker(bool checker);
-  bool hasChecker() const { return m_settings.checker; }
-  void setOverlayVisible(bool visible);
-  bool overlayVisible() const;
   /// Whether noise is filtered for the eye while samples are few; never in difference pictures, which show numbers.
   void setNoiseFiltered(bool filtered);
   bool isNoiseFiltered() const { return m_filtersNoise; }
@@ -91,13 +60,10 @@ class PreviewWidget : public QWidget {
   int shownRequest() const { return m_state.number; }
 
  Q_SIGNALS:
-  void sceneChanged(const gonio::Scene& scene);
-  /// Exposure, tone map or what is behind the picture.
+  /// Exposure, tone map or the checkerboard behind the picture.
   void displayChanged();
-  void planChanged(const gonio::EffectPlan& plan);
   void frameRendered(double milliseconds, int samplesPerPixel);
   void failed(const QString& message);
-  void polarAnglePicked(double theta);
   /// By the user, on the picture.
   void splitMoved(double share);
 
@@ -110,7 +76,6 @@ class PreviewWidget : public QWidget {
   void connectContent();
   void connectThread();
   void startDrawing();
-  void setDisplay(const DisplaySettings& settings);
   void requestPicture();
   void adopt(const PictureState& state);
   void showOverlay();

@@ -75,7 +75,7 @@ void ComparisonController::setComparison(const widgets::PreviewComparison& compa
   if (comparison.mode != CompareMode::off) m_lastMode = comparison.mode;
   m_bar.setComparison(comparison);
   refresh();
-  m_preview.setComparison(comparison);
+  m_preview.content().setComparison(comparison);
   Q_EMIT comparisonChanged();
 }
 
@@ -220,8 +220,8 @@ void ComparisonController::refresh() {
   const bool comparing = m_comparison.mode != CompareMode::off;
   const ComparedSubject first = comparing ? m_sides[0] : ComparedSubject::edited;
   const bool asMeasured = !comparing && !wavelength() && m_document.material() && !isEdited() && !standIn() && !code();
-  m_preview.setSubject(subject(first), asMeasured ? sourceKind(*m_document.material()) : name(first));
-  m_preview.setOther(subject(m_sides[1]), name(m_sides[1]));
+  m_preview.content().setSubject(subject(first), asMeasured ? sourceKind(*m_document.material()) : name(first));
+  m_preview.content().setOther(subject(m_sides[1]), name(m_sides[1]));
   std::array<QString, 4> names;
   for (const ComparedSubject side : allSides) names[std::size_t(side)] = name(side);
   m_bar.setSubjects(names);

@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 
 namespace gonio::app {
 

@@ -8,7 +8,7 @@
 
 #include "app/gonio/document/history.h"
 #include "app/gonio/document/loaded_material.h"
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 #include "core/fitting/fit.h"
 
 namespace gonio::app {

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 
 class QMimeData;
 

@@ -6,7 +6,7 @@
 #include <QImage>
 #include <QPainter>
 
-#include "core/editing/blend_source.h"
+#include "core/documents/blend_source.h"
 #include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
 

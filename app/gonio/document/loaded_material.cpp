@@ -4,8 +4,8 @@
 
 #include <QCoreApplication>
 
-#include "core/editing/edit_document.h"
-#include "core/editing/edited_material.h"
+#include "core/documents/edit_document.h"
+#include "core/documents/edited_material.h"
 #include "core/materials/near_measured_library.h"
 #include "core/materials/sgd_library.h"
 #include "widgets/preview/gl/shader_base.h"

@@ -9,7 +9,7 @@
 
 #include "core/brdf/statistics.h"
 #include "core/brdf/tabulated_lobe.h"
-#include "core/editing/blend_source.h"
+#include "core/documents/blend_source.h"
 #include "core/materials/material.h"
 
 namespace gonio::app {

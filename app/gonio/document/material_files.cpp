@@ -4,7 +4,7 @@
 
 #include <QCoreApplication>
 
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 #include "core/materials/material_formats.h"
 
 namespace gonio::app {

@@ -6,7 +6,7 @@
 
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/library/sphere_picture.h"
-#include "core/editing/blend_source.h"
+#include "core/documents/blend_source.h"
 #include "core/export/export_origin.h"
 #include "core/materials/material_formats.h"
 #include "widgets/inputs/number_field.h"

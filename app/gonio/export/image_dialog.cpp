@@ -142,14 +142,14 @@ void ImageDialog::restore(const QString& name) {
   const auto stored = [&](const char* key, const QVariant& otherwise) {
     return s.value(settingsGroup + key, otherwise);
   };
-  const bool comparing = m_parts.preview.isComparing();
+  const bool comparing = m_parts.preview.content().isComparing();
   m_source->button(comparing                                      ? asItIs
                    : stored("source", rendered).toInt() == asItIs ? asItIs
                                                                   : rendered)
       ->setChecked(true);
   m_labels->setEnabled(comparing);
   m_labels->setChecked(comparing && stored("labels", true).toBool());
-  const Scene& scene = m_parts.preview.scene();
+  const Scene& scene = m_parts.preview.content().scene();
   m_settings->restore(s, scene.environment && scene.showEnvironment);
   const int format = stored("format", png).toInt() == exr ? exr : png;
   m_format->setCurrentIndex(format);
@@ -183,11 +183,13 @@ bool ImageDialog::rendersPicture() const { return m_source->checkedId() == rende
 
 PictureExport ImageDialog::request() const {
   const widgets::PreviewWidget& preview = m_parts.preview;
-  PictureExport picture{
-      .path = m_path->text(), .scene = preview.scene(), .overrides = preview.overrides(), .others = preview.others()};
+  PictureExport picture{.path = m_path->text(),
+                        .scene = preview.content().scene(),
+                        .overrides = preview.content().overrides(),
+                        .others = preview.content().others()};
   m_settings->apply(picture);
-  picture.exposure = preview.exposure();
-  picture.toneMap = preview.toneMap();
+  picture.exposure = preview.display().exposure;
+  picture.toneMap = preview.display().toneMap;
   return picture;
 }
 
@@ -196,7 +198,7 @@ void ImageDialog::showChoices() {
   m_settings->setEnabled(renders);
   m_format->setEnabled(renders);
   if (!renders) m_format->setCurrentIndex(png);
-  m_labels->setEnabled(!renders && m_parts.preview.isComparing());
+  m_labels->setEnabled(!renders && m_parts.preview.content().isComparing());
   m_export->setEnabled(!m_path->text().isEmpty());
   m_estimate.reset();
   m_estimateError.clear();

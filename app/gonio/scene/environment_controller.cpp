@@ -7,7 +7,7 @@
 
 #include "core/rendering/environment_file.h"
 #include "widgets/preview/gl/textures.h"
-#include "widgets/preview/preview_widget.h"
+#include "widgets/preview/preview_content.h"
 
 namespace gonio::app {
 
@@ -16,7 +16,7 @@ const QString recentKey = QStringLiteral("environments/recent");
 constexpr int mostRecent = 6;
 }  // namespace
 
-EnvironmentController::EnvironmentController(BackgroundTasks& tasks, widgets::PreviewWidget& preview, QObject* parent)
+EnvironmentController::EnvironmentController(BackgroundTasks& tasks, widgets::PreviewContent& preview, QObject* parent)
     : QObject(parent), m_tasks(tasks), m_preview(preview) {
   readRecent();
 }
@@ -26,9 +26,9 @@ QString EnvironmentController::name() const {
   return environment ? QString::fromStdString(environment->name()) : QString();
 }
 
-void EnvironmentController::openScenesOwn() { m_preview.content().resetEnvironment(); }
+void EnvironmentController::openScenesOwn() { m_preview.resetEnvironment(); }
 
-bool EnvironmentController::isScenesOwn() const { return !m_preview.content().isEnvironmentChosen(); }
+bool EnvironmentController::isScenesOwn() const { return !m_preview.isEnvironmentChosen(); }
 
 void EnvironmentController::readRecent() {
   m_recent = QSettings().value(recentKey).toStringList();

@@ -8,7 +8,7 @@
 #include "app/gonio/document/background_task.h"
 
 namespace gonio::widgets {
-class PreviewWidget;
+class PreviewContent;
 }
 
 namespace gonio::app {
@@ -18,7 +18,7 @@ class EnvironmentController : public QObject {
   Q_OBJECT
 
  public:
-  EnvironmentController(BackgroundTasks& tasks, widgets::PreviewWidget& preview, QObject* parent = nullptr);
+  EnvironmentController(BackgroundTasks& tasks, widgets::PreviewContent& preview, QObject* parent = nullptr);
 
   /// Reads a picture in the background and lights the preview with it; a bundled name ("studio", "sky") too; empty
   /// turns the environment off.
@@ -40,7 +40,7 @@ class EnvironmentController : public QObject {
   void remember(const QString& path);
 
   BackgroundTasks& m_tasks;
-  widgets::PreviewWidget& m_preview;
+  widgets::PreviewContent& m_preview;
   QStringList m_recent;
 };
 

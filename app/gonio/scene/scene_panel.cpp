@@ -26,7 +26,9 @@ const auto costsKey = QStringLiteral("effect costs"), referenceKey = QStringLite
 
 /// What the objects of the preview's scene are made of.
 RenderMaterials materialsOf(const widgets::PreviewWidget& preview) {
-  return bindMaterials(preview.scene(), materialsInSlots(preview.scene(), preview.material(), preview.others()));
+  return bindMaterials(
+      preview.content().scene(),
+      materialsInSlots(preview.content().scene(), preview.content().first().material(), preview.content().others()));
 }
 
 }  // namespace
@@ -55,13 +57,14 @@ ScenePanel::ScenePanel(widgets::PreviewWidget& preview, Document& document, Back
   layout->addStretch(1);
   connect(m_neighbours, &SceneNeighbours::changed, this, [this] {
     m_costs.reset();
-    m_preview.setOthers(m_neighbours->materials());
+    m_preview.content().setOthers(m_neighbours->materials());
     refresh();
   });
   connect(m_neighbours, &SceneNeighbours::failed, this, &ScenePanel::failed);
-  connect(m_effects, &widgets::EffectList::overridesChanged, &m_preview, &widgets::PreviewWidget::setOverrides);
-  connect(&m_preview, &widgets::PreviewWidget::planChanged, this, &ScenePanel::refresh);
-  connect(&m_preview, &widgets::PreviewWidget::sceneChanged, this, [this](const Scene& scene) {
+  connect(m_effects, &widgets::EffectList::overridesChanged, &m_preview.content(),
+          &widgets::PreviewContent::setOverrides);
+  connect(&m_preview.content(), &widgets::PreviewContent::planChanged, this, &ScenePanel::refresh);
+  connect(&m_preview.content(), &widgets::PreviewContent::sceneChanged, this, [this](const Scene& scene) {
     m_result->clear();
     showScene(scene);
   });
@@ -132,7 +135,7 @@ void ScenePanel::open(const QString& nameOrPath, const std::function<void()>& sh
 
 void ScenePanel::show(const Scene& scene) {
   m_costs.reset();
-  m_preview.showScene(scene);
+  m_preview.content().showScene(scene);
   refresh();
 }
 
@@ -146,18 +149,18 @@ void ScenePanel::showScene(const Scene& scene) {
 }
 
 void ScenePanel::refresh() {
-  showScene(m_preview.scene());
-  m_effects->setOverrides(m_preview.overrides());
-  m_effects->setPlan(m_preview.plan());
+  showScene(m_preview.content().scene());
+  m_effects->setOverrides(m_preview.content().overrides());
+  m_effects->setPlan(m_preview.content().plan());
   m_effects->setCosts(m_costs);
-  const bool known = m_preview.material() != nullptr;
+  const bool known = m_preview.content().first().material() != nullptr;
   m_measure->setEnabled(known);
   m_compare->setEnabled(known);
 }
 
 void ScenePanel::measureCosts() {
-  const Scene scene = m_preview.scene();
-  const EffectOverrides overrides = m_preview.overrides();
+  const Scene scene = m_preview.content().scene();
+  const EffectOverrides overrides = m_preview.content().overrides();
   m_tasks.run<EffectCosts>(
       {tr("Measuring the effects of %1").arg(QString::fromStdString(scene.name)), costsKey},
       [scene, overrides, materials = materialsOf(m_preview)](const TaskControl& control) {
@@ -177,8 +180,8 @@ void ScenePanel::measureCosts() {
 
 void ScenePanel::compareWithReference() {
   const Image picture = m_preview.linearPicture();
-  const Scene scene = m_preview.scene();
-  const EffectOverrides overrides = m_preview.overrides();
+  const Scene scene = m_preview.content().scene();
+  const EffectOverrides overrides = m_preview.content().overrides();
   m_result->setText(tr("Rendering the reference..."));
   m_tasks.run<double>(
       {tr("Rendering the reference of %1").arg(QString::fromStdString(scene.name)), referenceKey},

@@ -113,7 +113,7 @@ void ViewStrip::connectParts() {
   connect(m_slider, &widgets::ParameterSlider::resetRequested, this, [this] { m_preview.setExposure(0); });
   connect(m_exposure, &widgets::NumberField::valueEdited, &m_preview, &widgets::PreviewWidget::setExposure);
   connect(&m_environment, &EnvironmentController::recentChanged, this, &ViewStrip::refresh);
-  connect(&m_preview, &widgets::PreviewWidget::sceneChanged, this, &ViewStrip::refresh);
+  connect(&m_preview.content(), &widgets::PreviewContent::sceneChanged, this, &ViewStrip::refresh);
   connect(&m_preview, &widgets::PreviewWidget::displayChanged, this, &ViewStrip::refresh);
 }
 
@@ -158,7 +158,7 @@ void ViewStrip::setLightIcon(const QString& name, const QImage& picture) {
 }
 
 void ViewStrip::refresh() {
-  const Scene& scene = m_preview.scene();
+  const Scene& scene = m_preview.content().scene();
   const QString source = QString::fromStdString(scene.source);
   if (!source.isEmpty() && m_shapes->findData(source) < 0)
     m_shapes->insertItem(m_shapes->count() - 1, source.section('/', -1), source);
@@ -170,15 +170,15 @@ void ViewStrip::refresh() {
                                                                            : current));
   m_backgrounds->setCurrentIndex(scene.environment && scene.showEnvironment
                                      ? (scene.blurBackground ? blurred : environment)
-                                 : m_preview.hasChecker() ? checker
-                                                          : plain);
+                                 : m_preview.display().checker ? checker
+                                                               : plain);
   for (const Background background : {environment, blurred})
     qobject_cast<QStandardItemModel*>(m_backgrounds->model())
         ->item(background)
         ->setEnabled(scene.environment != nullptr);
-  m_slider->setNumber(m_preview.exposure());
-  m_slider->setModified(m_preview.exposure() != 0);
-  if (m_exposure->value() != m_preview.exposure()) m_exposure->setValue(m_preview.exposure());
+  m_slider->setNumber(m_preview.display().exposure);
+  m_slider->setModified(m_preview.display().exposure != 0);
+  if (m_exposure->value() != m_preview.display().exposure) m_exposure->setValue(m_preview.display().exposure);
 }
 
 void ViewStrip::chooseLight(int index) {
@@ -190,7 +190,9 @@ void ViewStrip::chooseLight(int index) {
 }
 
 void ViewStrip::chooseBackground(int index) {
-  m_preview.setChecker(index == checker);
+  widgets::DisplaySettings display = m_preview.display();
+  display.checker = index == checker;
+  m_preview.setDisplay(display);
   m_preview.content().setBackground(index == environment || index == blurred, index == blurred);
 }
 

@@ -26,6 +26,7 @@
 #include "widgets/library/quick_look.h"
 #include "widgets/panels/plausibility_badges.h"
 #include "widgets/preview/comparison_bar.h"
+#include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
@@ -53,7 +54,7 @@ EditorParts::EditorParts()
       exporter(document, tasks),
       library(tasks, lookMaker(), ownMaterialsFolder()),
       preview(*new widgets::PreviewWidget),
-      environment(tasks, preview),
+      environment(tasks, preview.content()),
       libraryView(*new widgets::LibraryView(&library.model())),
       inspector(*new Inspector(document, controller, tasks)),
       comparisonBar(*new widgets::ComparisonBar),
@@ -67,7 +68,6 @@ EditorParts::EditorParts()
       scene(*new ScenePanel(preview, document, tasks)),
       viewStrip(*new ViewStrip(preview, scene, environment, tasks)),
       acquisition(*new AcquisitionPanel(document, tasks)) {
-  preview.setToneMap(ToneMap::filmic);
   connectStandIns();
   connectLibrary();
   connectPlots();
@@ -150,8 +150,8 @@ void EditorParts::connectPlots() {
     for (const fitting::FitResult* fit : ranking.model().plotted()) fits.push_back({fit->model, fit->parameters});
     plots.setOtherFits(fits);
   });
-  QObject::connect(&plots, &PlotsPanel::pickingToggled, &preview, &widgets::PreviewWidget::setPicking);
-  QObject::connect(&preview, &widgets::PreviewWidget::polarAnglePicked, &plots, &PlotsPanel::setThetaI);
+  QObject::connect(&plots, &PlotsPanel::pickingToggled, &preview.input(), &widgets::PreviewInput::setPicking);
+  QObject::connect(&preview.input(), &widgets::PreviewInput::polarAnglePicked, &plots, &PlotsPanel::setThetaI);
   QObject::connect(inspector.plausibility(), &widgets::PlausibilityBadges::showRequested, &plots,
                    [this](const QString& check, double theta) {
                      plots.showAt(check == "energy" ? PlotKind::albedo : PlotKind::cartesian, theta);
@@ -182,7 +182,7 @@ bool EditorParts::isSettled() const {
   const auto task = tasks.topmost();
   return (!task || task->quiet) && inspector.isSettled() && comparisonPanel.isSettled() && plots.isSettled() &&
          factors.isSettled() && interpolation.isSettled() && acquisition.isSettled() && library.isVisibleComplete() &&
-         (!preview.hasMaterial() || preview.converged());
+         (!preview.content().hasMaterial() || preview.converged());
 }
 
 void EditorParts::restoreSettings() {
@@ -194,7 +194,7 @@ void EditorParts::restoreSettings() {
   libraryView.setChipsShown(settings.value(chipsKey, false).toBool());
   library.model().setNotes(libraryStore.read());
   takeOldFavourites();
-  preview.setOverlayVisible(settings.value(overlayKey, true).toBool());
+  preview.overlay()->setStatusWanted(settings.value(overlayKey, true).toBool());
   preview.setNoiseFiltered(settings.value(noiseKey, true).toBool());
   const QString folder = settings.value(libraryKey).toString();
   if (folder.isEmpty() || !QFileInfo::exists(folder))
@@ -220,7 +220,7 @@ void EditorParts::saveSettings() {
   settings.setValue(sortKey, libraryView.sortMode());
   settings.setValue(groupKey, libraryView.grouping());
   settings.setValue(chipsKey, libraryView.chipsShown());
-  settings.setValue(overlayKey, preview.overlayVisible());
+  settings.setValue(overlayKey, preview.overlay()->statusWanted());
   settings.setValue(noiseKey, preview.isNoiseFiltered());
   settings.setValue(libraryKey, library.folder());
 }

@@ -11,11 +11,11 @@
 #include "app/gonio/library/library_controller.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/document_files.h"
-#include "widgets/preview/preview_widget.h"
+#include "widgets/preview/preview_content.h"
 
 namespace gonio::app {
 
-FileMenu::FileMenu(DocumentFiles& files, ExportController& exporter, const widgets::PreviewWidget& preview,
+FileMenu::FileMenu(DocumentFiles& files, ExportController& exporter, const widgets::PreviewContent& preview,
                    LibraryController& library, DockLayout& docks, QSettings& settings,
                    const std::function<void()>& newWindow, QWidget* window)
     : QMenu(tr("&File"), window),

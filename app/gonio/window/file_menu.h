@@ -8,7 +8,7 @@
 class QSettings;
 
 namespace gonio::widgets {
-class PreviewWidget;
+class PreviewContent;
 }
 
 namespace gonio::app {
@@ -23,7 +23,7 @@ class FileMenu : public QMenu {
   Q_OBJECT
 
  public:
-  FileMenu(DocumentFiles& files, ExportController& exporter, const widgets::PreviewWidget& preview,
+  FileMenu(DocumentFiles& files, ExportController& exporter, const widgets::PreviewContent& preview,
            LibraryController& library, DockLayout& docks, QSettings& settings, const std::function<void()>& newWindow,
            QWidget* window);
 
@@ -36,7 +36,7 @@ class FileMenu : public QMenu {
 
   DocumentFiles& m_files;
   ExportController& m_exporter;
-  const widgets::PreviewWidget& m_preview;
+  const widgets::PreviewContent& m_preview;
   LibraryController& m_library;
   DockLayout& m_docks;
   QSettings& m_settings;

@@ -8,11 +8,11 @@
 
 #include "app/gonio/scene/environment_controller.h"
 #include "widgets/inputs/dialog_folder.h"
-#include "widgets/preview/preview_widget.h"
+#include "widgets/preview/preview_content.h"
 
 namespace gonio::app {
 
-LightMenu::LightMenu(EnvironmentController& environment, widgets::PreviewWidget& preview, QWidget* window)
+LightMenu::LightMenu(EnvironmentController& environment, widgets::PreviewContent& preview, QWidget* window)
     : QMenu(tr("&Light"), window), m_environment(environment), m_preview(preview), m_group(new QActionGroup(this)) {
   addOwn();
   add(tr("&Studio"), QStringLiteral("studio"));
@@ -60,11 +60,10 @@ void LightMenu::showRecent() {
 
 void LightMenu::addBackground() {
   QAction* background = addAction(tr("Show &Background"), this, [this](bool shown) {
-    m_preview.content().setBackground(shown, m_preview.scene().blurBackground);
+    m_preview.setBackground(shown, m_preview.scene().blurBackground);
   });
-  QAction* blur = addAction(tr("Bl&ur Background"), this, [this](bool on) {
-    m_preview.content().setBackground(on || m_preview.scene().showEnvironment, on);
-  });
+  QAction* blur = addAction(tr("Bl&ur Background"), this,
+                            [this](bool on) { m_preview.setBackground(on || m_preview.scene().showEnvironment, on); });
   for (QAction* action : {background, blur}) action->setCheckable(true);
   connect(this, &QMenu::aboutToShow, this, [this, background, blur] {
     const Scene& scene = m_preview.scene();

@@ -7,7 +7,7 @@
 class QActionGroup;
 
 namespace gonio::widgets {
-class PreviewWidget;
+class PreviewContent;
 }
 
 namespace gonio::app {
@@ -19,7 +19,7 @@ class LightMenu : public QMenu {
   Q_OBJECT
 
  public:
-  LightMenu(EnvironmentController& environment, widgets::PreviewWidget& preview, QWidget* window);
+  LightMenu(EnvironmentController& environment, widgets::PreviewContent& preview, QWidget* window);
 
   /// Lights the preview with a picture that the user chooses.
   void askForFile();
@@ -31,7 +31,7 @@ class LightMenu : public QMenu {
   void addBackground();
 
   EnvironmentController& m_environment;
-  widgets::PreviewWidget& m_preview;
+  widgets::PreviewContent& m_preview;
   QActionGroup* m_group;
   QList<QAction*> m_recent;
   QAction* m_afterRecent = nullptr;

@@ -122,10 +122,11 @@ void MainWindow::addDocks() {
 void MainWindow::addMenus() {
   EditorParts& p = m_parts;
   menuBar()->addMenu(new FileMenu(
-      m_files, p.exporter, p.preview, p.library, *m_docks, p.settings, [] { (new MainWindow)->show(); }, this));
+      m_files, p.exporter, p.preview.content(), p.library, *m_docks, p.settings, [] { (new MainWindow)->show(); },
+      this));
   menuBar()->addMenu(new EditMenu(p.document, p.controller, p.inspector, p.preview, p.settings,
                                   m_docks->dock("history")->toggleViewAction(), this));
-  auto* light = new LightMenu(p.environment, p.preview, this);
+  auto* light = new LightMenu(p.environment, p.preview.content(), this);
   auto* view = new ViewMenu(*m_docks, p.comparison, p.preview, light, p.settings, this);
   menuBar()->addMenu(view);
   auto* material = new MaterialMenu(

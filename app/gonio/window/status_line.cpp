@@ -78,7 +78,7 @@ QString StatusLine::representationText() const {
   const LoadedMaterialPtr& material = m_document.material();
   const auto standIn = m_comparison.standIn();
   if (!material && !standIn) return tr("Nothing open");
-  if (m_preview.isComparing()) {
+  if (m_preview.content().isComparing()) {
     const auto sides = m_comparison.sides();
     return tr("%1 | %2").arg(m_comparison.name(sides[0]), m_comparison.name(sides[1]));
   }

@@ -10,6 +10,7 @@
 #include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/theme.h"
+#include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
@@ -65,18 +66,19 @@ void ViewMenu::addPicture() {
          "filtered."));
   for (QAction* action : {overlay, noise}) action->setCheckable(true);
   connect(this, &QMenu::aboutToShow, this, [this, overlay, noise] {
-    overlay->setChecked(m_preview.overlayVisible());
+    overlay->setChecked(m_preview.overlay()->statusWanted());
     noise->setChecked(m_preview.isNoiseFiltered());
   });
-  connect(overlay, &QAction::triggered, this, [this] { m_preview.setOverlayVisible(!m_preview.overlayVisible()); });
-  m_pictureActions << addAction(tr("&Frame Object (F)"), &m_preview, &widgets::PreviewWidget::frameObject);
-  m_pictureActions << addAction(tr("&Reset View (R)"), &m_preview, &widgets::PreviewWidget::resetView) << overlay
+  connect(overlay, &QAction::triggered, this,
+          [shown = m_preview.overlay()] { shown->setStatusWanted(!shown->statusWanted()); });
+  m_pictureActions << addAction(tr("&Frame Object (F)"), &m_preview.input(), &widgets::PreviewInput::frameObject);
+  m_pictureActions << addAction(tr("&Reset View (R)"), &m_preview.input(), &widgets::PreviewInput::resetView) << overlay
                    << noise;
   addSeparator();
   addAction(tr("&Brighter"), QKeySequence(Qt::CTRL | Qt::Key_BracketRight), this,
-            [this] { changeExposure(m_preview.exposure() + exposureStep); });
+            [this] { changeExposure(m_preview.display().exposure + exposureStep); });
   addAction(tr("&Darker"), QKeySequence(Qt::CTRL | Qt::Key_BracketLeft), this,
-            [this] { changeExposure(m_preview.exposure() - exposureStep); });
+            [this] { changeExposure(m_preview.display().exposure - exposureStep); });
   addAction(tr("Reset &Exposure"), QKeySequence(Qt::CTRL | Qt::Key_Backslash), this, [this] { changeExposure(0); });
 }
 
@@ -93,9 +95,13 @@ void ViewMenu::addToneMap(QMenu* menu) {
   for (const auto& [text, toneMap] : entries) {
     QAction* action = group->addAction(menu->addAction(text));
     action->setCheckable(true);
-    connect(action, &QAction::triggered, this, [this, toneMap = toneMap] { m_preview.setToneMap(toneMap); });
+    connect(action, &QAction::triggered, this, [this, toneMap = toneMap] {
+      widgets::DisplaySettings display = m_preview.display();
+      display.toneMap = toneMap;
+      m_preview.setDisplay(display);
+    });
     connect(menu, &QMenu::aboutToShow, this,
-            [this, action, toneMap = toneMap] { action->setChecked(m_preview.toneMap() == toneMap); });
+            [this, action, toneMap = toneMap] { action->setChecked(m_preview.display().toneMap == toneMap); });
   }
 }
 

@@ -26,7 +26,7 @@ Direction lightOf(const Scene& scene) {
 }  // namespace
 
 nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
-  const Scene& scene = preview.scene();
+  const Scene& scene = preview.content().scene();
   const Direction toLight = lightOf(scene);
   return {{"scene", scene.source},
           {"yaw", scene.camera.yaw},
@@ -43,13 +43,13 @@ nlohmann::json viewToJson(const widgets::PreviewWidget& preview) {
           {"environmentRotation", scene.environmentRotation},
           {"showEnvironment", scene.showEnvironment},
           {"blurBackground", scene.blurBackground},
-          {"exposure", preview.exposure()},
-          {"toneMap", std::string(toneMapName(preview.toneMap()))}};
+          {"exposure", preview.display().exposure},
+          {"toneMap", std::string(toneMapName(preview.display().toneMap))}};
 }
 
 void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view) {
   constexpr double steepest = 1.5, farthest = 1000;
-  Scene scene = preview.scene();
+  Scene scene = preview.content().scene();
   scene.camera.yaw = number(view, "yaw", scene.camera.yaw, -100, 100);
   scene.camera.pitch = number(view, "pitch", scene.camera.pitch, -steepest, steepest);
   scene.camera.distance = number(view, "distance", scene.camera.distance, 1.05, farthest);
@@ -64,14 +64,16 @@ void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view) {
                           number(view, "lightZ", before.z, -1, 1));
   if (glm::length(toLight) > 1e-3 && !scene.directionalLights.empty())
     scene.directionalLights.front().toLight = glm::normalize(toLight);
-  preview.setScene(scene);
+  preview.content().setScene(scene);
   if (view.is_object() && view.contains("showEnvironment") && view["showEnvironment"].is_boolean())
     preview.content().setBackground(view["showEnvironment"].get<bool>(),
                                     view.contains("blurBackground") && view["blurBackground"] == true);
-  preview.setExposure(number(view, "exposure", preview.exposure(), -20, 20));
+  widgets::DisplaySettings display = preview.display();
+  display.exposure = number(view, "exposure", display.exposure, -20, 20);
   if (view.is_object() && view.contains("toneMap"))
     for (const ToneMap toneMap : {ToneMap::clamp, ToneMap::filmic})
-      if (view["toneMap"] == std::string(toneMapName(toneMap))) preview.setToneMap(toneMap);
+      if (view["toneMap"] == std::string(toneMapName(toneMap))) display.toneMap = toneMap;
+  preview.setDisplay(display);
 }
 
 QString sceneNameOf(const nlohmann::json& view) {

@@ -96,10 +96,10 @@ class ComparisonTest : public QObject {
     editor.comparison.toggle();
     QCOMPARE(editor.comparison.comparison().mode, CompareMode::split);
     QCOMPARE(editor.comparison.sides(), (std::array{ComparedSubject::fit, ComparedSubject::measured}));
-    QVERIFY(editor.preview.isComparing());
+    QVERIFY(editor.preview.content().isComparing());
     editor.comparison.setComparison({.mode = CompareMode::twoUp});
     editor.comparison.toggle();
-    QVERIFY(!editor.preview.isComparing());
+    QVERIFY(!editor.preview.content().isComparing());
     setParameter(editor.document, 0, Rgb(0.4));
     editor.comparison.toggle();
     QCOMPARE(editor.comparison.comparison().mode, CompareMode::twoUp);
@@ -164,14 +164,14 @@ class ComparisonTest : public QObject {
     for (const bool compared : {false, true}) {
       if (compared) editor.comparison.toggle();
       editor.comparison.setPair(pair);
-      QVERIFY(editor.preview.isComparing() && editor.comparison.isReplaced());
+      QVERIFY(editor.preview.content().isComparing() && editor.comparison.isReplaced());
       const auto [first, second] = editor.comparison.sides();
       QVERIFY(editor.comparison.subject(first).base() == light->base);
       QVERIFY(editor.comparison.subject(second).base() == dark->base);
       QCOMPARE(editor.comparison.name(second), QString("dark fit"));
       QVERIFY(editor.comparison.subject(ComparedSubject::measured).base() == editor.document.material()->base);
       editor.comparison.dismissStandIn();
-      QVERIFY(!editor.comparison.isReplaced() && editor.preview.isComparing() == compared);
+      QVERIFY(!editor.comparison.isReplaced() && editor.preview.content().isComparing() == compared);
       if (!compared) QVERIFY(editor.comparison.sides() == sides);
     }
     editor.comparison.setPair(pair);

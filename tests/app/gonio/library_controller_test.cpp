@@ -10,7 +10,7 @@
 #include <mutex>
 
 #include "app/gonio/library/thumbnail.h"
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
 #include "tests/support/test_program.h"

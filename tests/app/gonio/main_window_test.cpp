@@ -129,14 +129,14 @@ class MainWindowTest : public QObject {
   void commandSearchRunsWhatItFinds() {
     auto* window = new MainWindow;
     window->show();
-    const bool before = window->parts().preview.overlayVisible();
+    const bool before = window->parts().preview.overlay()->statusWanted();
     auto& search = *new CommandSearch(window);
     search.show();
     auto* text = search.findChild<QLineEdit*>();
     QTest::keyClicks(text, "view overl");
     QCOMPARE(search.findChild<QListWidget*>()->count(), 1);
     QTest::keyClick(text, Qt::Key_Return);
-    QCOMPARE(window->parts().preview.overlayVisible(), !before);
+    QCOMPARE(window->parts().preview.overlay()->statusWanted(), !before);
     delete window;
   }
 
@@ -168,7 +168,7 @@ class MainWindowTest : public QObject {
     auto* text = search.findChild<QLineEdit*>();
     QTest::keyClicks(text, "shape cylinder");
     QTest::keyClick(text, Qt::Key_Return);
-    QTRY_COMPARE(window->parts().preview.scene().name, std::string("cylinder"));
+    QTRY_COMPARE(window->parts().preview.content().scene().name, std::string("cylinder"));
     delete window;
   }
 

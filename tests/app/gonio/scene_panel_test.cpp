@@ -42,14 +42,14 @@ class ScenePanelTest : public QObject {
 
   /// A scene that is chosen is shown, and the plan is that of the scene: of these effects the lone sphere has one.
   void aChosenSceneIsPlanned() {
-    QVERIFY(!preview_->plan().simulates(Effect::castShadows));
+    QVERIFY(!content().plan().simulates(Effect::castShadows));
     choose("sphere-point-light");
-    QTRY_COMPARE(preview_->scene().name, std::string("sphere-point-light"));
-    QVERIFY(preview_->plan().simulates(Effect::castShadows) && preview_->plan().simulates(Effect::directLight));
-    QVERIFY(!preview_->plan().simulates(Effect::environmentLight));
+    QTRY_COMPARE(content().scene().name, std::string("sphere-point-light"));
+    QVERIFY(content().plan().simulates(Effect::castShadows) && content().plan().simulates(Effect::directLight));
+    QVERIFY(!content().plan().simulates(Effect::environmentLight));
     QVERIFY(shows("the sphere may stand between the ground and the point light"));
     choose("bowl");
-    QTRY_VERIFY(preview_->plan().simulates(Effect::selfShadowing));
+    QTRY_VERIFY(content().plan().simulates(Effect::selfShadowing));
     QVERIFY(shows("the bowl is not convex"));
   }
 
@@ -57,41 +57,41 @@ class ScenePanelTest : public QObject {
   /// Scene", each scene has its own.
   void theChosenLightStays() {
     choose("sphere-point-light");
-    QTRY_COMPARE(preview_->scene().name, std::string("sphere-point-light"));
-    QVERIFY(!preview_->scene().environment);
+    QTRY_COMPARE(content().scene().name, std::string("sphere-point-light"));
+    QVERIFY(!content().scene().environment);
     const auto sky = openEnvironment("sky");
-    preview_->setEnvironment(sky);
-    preview_->content().setBackground(true, true);
+    content().setEnvironment(sky);
+    content().setBackground(true, true);
     preview_->setExposure(1.5);
     choose("bowl");
-    QTRY_COMPARE(preview_->scene().name, std::string("bowl"));
-    QCOMPARE(preview_->scene().environment, sky);
-    QVERIFY(preview_->scene().showEnvironment && preview_->content().isEnvironmentChosen());
-    QCOMPARE(preview_->exposure(), 1.5);
-    preview_->content().resetEnvironment();
+    QTRY_COMPARE(content().scene().name, std::string("bowl"));
+    QCOMPARE(content().scene().environment, sky);
+    QVERIFY(content().scene().showEnvironment && content().isEnvironmentChosen());
+    QCOMPARE(preview_->display().exposure, 1.5);
+    content().resetEnvironment();
     const Scene own = openScene("bowl");
-    QCOMPARE(preview_->scene().environment != nullptr, own.environment != nullptr);
-    QCOMPARE(preview_->scene().directionalLights.size(), own.directionalLights.size());
+    QCOMPARE(content().scene().environment != nullptr, own.environment != nullptr);
+    QCOMPARE(content().scene().directionalLights.size(), own.directionalLights.size());
     choose("sphere-point-light");
-    QTRY_COMPARE(preview_->scene().name, std::string("sphere-point-light"));
-    QVERIFY(!preview_->scene().environment);
+    QTRY_COMPARE(content().scene().name, std::string("sphere-point-light"));
+    QVERIFY(!content().scene().environment);
   }
 
   /// The switch forces, the row tells it, and back by the plan nothing is left of it.
   void aSwitchForces() {
     QComboBox& shadows = panel_->effects().switchOf(Effect::castShadows);
     activate(shadows, 1);
-    QVERIFY(preview_->plan().simulates(Effect::castShadows) && !preview_->plan()[Effect::castShadows].calledFor);
+    QVERIFY(content().plan().simulates(Effect::castShadows) && !content().plan()[Effect::castShadows].calledFor);
     QVERIFY(shows("yes, forced"));
     activate(shadows, 0);
-    QVERIFY(!preview_->plan().simulates(Effect::castShadows) && preview_->overrides() == EffectOverrides{});
+    QVERIFY(!content().plan().simulates(Effect::castShadows) && content().overrides() == EffectOverrides{});
     QVERIFY(!shows("yes, forced"));
   }
 
   /// Nothing can be measured without a material; with one every effect gets its cost, until another scene comes.
   void costsAreMeasured() {
     QVERIFY(!panel_->measureButton().isEnabled() && !panel_->compareButton().isEnabled());
-    preview_->setSubject(widgets::measuredSubject(
+    content().setSubject(widgets::measuredSubject(
         app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36})->base));
     QTRY_VERIFY(panel_->measureButton().isEnabled());
     panel_->measureButton().click();
@@ -121,22 +121,22 @@ class ScenePanelTest : public QObject {
     const auto material =
         app::test_support::glossyMaterial(0.3, {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 36});
     document_->replaceMaterial(material, {});
-    preview_->setSubject(widgets::measuredSubject(material->base));
-    QTRY_VERIFY(preview_->material() && preview_->tracing() == widgets::Tracing::never);
+    content().setSubject(widgets::measuredSubject(material->base));
+    QTRY_VERIFY(content().first().material() && content().tracing() == widgets::Tracing::never);
     panel_->neighbours().well(0).currentButton()->click();
-    QTRY_VERIFY(preview_->tracing() == widgets::Tracing::atRest);
-    QVERIFY(preview_->others()[0] && preview_->others()[0] != preview_->material());
+    QTRY_VERIFY(content().tracing() == widgets::Tracing::atRest);
+    QVERIFY(content().others()[0] && content().others()[0] != content().first().material());
     QVERIFY(!panel_->neighbours().well(0).content().name.isEmpty());
     choose("sphere");
-    QTRY_VERIFY(preview_->tracing() == widgets::Tracing::never);  // it has no second place
+    QTRY_VERIFY(content().tracing() == widgets::Tracing::never);  // it has no second place
     choose("two-spheres");
-    QTRY_VERIFY(preview_->tracing() == widgets::Tracing::atRest);
+    QTRY_VERIFY(content().tracing() == widgets::Tracing::atRest);
     panel_->neighbours().well(0).clearButton()->click();
-    QVERIFY(preview_->tracing() == widgets::Tracing::never && panel_->neighbours().well(0).content().name.isEmpty());
+    QVERIFY(content().tracing() == widgets::Tracing::never && panel_->neighbours().well(0).content().name.isEmpty());
     QSignalSpy failed(panel_.get(), &ScenePanel::failed);
     panel_->neighbours().read(0, "/nowhere/metal.binary");
     QTRY_COMPARE(failed.count(), 1);
-    QVERIFY(panel_->neighbours().well(0).content().failed && preview_->tracing() == widgets::Tracing::never);
+    QVERIFY(panel_->neighbours().well(0).content().failed && content().tracing() == widgets::Tracing::never);
   }
 
   void aSceneThatCannotBeReadIsTold() {
@@ -144,18 +144,20 @@ class ScenePanelTest : public QObject {
     panel_->open("/nowhere/scene.json");
     QTRY_COMPARE(failed.count(), 1);
     QVERIFY(failed[0][1].toString().contains("/nowhere/scene.json"));
-    QCOMPARE(preview_->scene().name, std::string("sphere"));
+    QCOMPARE(content().scene().name, std::string("sphere"));
   }
 
   /// A document keeps the scene by its name; one from before there were scenes has the lone sphere.
   void aViewKeepsTheScene() {
     choose("two-spheres");
-    QTRY_COMPARE(preview_->scene().name, std::string("two-spheres"));
+    QTRY_COMPARE(content().scene().name, std::string("two-spheres"));
     QCOMPARE(app::sceneNameOf(app::viewToJson(*preview_)), QString("two-spheres"));
     QCOMPARE(app::sceneNameOf({{"yaw", 0.1}}), QString("sphere"));
   }
 
  private:
+  widgets::PreviewContent& content() { return preview_->content(); }
+
   void choose(const char* scene) { activate(panel_->scenes(), panel_->scenes().findData(QString(scene))); }
   void activate(QComboBox& box, int index) {
     box.setCurrentIndex(index);

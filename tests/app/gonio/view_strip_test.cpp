@@ -31,7 +31,7 @@ class ViewStripTest : public QObject {
     preview_ = std::make_unique<widgets::PreviewWidget>();
     tasks_ = std::make_unique<BackgroundTasks>();
     document_ = std::make_unique<Document>();
-    environment_ = std::make_unique<EnvironmentController>(*tasks_, *preview_);
+    environment_ = std::make_unique<EnvironmentController>(*tasks_, preview_->content());
     scene_ = std::make_unique<ScenePanel>(*preview_, *document_, *tasks_);
     strip_ = std::make_unique<ViewStrip>(*preview_, *scene_, *environment_, *tasks_);
   }
@@ -49,13 +49,13 @@ class ViewStripTest : public QObject {
     QCOMPARE(strip_->shapes().currentText(), QString("Sphere"));
     QCOMPARE(strip_->lights().currentText(), QString("As the scene"));
     choose(strip_->shapes(), "Cloth");
-    QTRY_COMPARE(preview_->scene().name, std::string("cloth"));
+    QTRY_COMPARE(preview_->content().scene().name, std::string("cloth"));
     QCOMPARE(strip_->shapes().currentText(), QString("Cloth"));
     choose(strip_->lights(), "Window");
     QTRY_COMPARE(environment_->name(), QString("window"));
     QCOMPARE(strip_->lights().currentText(), QString("Window"));
     choose(strip_->lights(), "Directional");
-    QTRY_VERIFY(!preview_->scene().environment);
+    QTRY_VERIFY(!preview_->content().scene().environment);
     QCOMPARE(strip_->lights().currentText(), QString("Directional"));
     choose(strip_->lights(), "As the scene");
     QCOMPARE(environment_->name(), QString("studio"));
@@ -86,13 +86,13 @@ class ViewStripTest : public QObject {
 
   void backgrounds() {
     choose(strip_->backgrounds(), "Checker");
-    QVERIFY(preview_->hasChecker() && !preview_->scene().showEnvironment);
+    QVERIFY(preview_->display().checker && !preview_->content().scene().showEnvironment);
     choose(strip_->backgrounds(), "Environment");
-    QVERIFY(!preview_->hasChecker() && preview_->scene().showEnvironment);
+    QVERIFY(!preview_->display().checker && preview_->content().scene().showEnvironment);
     choose(strip_->backgrounds(), "Environment, blurred");
-    QVERIFY(preview_->scene().showEnvironment && preview_->scene().blurBackground);
+    QVERIFY(preview_->content().scene().showEnvironment && preview_->content().scene().blurBackground);
     choose(strip_->shapes(), "Bowl");
-    QTRY_COMPARE(preview_->scene().name, std::string("bowl"));
+    QTRY_COMPARE(preview_->content().scene().name, std::string("bowl"));
     QCOMPARE(strip_->backgrounds().currentText(), QString("Environment, blurred"));
     choose(strip_->lights(), "Directional");
     QTRY_COMPARE(strip_->backgrounds().currentText(), QString("Plain"));
@@ -100,7 +100,7 @@ class ViewStripTest : public QObject {
 
   void exposure() {
     Q_EMIT strip_->exposure().valueEdited(1.5);
-    QCOMPARE(preview_->exposure(), 1.5);
+    QCOMPARE(preview_->display().exposure, 1.5);
     preview_->setExposure(-2);
     QCOMPARE(strip_->exposure().value(), -2.0);
   }

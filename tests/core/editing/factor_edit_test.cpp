@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/coordinates/projected_deviation.h"
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 #include "core/models/model.h"
 #include "tests/core/io/test_files.h"
 #include "tests/support/test_program.h"

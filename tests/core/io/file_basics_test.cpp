@@ -6,7 +6,7 @@
 #include <csignal>
 #include <functional>
 
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 #include "core/io/atomic_file.h"
 #include "core/io/image_io.h"
 #include "core/io/sha256.h"

@@ -93,8 +93,9 @@ void checkBlocking(const Scene& scene, const SceneLight& light, std::size_t rece
   const bool mayBe = mayBlock(scene, light, from, between);
   counts.blocked += blocked;
   if (blocked)
-    QVERIFY2(mayBe, qPrintable(QString("%1 before %2 in light %3")
-                                   .arg(shapeKind(between.shape), shapeKind(from.shape))
+    QVERIFY2(mayBe, qPrintable(QString("shape %1 before shape %2 in light %3")
+                                   .arg(between.shape.index())
+                                   .arg(from.shape.index())
                                    .arg(int(light.kind))));
   else if (reached && light.kind != Kind::environment && blocker != receiver)
     ++counts.freePairs, counts.noes += !mayBe;

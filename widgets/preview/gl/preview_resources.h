@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "core/brdf/tabulated_brdf.h"
-#include "core/editing/interpolation/interpolation.h"
+#include "core/interpolation/interpolation.h"
 #include "core/rendering/environment.h"
 #include "widgets/preview/gl/code_decoder.h"
 #include "widgets/preview/gl/mesh_texture.h"

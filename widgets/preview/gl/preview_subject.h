@@ -7,7 +7,7 @@
 #include "core/brdf/tabulated_brdf.h"
 #include "core/brdf/tabulated_lobe.h"
 #include "core/editing/edit.h"
-#include "core/editing/interpolation/interpolation.h"
+#include "core/interpolation/interpolation.h"
 #include "widgets/preview/gl/code_texels.h"
 
 namespace gonio::widgets {

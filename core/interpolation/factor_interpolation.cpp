@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/interpolation/interpolation_spaces.h"
 #include "core/factorization/deviation_grid.h"
 #include "core/factorization/pdv_blend.h"
+#include "core/interpolation/interpolation_spaces.h"
 
 namespace gonio::editing {
 

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
 
-#include "core/editing/interpolation/interpolation.h"
 #include "core/factorization/pdv_blend.h"
+#include "core/interpolation/interpolation.h"
 #include "core/support/error.h"
-#include "tests/core/editing/interpolation_test_support.h"
+#include "tests/core/interpolation/interpolation_test_support.h"
 #include "tests/support/test_program.h"
 
 namespace interpolation_factors_test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/editing/interpolation/interpolation.h"
+#include "core/interpolation/interpolation.h"
 #include "core/models/registry.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
 

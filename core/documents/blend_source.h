@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/editing/edit_document.h"
-#include "core/editing/interpolation/interpolation.h"
+#include "core/documents/edit_document.h"
+#include "core/interpolation/interpolation.h"
 #include "core/materials/material.h"
 
 namespace gonio::editing {

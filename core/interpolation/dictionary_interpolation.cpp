@@ -6,7 +6,7 @@
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/code_interpolation.h"
 #include "core/dictionary/decode.h"
-#include "core/editing/interpolation/interpolation_spaces.h"
+#include "core/interpolation/interpolation_spaces.h"
 #include "core/support/error.h"
 
 namespace gonio::editing {

@@ -3,9 +3,9 @@
 #include <QTest>
 
 #include "core/dictionary/decode.h"
-#include "core/editing/interpolation/interpolation.h"
+#include "core/interpolation/interpolation.h"
 #include "core/support/error.h"
-#include "tests/core/editing/interpolation_test_support.h"
+#include "tests/core/interpolation/interpolation_test_support.h"
 #include "tests/support/test_program.h"
 
 namespace interpolation_codes_test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 
 #include <QFile>
 #include <QTest>

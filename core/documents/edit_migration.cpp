@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/edit_migration.h"
+#include "core/documents/edit_migration.h"
 
 namespace gonio::editing {
 

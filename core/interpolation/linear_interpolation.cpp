@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/brdf/weighted_sum.h"
-#include "core/editing/interpolation/interpolation_spaces.h"
+#include "core/interpolation/interpolation_spaces.h"
 
 namespace gonio::editing {
 

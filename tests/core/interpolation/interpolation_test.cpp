@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/interpolation/interpolation.h"
+#include "core/interpolation/interpolation.h"
 #include "core/editing/edit.h"
 
 #include <QTest>
@@ -11,7 +11,7 @@
 #include "core/math/parallel.h"
 #include "core/models/parameter_blend.h"
 #include "core/support/error.h"
-#include "tests/core/editing/interpolation_test_support.h"
+#include "tests/core/interpolation/interpolation_test_support.h"
 #include "tests/support/test_program.h"
 
 namespace interpolation_test {

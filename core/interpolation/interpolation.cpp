@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/interpolation/interpolation.h"
+#include "core/interpolation/interpolation.h"
 
-#include "core/editing/interpolation/interpolation_spaces.h"
+#include "core/interpolation/interpolation_spaces.h"
 #include "core/math/weights.h"
 #include "core/support/error.h"
 

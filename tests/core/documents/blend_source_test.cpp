@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/blend_source.h"
+#include "core/documents/blend_source.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/brdf/weighted_sum.h"
 #include "core/editing/edit.h"
-#include "core/editing/interpolation/interpolation_spaces.h"
+#include "core/interpolation/interpolation_spaces.h"
 #include "core/models/parameter_blend.h"
 #include "core/models/registry.h"
 

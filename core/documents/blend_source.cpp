@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/blend_source.h"
+#include "core/documents/blend_source.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
-#include "core/editing/edit_document_json.h"
+#include "core/documents/edit_document_json.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 #include "core/support/json_object.h"
 
 /// What documents and the materials of blends have in common: "source" and "edits".

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/edited_material.h"
+#include "core/documents/edited_material.h"
 
 #include <algorithm>
 
-#include "core/editing/blend_source.h"
+#include "core/documents/blend_source.h"
 #include "core/support/error.h"
 
 namespace gonio::editing {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/editing/edit_document.h"
+#include "core/documents/edit_document.h"
 
 #include <algorithm>
 
-#include "core/editing/blend_source.h"
-#include "core/editing/edit_document_json.h"
-#include "core/editing/edit_migration.h"
+#include "core/documents/blend_source.h"
+#include "core/documents/edit_document_json.h"
+#include "core/documents/edit_migration.h"
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
 #include "core/models/parameters_json.h"

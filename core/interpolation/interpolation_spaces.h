@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/editing/interpolation/interpolation.h"
+#include "core/interpolation/interpolation.h"
 
 /// What prepareInterpolation() chooses from, one a file.
 namespace gonio::editing {
