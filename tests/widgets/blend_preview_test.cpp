@@ -57,7 +57,7 @@ class BlendPreviewTest : public QObject {
       for (const std::vector<double>& weights : someWeights) {
         const auto blend = widgets::prepareBlend(space, ends(int(weights.size())));
         const auto subject = widgets::blendSubject(*blend, weights);
-        const double snr = m_spheres->agreement(subject, *blend->interpolation->brdf(weights), sphereScene());
+        const double snr = m_spheres->agreement(subject, *blend->interpolation->brdf(weights), sphereScene(), 40);
         const QString what =
             QString("%1, %2 materials: %3 dB").arg(widgets::spaceName(space)).arg(weights.size()).arg(snr);
         qInfo("%s", qPrintable(what));
@@ -68,8 +68,8 @@ class BlendPreviewTest : public QObject {
   void theStudioToo() {
     const auto blend = widgets::prepareBlend(InterpolationSpace::linear, ends(2));
     const auto subject = widgets::blendSubject(*blend, someWeights[0]);
-    const double snr =
-        m_spheres->agreement(subject, *blend->interpolation->brdf(someWeights[0]), sphereScene(studioEnvironment()));
+    const double snr = m_spheres->agreement(subject, *blend->interpolation->brdf(someWeights[0]),
+                                            sphereScene(studioEnvironment()), 30);
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 
@@ -83,7 +83,7 @@ class BlendPreviewTest : public QObject {
       blend.mixture = std::make_shared<const editing::TransformedMixture>(*blend.interpolation->mixture());
       const auto subject = widgets::blendSubject(blend, someWeights[0]);
       QVERIFY(std::holds_alternative<widgets::PreviewBlend>(subject.shown));
-      const double snr = m_spheres->agreement(subject, *widgets::subjectBrdf(subject), sphereScene());
+      const double snr = m_spheres->agreement(subject, *widgets::subjectBrdf(subject), sphereScene(), 40);
       const QString what = QString("transform %1: %2 dB").arg(int(transform)).arg(snr);
       qInfo("%s", qPrintable(what));
       QVERIFY2(snr > 40, qPrintable(what));
@@ -145,7 +145,7 @@ class BlendPreviewTest : public QObject {
       QVERIFY(drawn(whole, sphereScene(), 64).pixels == alone.pixels);
       const auto snr = [&](const std::vector<double>& weights) {
         const auto subject = widgets::blendSubject(*blend, weights);
-        return m_spheres->agreement(subject, *blend->interpolation->brdf(weights), sphereScene());
+        return m_spheres->agreement(subject, *blend->interpolation->brdf(weights), sphereScene(), 40);
       };
       const double near = snr({0.95, 0.05}), middle = snr({0.5, 0.5});
       qInfo("%s: %.1f dB at 95 %%, %.1f dB at 50 %%", qPrintable(widgets::spaceName(space)), near, middle);

@@ -96,7 +96,7 @@ class CompositionPreviewTest : public QObject {
  private:
   void verify(const std::shared_ptr<const Brdf>& base, const editing::EditList& edits) {
     const widgets::PreviewSubject subject{widgets::EditedMaterial{base, edits}};
-    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), sphereScene());
+    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), sphereScene(), 40);
     qInfo("%.1f dB", snr);
     QVERIFY2(snr > 40, qPrintable(QString("%1 dB").arg(snr)));
   }

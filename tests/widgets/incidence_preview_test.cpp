@@ -122,7 +122,7 @@ class IncidencePreviewTest : public QObject {
 
   void comparePictures(const widgets::EditedMaterial& material, const Scene& scene) {
     const widgets::PreviewSubject subject{material};
-    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), scene);
+    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), scene, 40);
     qInfo("%.1f dB", snr);
     QVERIFY2(snr > 40, qPrintable(QString("%1 dB").arg(snr)));
   }

@@ -82,7 +82,7 @@ class ModelPreviewTest : public QObject {
   void verify(const std::shared_ptr<const Brdf>& base, const editing::EditList& edits) {
     QVERIFY(!base->asTable() && widgets::isShownNatively(*base));
     const widgets::PreviewSubject subject{widgets::EditedMaterial{base, edits}};
-    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), sphereScene());
+    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), sphereScene(), 40);
     qInfo("%.1f dB", snr);
     QVERIFY2(snr > 40, qPrintable(QString("%1 dB").arg(snr)));
   }

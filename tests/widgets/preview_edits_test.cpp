@@ -48,7 +48,7 @@ class PreviewEditsTest : public QObject {
   void editedPicture() {
     const auto table = bakedModel("ggx", {{"roughness", 0.3}});
     for (const models::Model* model : models::allModels()) {
-      const double snr = agreement(*spheres_, table, {brighterEdit(*model)}, sphereScene());
+      const double snr = agreement(*spheres_, table, {brighterEdit(*model)}, sphereScene(), 40);
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
   }
@@ -66,7 +66,7 @@ class PreviewEditsTest : public QObject {
               .original = std::make_shared<const factorization::PdvFactors>(found.factors.truncated(1)),
               .edited = std::make_shared<const factorization::PdvFactors>(factorization::widenF2(found.factors, 2)),
               .keepDetail = keepDetail};
-          const double snr = agreement(*spheres_, table, {{edit, "", 0.8}}, sphereScene());
+          const double snr = agreement(*spheres_, table, {{edit, "", 0.8}}, sphereScene(), 50);
           const auto what = QString("form %1, transform %2, detail %3: %4 dB")
                                 .arg(int(form))
                                 .arg(int(transform))
@@ -106,7 +106,7 @@ class PreviewEditsTest : public QObject {
         {"the first eye off", {hidden(alone), darker, factors}},
         {"all eyes off", {hidden(factors), hidden(ggx)}}};
     for (const auto& [name, edits] : stacks) {
-      const double snr = agreement(*spheres_, table, edits, sphereScene());
+      const double snr = agreement(*spheres_, table, edits, sphereScene(), 40);
       qInfo("%s: %.1f dB", name, snr);
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(name).arg(snr)));
     }
@@ -119,7 +119,7 @@ class PreviewEditsTest : public QObject {
       edits.push_back(brighterEdit(*model));
       edits.back().strength = 0.05;
     }
-    const double snr = agreement(*spheres_, bakedModel("ggx", {{"roughness", 0.3}}), edits, sphereScene());
+    const double snr = agreement(*spheres_, bakedModel("ggx", {{"roughness", 0.3}}), edits, sphereScene(), 40);
     QVERIFY2(snr > 40, qPrintable(QString("%1 dB").arg(snr)));
   }
 
@@ -190,9 +190,9 @@ class PreviewEditsTest : public QObject {
     edit.edited.values[3] = Rgb(0.5);
     for (const double pitch : {0.2, 1.4}) {
       const OrbitCamera camera{.yaw = 0.4, .pitch = pitch};
-      const double lit = agreement(*spheres_, table, {{edit}}, sphereScene(nullptr, camera));
+      const double lit = agreement(*spheres_, table, {{edit}}, sphereScene(nullptr, camera), 40);
       QVERIFY2(lit > 40, qPrintable(QString("pitch %1: %2 dB").arg(pitch).arg(lit)));
-      const double studio = agreement(*spheres_, table, {{edit}}, sphereScene(studioEnvironment(), camera));
+      const double studio = agreement(*spheres_, table, {{edit}}, sphereScene(studioEnvironment(), camera), 30);
       QVERIFY2(studio > 30, qPrintable(QString("pitch %1, studio: %2 dB").arg(pitch).arg(studio)));
     }
   }

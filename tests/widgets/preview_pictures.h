@@ -35,16 +35,16 @@ inline std::shared_ptr<const TabulatedLobe> lobeOf(const std::shared_ptr<const B
 }
 
 /// SNR of the shader's converged picture of a subject against the CPU's, dB.
-inline double agreement(OffscreenSpheres& spheres, widgets::PreviewSubject subject, const Scene& scene) {
+inline double agreement(OffscreenSpheres& spheres, widgets::PreviewSubject subject, const Scene& scene, double enough) {
   const std::shared_ptr<const Brdf> brdf = widgets::subjectBrdf(subject);
   const auto base = subject.base();
   subject.lobe = lobeOf(base ? base : brdf);
-  return spheres.agreement(subject, *brdf, scene);
+  return spheres.agreement(subject, *brdf, scene, enough);
 }
 
 inline double agreement(OffscreenSpheres& spheres, const std::shared_ptr<const TabulatedBrdf>& table,
-                        const editing::EditList& edits, const Scene& scene) {
-  return agreement(spheres, {widgets::EditedMaterial{table, edits}}, scene);
+                        const editing::EditList& edits, const Scene& scene, double enough) {
+  return agreement(spheres, {widgets::EditedMaterial{table, edits}}, scene, enough);
 }
 
 }  // namespace gonio::test

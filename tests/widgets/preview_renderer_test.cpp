@@ -29,13 +29,13 @@ class PreviewRendererTest : public QObject {
   /// one.
   void modelAlone() {
     for (const models::Model* model : models::allModels()) {
-      const double snr =
-          agreement(*spheres_, {widgets::ModelAlone{model, models::defaultParameters(model->spec())}}, sphereScene());
+      const double snr = agreement(*spheres_, {widgets::ModelAlone{model, models::defaultParameters(model->spec())}},
+                                   sphereScene(), 40);
       QVERIFY2(snr > 40, qPrintable(QString("%1: %2 dB").arg(model->spec().id.data()).arg(snr)));
     }
     const models::Model& ggx = models::findModel("ggx");
     const double snr =
-        agreement(*spheres_, {widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}}, comparisonScene());
+        agreement(*spheres_, {widgets::ModelAlone{&ggx, models::defaultParameters(ggx.spec())}}, comparisonScene(), 30);
     QVERIFY2(snr > 30, qPrintable(QString("%1 dB").arg(snr)));
   }
 

@@ -85,7 +85,7 @@ class RglPreviewTest : public QObject {
   void verify(widgets::PreviewSubject subject, const Scene& scene, double least) {
     const auto brdf = widgets::subjectBrdf(subject);
     subject.lobe = std::make_shared<const TabulatedLobe>(*brdf);
-    const double snr = spheres_->agreement(subject, *brdf, scene);
+    const double snr = spheres_->agreement(subject, *brdf, scene, least);
     qInfo("%.1f dB", snr);
     QVERIFY2(snr > least, qPrintable(QString("%1 dB").arg(snr)));
   }

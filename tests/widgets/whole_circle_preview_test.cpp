@@ -35,12 +35,12 @@ class WholeCirclePreviewTest : public QObject {
     edit.edited.values[*model.spec().find("roughness")] = Rgb(0.5);
     for (const editing::EditList& edits : {editing::EditList{}, editing::EditList{{edit}}}) {
       const widgets::PreviewSubject subject{widgets::EditedMaterial{table, edits}};
-      QVERIFY(spheres.agreement(subject, *editing::applyEdits(table, edits), sphereScene()) > 50);
+      QVERIFY(spheres.agreement(subject, *editing::applyEdits(table, edits), sphereScene(), 50) > 50);
       // The table holds the material itself; one that folds phi_d would not.
-      QVERIFY(spheres.agreement(subject, *editing::applyEdits(brdf, edits), sphereScene()) > 35);
+      QVERIFY(spheres.agreement(subject, *editing::applyEdits(brdf, edits), sphereScene(), 35) > 35);
     }
     const auto folded = bakeTable(*brdf, {.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 90});
-    QVERIFY(spheres.agreement({widgets::EditedMaterial{folded}}, *brdf, sphereScene()) < 25);
+    QVERIFY(spheres.agreement({widgets::EditedMaterial{folded}}, *brdf, sphereScene(), 25) < 25);
   }
 };
 
