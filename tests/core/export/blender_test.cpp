@@ -175,16 +175,19 @@ class BlenderTest : public QObject {
 
   void theStatedAccuracyIsThatInBlender_data() {
     QTest::addColumn<QString>("material");
-    for (const char* name : {"blue-metallic-paint", "chrome"}) QTest::newRow(name) << name;
+    QTest::addColumn<int>("side");
+    QTest::newRow("blue-metallic-paint") << "blue-metallic-paint" << 64;
+    QTest::newRow("chrome") << "chrome" << 128;  // its highlights are as narrow as pixels
   }
 
   /// Blender's picture is as far from the material as the export says, free of both noises.
   void theStatedAccuracyIsThatInBlender() {
     QFETCH(QString, material);
+    QFETCH(int, side);
     const materials::Material opened = materials::readMaterial("library:merl-copy/" + material.toStdString());
     const auto made = exports::makeExport(*exports::findExportTarget("blender"), {.name = "test", .brdf = opened.brdf});
     const std::string script(reinterpret_cast<const char*>(made.parts[0].bytes.data()), made.parts[0].bytes.size());
-    constexpr int side = 128, pictureSamples = 256;
+    constexpr int pictureSamples = 256;
     metrics::PicturePair found, expected;
     for (std::size_t half = 0; half < 2; ++half) {
       found[half] = renderedScene(m_folder, comparisonScene(), script, side, pictureSamples, int(half));
