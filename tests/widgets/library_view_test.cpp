@@ -375,6 +375,11 @@ class LibraryViewTest : public QObject {
     QCOMPARE(rows(), QStringList({"# RGL", "felt", "gold", "# MERL", "chrome"}));
     view.setGrouping(int(LibraryGrouping::kind));
     QCOMPARE(rows(), QStringList({"# Fabric", "felt", "# Metal", "chrome", "gold"}));
+    const auto current = [&] { return view.list()->currentIndex().data().toString(); };
+    QTest::keyClick(view.list(), Qt::Key_End);
+    QCOMPARE(current(), QStringLiteral("gold"));
+    QTest::keyClick(view.list(), Qt::Key_Home);
+    QCOMPARE(current(), QStringLiteral("felt"));
     view.search()->setText("metal");  // a kind; the heading of what does not match goes
     QCOMPARE(rows(), QStringList({"# Metal", "chrome", "gold"}));
     QSignalSpy opened(&view.selection(), &LibrarySelection::openRequested);

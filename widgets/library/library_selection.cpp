@@ -122,11 +122,22 @@ bool LibrarySelection::key(int key, Qt::KeyboardModifiers modifiers) {
     toggleLook();
   } else if (key == Qt::Key_Escape && m_look->isVisible()) {
     m_look->hide();
+  } else if ((key == Qt::Key_Home || key == Qt::Key_End) && !modifiers) {
+    selectOutermost(key == Qt::Key_Home);
   } else {
     const QStringList ids = this->ids();
     return !ids.isEmpty() && keyFor(ids, key, modifiers);
   }
   return true;
+}
+
+void LibrarySelection::selectOutermost(bool first) {
+  const QAbstractItemModel& model = *m_list.model();
+  const int count = model.rowCount();
+  for (int i = 0; i < count; ++i) {
+    const QModelIndex index = model.index(first ? i : count - 1 - i, 0);
+    if (index.flags() & Qt::ItemIsEnabled) return m_list.setCurrentIndex(index);
+  }
 }
 
 bool LibrarySelection::keyFor(const QStringList& ids, int key, Qt::KeyboardModifiers modifiers) {

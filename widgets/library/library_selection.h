@@ -49,6 +49,8 @@ class LibrarySelection : public QObject {
   void showMenu(const QPoint& position);
   /// Whether a key of the grid meant something.
   bool key(int key, Qt::KeyboardModifiers modifiers);
+  /// The first material or the last; headings are none.
+  void selectOutermost(bool first);
   bool keyFor(const QStringList& ids, int key, Qt::KeyboardModifiers modifiers);
   QString current() const;
   void setFavourites(const QStringList& ids, bool favourite);

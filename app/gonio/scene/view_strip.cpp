@@ -90,8 +90,9 @@ void ViewStrip::build() {
   for (QComboBox* box : {m_shapes, m_lights, m_backgrounds}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(7);
-    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);  // one with icons is taller: all are then
   }
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   add(tr("S&hape"), m_shapes);
   add(tr("&Light"), m_lights);
   add(tr("&Behind"), m_backgrounds);
