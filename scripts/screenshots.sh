@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-# scripts/screenshots.sh [FOLDER]: takes the pictures of the editor in README and docs, on a virtual display, into docs/images.
+# scripts/screenshots.sh [FOLDER [NAME ...]]: takes the pictures of the editor in README and docs, or those of these names, on
+# a virtual display, into docs/images. A minute each.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 folder=${1:-$root/docs/images}
 editor=$root/build/release/app/gonio/gonio
 [ -x "$editor" ] || { echo "screenshots: build the editor first (./run)" >&2; exit 1; }
 mkdir -p "$folder"
+[ $# -eq 0 ] || shift
+names=" $* "
 # Settings of its own, so that the pictures show the editor as it comes.
 settings=$(mktemp -d)
 trap 'rm -rf "$settings"' EXIT
@@ -16,21 +19,22 @@ trap 'rm -rf "$settings"' EXIT
 picture() {
   name=$1 theme=$2 file=$3
   shift 3
+  case "$names" in "  " | *" $name "*) ;; *) return 0 ;; esac
   XDG_CONFIG_HOME=$settings XDG_DATA_HOME=$settings LIBGL_ALWAYS_SOFTWARE=1 \
     xvfb-run -a -s "-screen 0 1600x1000x24" \
-    "$editor" "$file" "$@" --theme "$theme" --size 1500x940 --wait 400 --screenshot "$folder/$name.png"
-  echo "$folder/$name.png"
+    "$editor" "$file" "$@" --theme "$theme" --size 1500x940 --wait 400 --screenshot "$folder/$name"
+  echo "$folder/$name"
 }
-picture editor-chrome dark library:sgd/nickel
-picture editor-fabric light library:sgd/red-fabric
-picture editor-comparison dark library:sgd/gold-metallic-paint --compare difference
-picture editor-models light library:sgd/gold-metallic-paint --models
-picture editor-factors light library:sgd/gold-metallic-paint --factors
-picture factors-original dark library:sgd/gold-metallic-paint --factors
-picture factors-widened dark library:sgd/gold-metallic-paint --factors --widen 1.8
-picture factors-swapped dark library:sgd/gold-metallic-paint --factors --take-f1 library:sgd/green-metallic-paint
-picture interpolation light library:sgd/gold-metallic-paint \
+picture editor-dark.jpg dark library:rgl/cc_ibiza_sunset
+picture editor-light.jpg light library:rgl/acrylic_felt_pink
+picture editor-comparison.jpg dark library:merl-copy/gold-metallic-paint --compare difference
+picture editor-models.jpg light library:merl-copy/gold-metallic-paint --models
+picture editor-factors.jpg light library:merl-copy/gold-metallic-paint --factors
+picture factors-original.png dark library:sgd/gold-metallic-paint --factors
+picture factors-widened.png dark library:sgd/gold-metallic-paint --factors --widen 1.8
+picture factors-swapped.png dark library:sgd/gold-metallic-paint --factors --take-f1 library:sgd/green-metallic-paint
+picture interpolation.png light library:sgd/gold-metallic-paint \
   --interpolate library:sgd/gold-metallic-paint,library:sgd/blue-metallic-paint2
-picture editor-study light library:sgd/gold-metallic-paint --study "PDV factors, two curves, 1 term"
-picture editor-acquisition dark library:rgl/vch_golden_yellow --acquire 40 --acquisition-page 1
-picture editor-representation dark library:sgd/brass --encoded 64 --compare split
+picture editor-study.png light library:sgd/gold-metallic-paint --study "PDV factors, two curves, 1 term"
+picture editor-acquisition.png dark library:rgl/vch_golden_yellow --acquire 40 --acquisition-page 1
+picture editor-representation.png dark library:sgd/brass --encoded 64 --compare split

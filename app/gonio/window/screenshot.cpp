@@ -31,7 +31,8 @@ void Screenshot::check() {
   const bool late = double(m_elapsed.elapsed()) > 1000 * m_longestWaitSeconds;
   if (m_settledChecks < neededChecks && !late) return;
   m_timer.stop();
-  const bool saved = m_window.grab().save(m_path);
+  const int quality = m_path.endsWith(".jpg") ? 90 : -1;  // -1: that of the format
+  const bool saved = m_window.grab().save(m_path, nullptr, quality);
   if (!saved) QTextStream(stderr) << tr("gonio: cannot write %1\n").arg(m_path);
   QApplication::exit(saved ? 0 : 1);
 }
