@@ -3,38 +3,19 @@
 #include "widgets/library/library_view.h"
 
 #include <QLineEdit>
-#include <QListView>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 
 #include "tests/support/test_program.h"
+#include "tests/widgets/library_test_support.h"
 #include "widgets/library/library_chips.h"
-#include "widgets/library/library_menu.h"
-#include "widgets/library/library_model.h"
 #include "widgets/library/library_selection.h"
 #include "widgets/library/look_colour.h"
-#include "widgets/library/quick_look.h"
 
 namespace library_view_test {
 using namespace gonio::widgets;
-
-std::vector<LibraryItem> threeMaterials() {
-  return {{"a", "gold", "MERL file"}, {"b", "chrome", "MERL file"}, {"c", "felt", "RGL file"}};
-}
-LibraryLook look(double hue, double roughness) {
-  QImage image(8, 8, QImage::Format_RGBA8888);
-  image.fill(Qt::gray);
-  return {image, hue, roughness};
-}
-/// Of the materials that are shown, in order.
-QStringList idsOf(const LibraryView& view) {
-  QStringList ids;
-  for (int row = 0; row < view.list()->model()->rowCount(); ++row)
-    if (const QModelIndex index = view.list()->model()->index(row, 0); index.flags() & Qt::ItemIsEnabled)
-      ids << index.data(LibraryModel::IdRole).toString();
-  return ids;
-}
+using namespace gonio::test;
 
 class LibraryViewTest : public QObject {
   Q_OBJECT
@@ -74,7 +55,7 @@ class LibraryViewTest : public QObject {
     QCOMPARE(opened.count(), 1);
     QCOMPARE(opened[0][0].toString(), QStringLiteral("c"));
     view.search()->clear();
-    view.selectItem("a");
+    view.selection().select("a");
     QTest::keyClick(view.list(), Qt::Key_Return);
     QCOMPARE(opened[1][0].toString(), QStringLiteral("a"));
   }
@@ -101,74 +82,6 @@ class LibraryViewTest : public QObject {
       view.search()->setText(text);
       QCOMPARE(idsOf(view), ids);
     }
-  }
-
-  /// The keys and signals of a selection of several, in the order in which they are shown.
-  void severalAreSelected() {
-    LibraryModel model;
-    LibraryView view(&model);
-    view.resize(400, 400);
-    view.show();
-    model.setItems(threeMaterials());
-    QSignalSpy interpolate(&view.selection(), &LibrarySelection::interpolationRequested),
-        open(&view.selection(), &LibrarySelection::openRequested);
-    QTest::keyClick(view.list(), Qt::Key_A, Qt::ControlModifier);
-    QCOMPARE(view.selection().ids(), QStringList({"b", "c", "a"}));
-    QTest::keyClick(view.list(), Qt::Key_Return, Qt::ShiftModifier);
-    QCOMPARE(interpolate[0][0].toStringList(), QStringList({"b", "c", "a"}));
-    QTest::keyClick(view.list(), Qt::Key_Asterisk);
-    for (const char* id : {"a", "b", "c"}) QVERIFY(model.note(id).favourite);
-    QTest::keyClick(view.list(), Qt::Key_Asterisk);
-    for (const char* id : {"a", "b", "c"}) QVERIFY(model.note(id).isEmpty());
-    QVERIFY(open.isEmpty());
-    view.selection().setSingle();
-    view.selectItem("c");
-    QCOMPARE(view.selection().ids(), QStringList{"c"});
-    QTest::keyClick(view.list(), Qt::Key_Return, Qt::ShiftModifier);
-    QCOMPARE(interpolate.count(), 1);
-  }
-
-  /// What a menu offers depends on how many are selected.
-  void theMenuFitsTheSelection() {
-    QStringList asked;
-    LibraryActions actions{.open = [&](const QString& id) { asked << "open " + id; },
-                           .comparePair = [&](const QStringList& two) { asked << "pair " + two.join(' '); },
-                           .exportAll = [&](const QStringList& all) { asked << "export " + all.join(' '); },
-                           .favour = [](const QStringList&, bool) {}};
-    const auto texts = [&](const QStringList& ids) {
-      const std::unique_ptr<QMenu> menu(libraryMenu(ids, {}, actions, nullptr));
-      QStringList result;
-      for (QAction* action : menu->actions()) {
-        action->trigger();
-        if (!action->isSeparator()) result << action->text().remove('&');
-      }
-      return result;
-    };
-    QCOMPARE(texts({"a"}), QStringList({"Open", "Export...", "Favourite"}));
-    QCOMPARE(texts({"a", "b"}), QStringList({"Compare These Two", "Export These 2...", "Favourites"}));
-    QCOMPARE(texts({"a", "b", "c"}), QStringList({"Export These 3...", "Favourites"}));
-    QCOMPARE(asked, QStringList({"open a", "export a", "pair a b", "export a b", "export a b c"}));
-  }
-
-  /// Space shows a large picture, which follows the selection and goes with Escape.
-  void quickLook() {
-    LibraryModel model;
-    LibraryView view(&model);
-    view.show();
-    model.setItems(threeMaterials());
-    QSignalSpy wanted(&view.selection(), &LibrarySelection::largePictureRequested);
-    const QuickLook& look = view.selection().quickLook();
-    view.selectItem("b");
-    QTest::keyClick(view.list(), Qt::Key_Space);
-    QVERIFY(look.isVisible());
-    QCOMPARE(look.id(), QString("b"));
-    QTest::keyClick(view.list(), Qt::Key_Right);
-    QCOMPARE(look.id(), QString("c"));
-    QCOMPARE(wanted.count(), 2);
-    QTest::keyClick(view.list(), Qt::Key_Escape);
-    QVERIFY(!look.isVisible());
-    QTest::keyClick(view.list(), Qt::Key_Left);
-    QCOMPARE(wanted.count(), 2);
   }
 
   /// By the mean colour of the thumbnail and the roughness; lightness from light to dark.
@@ -224,86 +137,6 @@ class LibraryViewTest : public QObject {
     model.setItems({{"e", "file", "", "", "", ""}});
     QVERIFY(!chips.chip("Metal") && chips.chip("Favourites"));
     QCOMPARE(idsOf(view), QStringList{"e"});
-  }
-
-  void favouritesByKeyboard() {
-    LibraryModel model;
-    LibraryView view(&model);
-    model.setItems(threeMaterials());
-    QSignalSpy changed(&model, &LibraryModel::noteChanged);
-    view.selectItem("b");
-    QTest::keyClick(view.list(), Qt::Key_Asterisk);
-    QCOMPARE(changed[0][0].toString(), QString("b"));
-    QVERIFY(model.note("b").favourite);
-    view.setChipsShown(true);
-    view.chips().chip("Favourites")->setChecked(true);
-    QCOMPARE(idsOf(view), QStringList{"b"});
-    QTest::keyClick(view.list(), Qt::Key_Asterisk);
-    QCOMPARE(changed.count(), 2);
-    QVERIFY(idsOf(view).isEmpty());
-  }
-
-  /// What is selected stays so when the materials are listed again; what is not listed yet is selected when it comes.
-  void selectionOutlivesANewList() {
-    LibraryModel model;
-    LibraryView view(&model);
-    model.setItems(threeMaterials());
-    const auto selected = [&] {
-      QStringList ids;
-      for (const QModelIndex& index : view.list()->selectionModel()->selectedIndexes())
-        ids << index.data(LibraryModel::IdRole).toString();
-      return ids;
-    };
-    view.selectItem("b");
-    model.setItems(threeMaterials());
-    QCOMPARE(selected(), QStringList{"b"});
-    QCOMPARE(view.list()->currentIndex().data(LibraryModel::IdRole).toString(), QString("b"));
-
-    view.selectItem("new");
-    QVERIFY(selected().isEmpty());
-    std::vector<LibraryItem> more = threeMaterials();
-    more.push_back({.id = "new", .name = "new"});
-    model.setItems(more);
-    QCOMPARE(selected(), QStringList{"new"});
-
-    view.list()->selectAll();
-    const auto sorted = [](QStringList ids) {
-      ids.sort();
-      return ids;
-    };
-    const QStringList all = sorted(selected());
-    model.setItems(more);
-    QCOMPARE(sorted(selected()), all);
-    QCOMPARE(all.size(), 4);
-    view.list()->clearSelection();
-    model.setItems(threeMaterials());
-    QVERIFY(selected().isEmpty());
-  }
-
-  /// The keys 0 to 5 rate what is selected; the order by rating, the menu and the tool tip follow.
-  void ratings() {
-    LibraryModel model;
-    LibraryView view(&model);
-    model.setItems(threeMaterials());
-    view.selectItem("a");
-    QTest::keyClick(view.list(), Qt::Key_5);
-    view.selectItem("c");
-    QTest::keyClick(view.list(), Qt::Key_2);
-    QCOMPARE(model.note("a").rating, 5);
-    view.setSortMode(5);
-    QCOMPARE(idsOf(view), QStringList({"a", "c", "b"}));
-    QVERIFY(model.index(0).data(Qt::ToolTipRole).toString().contains("Rating"));
-    QTest::keyClick(view.list(), Qt::Key_0);
-    QCOMPARE(model.note("c").rating, 0);
-    QStringList asked;
-    LibraryActions actions{
-        .rate = [&](const QStringList& ids, int rating) { asked << ids.join(' ') + QString::number(rating); }};
-    const std::unique_ptr<QMenu> menu(libraryMenu({"a", "b"}, {.rating = 3}, actions, nullptr));
-    for (QAction* action : menu->findChild<QMenu*>()->actions()) {
-      QCOMPARE(action->isChecked(), asked.size() == 3);
-      action->trigger();
-    }
-    QCOMPARE(asked, QStringList({"a b0", "a b1", "a b2", "a b3", "a b4", "a b5"}));
   }
 
   /// Tags are searched, have buttons as soon as a material has them, and lose them with the last one.

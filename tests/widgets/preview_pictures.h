@@ -34,7 +34,7 @@ inline std::shared_ptr<const TabulatedLobe> lobeOf(const std::shared_ptr<const B
   return lobe;
 }
 
-/// SNR of the shader's converged picture of a subject against the CPU's, dB.
+/// SNR of the shader's picture of a subject against the CPU's, dB, as OffscreenSpheres::agreement().
 inline double agreement(OffscreenSpheres& spheres, widgets::PreviewSubject subject, const Scene& scene, double enough) {
   const std::shared_ptr<const Brdf> brdf = widgets::subjectBrdf(subject);
   const auto base = subject.base();

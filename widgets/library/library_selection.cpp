@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QListView>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/library/library_menu.h"
 #include "widgets/library/library_model.h"
@@ -23,6 +24,32 @@ LibrarySelection::LibrarySelection(QListView& list, LibraryModel& model, QWidget
   connect(m_list.selectionModel(), &QItemSelectionModel::currentChanged, this, [this] {
     if (m_look->isVisible()) showLook();
   });
+  connect(m_list.model(), &QAbstractItemModel::modelAboutToBeReset, this, [this] {
+    if (const QStringList selected = ids(); !selected.isEmpty()) m_kept = selected;
+  });
+  connect(m_list.model(), &QAbstractItemModel::modelReset, this, &LibrarySelection::restore);
+}
+
+void LibrarySelection::select(const QString& id) {
+  m_list.clearSelection();
+  m_kept = {id};
+  restore();
+}
+
+void LibrarySelection::restore() {
+  const QStringList wanted = std::exchange(m_kept, {});
+  QStringList missing = wanted;
+  const QAbstractItemModel& model = *m_list.model();
+  for (int row = 0; row < model.rowCount(); ++row) {
+    const QModelIndex index = model.index(row, 0);
+    const QString id = index.data(LibraryModel::IdRole).toString();
+    if (missing.removeAll(id) == 0) continue;
+    m_list.selectionModel()->select(index, QItemSelectionModel::Select);
+    if (id != wanted.front()) continue;
+    m_list.selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+    m_list.scrollTo(index);
+  }
+  m_kept = missing;
 }
 
 void LibrarySelection::setSingle() {

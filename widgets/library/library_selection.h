@@ -13,8 +13,8 @@ class LibraryModel;
 class QuickLook;
 struct LibraryCommon;
 
-/// What the user does with the materials that are selected in a library's grid: by a double-click, by keys, by the
-/// menu.
+/// The materials that are selected in a library's grid, which stay so when they are listed again, and what the user
+/// does with them: by a double-click, by keys, by the menu.
 class LibrarySelection : public QObject {
   Q_OBJECT
 
@@ -26,6 +26,10 @@ class LibrarySelection : public QObject {
   void setSingle();
   /// In the order in which they are shown.
   QStringList ids() const;
+  /// Selects a material alone and scrolls to it; one that is not listed yet is selected when it comes.
+  void select(const QString& id);
+  /// The first material or the last; headings are none.
+  void selectOutermost(bool first);
   /// As Enter does; nothing where no material is current.
   void openCurrent();
   QuickLook& quickLook() const { return *m_look; }
@@ -47,10 +51,10 @@ class LibrarySelection : public QObject {
 
  private:
   void showMenu(const QPoint& position);
+  /// Selects what of m_kept is listed, and keeps the rest.
+  void restore();
   /// Whether a key of the grid meant something.
   bool key(int key, Qt::KeyboardModifiers modifiers);
-  /// The first material or the last; headings are none.
-  void selectOutermost(bool first);
   bool keyFor(const QStringList& ids, int key, Qt::KeyboardModifiers modifiers);
   QString current() const;
   void setFavourites(const QStringList& ids, bool favourite);
@@ -65,6 +69,7 @@ class LibrarySelection : public QObject {
   LibraryModel& m_model;
   QuickLook* m_look;
   bool m_single = false;
+  QStringList m_kept;  ///< what is selected when the materials are listed again
 };
 
 }  // namespace gonio::widgets

@@ -13,7 +13,6 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <utility>
 
 #include "widgets/inputs/icons.h"
 #include "widgets/library/library_chips.h"
@@ -132,13 +131,7 @@ void LibraryView::connectList() {
   connect(&m_visibleTimer, &QTimer::timeout, this, [this] { Q_EMIT visibleIdsChanged(visibleIds()); });
   const auto later = [this] { m_visibleTimer.start(); };
   connect(m_list->verticalScrollBar(), &QScrollBar::valueChanged, this, later);
-  connect(m_proxy, &QAbstractItemModel::modelAboutToBeReset, this, [this] {
-    const QModelIndexList selected = m_list->selectionModel()->selectedIndexes();
-    if (!selected.isEmpty()) m_kept.clear();
-    for (const QModelIndex& index : selected) m_kept << index.data(LibraryModel::IdRole).toString();
-  });
   connect(m_proxy, &QAbstractItemModel::modelReset, this, [this] {
-    restoreSelection();
     updateEmptyState();
     m_visibleTimer.start();
   });
@@ -158,12 +151,6 @@ void LibraryView::filterChanged() {
   m_visibleTimer.start();
 }
 
-QModelIndex LibraryView::firstMaterial() const {
-  for (int row = 0; row < m_proxy->rowCount(); ++row)
-    if (const QModelIndex index = m_proxy->index(row, 0); index.flags() & Qt::ItemIsEnabled) return index;
-  return {};
-}
-
 void LibraryView::dragEnterEvent(QDragEnterEvent* event) { event->setAccepted(event->source() == m_list); }
 
 bool LibraryView::eventFilter(QObject* watched, QEvent* event) {
@@ -174,7 +161,7 @@ bool LibraryView::eventFilter(QObject* watched, QEvent* event) {
   const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
   // From the search field: Down goes into the grid, Enter opens the first match.
   if (watched == m_search && (key == Qt::Key_Down || enter)) {
-    if (!m_list->currentIndex().isValid() || enter) m_list->setCurrentIndex(firstMaterial());
+    if (!m_list->currentIndex().isValid() || enter) m_selection->selectOutermost(true);
     m_list->setFocus();
     if (enter) m_selection->openCurrent();
     return true;
@@ -232,27 +219,6 @@ void LibraryView::setGrouping(int grouping) {
 int LibraryView::grouping() const { return m_group->currentIndex(); }
 
 int LibraryView::sortMode() const { return m_sort->currentIndex(); }
-
-void LibraryView::selectItem(const QString& id) {
-  m_list->clearSelection();
-  m_kept = {id};
-  restoreSelection();
-}
-
-void LibraryView::restoreSelection() {
-  const QStringList wanted = std::exchange(m_kept, {});
-  QStringList missing = wanted;
-  for (int row = 0; row < m_proxy->rowCount(); ++row) {
-    const QModelIndex index = m_proxy->index(row, 0);
-    const QString id = index.data(LibraryModel::IdRole).toString();
-    if (missing.removeAll(id) == 0) continue;
-    m_list->selectionModel()->select(index, QItemSelectionModel::Select);
-    if (id != wanted.front()) continue;
-    m_list->selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
-    m_list->scrollTo(index);
-  }
-  m_kept = missing;
-}
 
 QStringList LibraryView::visibleIds() const {
   QStringList ids;

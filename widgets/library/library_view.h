@@ -40,8 +40,6 @@ class LibraryView : public QWidget {
   /// A LibraryGrouping.
   void setGrouping(int grouping);
   int grouping() const;
-  /// Selects a material and scrolls to it; one that is not listed yet is selected when it comes.
-  void selectItem(const QString& id);
   QStringList visibleIds() const;
   /// What the user asks for.
   LibrarySelection& selection() const { return *m_selection; }
@@ -64,11 +62,7 @@ class LibraryView : public QWidget {
  private:
   void buildControls();
   void connectList();
-  /// Selects what of m_kept is listed, and keeps the rest.
-  void restoreSelection();
   void updateEmptyState();
-  /// The first material, behind a heading.
-  QModelIndex firstMaterial() const;
   void filterChanged();
 
   LibraryModel* m_model;
@@ -86,7 +80,6 @@ class LibraryView : public QWidget {
   QSlider* m_size;
   QTimer m_visibleTimer;
   QString m_emptyText;
-  QStringList m_kept;  ///< what is selected when the materials are listed again
 };
 
 }  // namespace gonio::widgets

@@ -29,6 +29,7 @@ class PreviewWidget : public QWidget {
   PreviewInput& input() { return *m_input; }
   PreviewOverlay* overlay() const { return m_overlay; }
 
+  /// How radiance becomes pixels, and what is behind them. Emits displayChanged().
   void setDisplay(const DisplaySettings& settings);
   const DisplaySettings& display() const { return m_settings; }
   /// The display with another exposure, in stops.

@@ -182,14 +182,12 @@ void ImageDialog::browse() {
 bool ImageDialog::rendersPicture() const { return m_source->checkedId() == rendered; }
 
 PictureExport ImageDialog::request() const {
-  const widgets::PreviewWidget& preview = m_parts.preview;
-  PictureExport picture{.path = m_path->text(),
-                        .scene = preview.content().scene(),
-                        .overrides = preview.content().overrides(),
-                        .others = preview.content().others()};
+  const widgets::PreviewContent& content = m_parts.preview.content();
+  PictureExport picture{
+      .path = m_path->text(), .scene = content.scene(), .overrides = content.overrides(), .others = content.others()};
   m_settings->apply(picture);
-  picture.exposure = preview.display().exposure;
-  picture.toneMap = preview.display().toneMap;
+  picture.exposure = m_parts.preview.display().exposure;
+  picture.toneMap = m_parts.preview.display().toneMap;
   return picture;
 }
 

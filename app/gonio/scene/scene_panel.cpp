@@ -25,10 +25,9 @@ constexpr int referenceSamples = 1024;
 const auto costsKey = QStringLiteral("effect costs"), referenceKey = QStringLiteral("scene reference");
 
 /// What the objects of the preview's scene are made of.
-RenderMaterials materialsOf(const widgets::PreviewWidget& preview) {
-  return bindMaterials(
-      preview.content().scene(),
-      materialsInSlots(preview.content().scene(), preview.content().first().material(), preview.content().others()));
+RenderMaterials materialsOf(const widgets::PreviewContent& preview) {
+  return bindMaterials(preview.scene(),
+                       materialsInSlots(preview.scene(), preview.first().material(), preview.others()));
 }
 
 }  // namespace
@@ -163,7 +162,7 @@ void ScenePanel::measureCosts() {
   const EffectOverrides overrides = m_preview.content().overrides();
   m_tasks.run<EffectCosts>(
       {tr("Measuring the effects of %1").arg(QString::fromStdString(scene.name)), costsKey},
-      [scene, overrides, materials = materialsOf(m_preview)](const TaskControl& control) {
+      [scene, overrides, materials = materialsOf(m_preview.content())](const TaskControl& control) {
         return measureEffectCosts(scene, materials, overrides,
                                   {.width = costSide, .height = costSide, .samples = costSamples}, control);
       },
@@ -185,7 +184,7 @@ void ScenePanel::compareWithReference() {
   m_result->setText(tr("Rendering the reference..."));
   m_tasks.run<double>(
       {tr("Rendering the reference of %1").arg(QString::fromStdString(scene.name)), referenceKey},
-      [scene, overrides, picture, materials = materialsOf(m_preview)](const TaskControl& control) {
+      [scene, overrides, picture, materials = materialsOf(m_preview.content())](const TaskControl& control) {
         Film film(picture.width, picture.height);
         PathTracer(scene, materials, planEffects(scene, materials, overrides), 2)
             .accumulate(film, referenceSamples, control);

@@ -113,7 +113,7 @@ void EditorParts::use(const gonio::study::Representation& representation) {
 
 void EditorParts::connectLibrary() {
   QObject::connect(&library, &LibraryController::titleChanged, &libraryView, &widgets::LibraryView::setTitle);
-  QObject::connect(&library, &LibraryController::added, &libraryView, &widgets::LibraryView::selectItem);
+  QObject::connect(&library, &LibraryController::added, &libraryView.selection(), &widgets::LibrarySelection::select);
   QObject::connect(&libraryView, &widgets::LibraryView::visibleIdsChanged, &library, &LibraryController::setVisible);
   QObject::connect(&library.model(), &widgets::LibraryModel::noteChanged, &libraryView,
                    [this](const QString& id, const widgets::LibraryNote& note) { libraryStore.write(id, note); });
@@ -122,7 +122,7 @@ void EditorParts::connectLibrary() {
   QObject::connect(&controller, &DocumentController::opened, &libraryView, [this] {
     const QString source = QString::fromStdString(document.material()->material.source.path.string());
     const QString id = document.path().isEmpty() ? source : document.path();
-    libraryView.selectItem(id);
+    libraryView.selection().select(id);
     library.setReference(id);
     widgets::LibraryNote note = library.model().note(id);
     note.opened = QDateTime::currentDateTime();
