@@ -8,7 +8,9 @@ target_compile_options(gonio_options INTERFACE
   # Designated initializers leave fields at their defaults on purpose.
   -Wno-missing-field-initializers
   # The same expression must give the same bits wherever it is inlined: an unchanged edit is the identity.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Square roots and selections become vector code only where no error flags are kept; the values are the same.
+  -fno-math-errno -fno-trapping-math)
 # GCC 12 warns of its own headers: of vector code where Eigen is inlined (GCC bug 105593), of strings (105329, 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(gonio_options INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
@@ -35,12 +37,8 @@ if(GONIO_SANITIZE)
   target_link_options(gonio_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# gonio_unity(TARGET [FILES]): compiles up to FILES (16) sources of a target at once. Names in the anonymous namespaces of a
+# gonio_unity(TARGET): compiles up to GONIO_UNITY_FILES sources of a target at once. Names in the anonymous namespaces of a
 # target therefore differ from file to file.
 function(gonio_unity target)
-  set(files 16)
-  if(ARGC GREATER 1)
-    set(files ${ARGV1})
-  endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GONIO_UNITY} UNITY_BUILD_BATCH_SIZE ${files})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${GONIO_UNITY} UNITY_BUILD_BATCH_SIZE ${GONIO_UNITY_FILES})
 endfunction()

@@ -10,7 +10,7 @@ namespace gonio::fitting {
 
 namespace {
 
-constexpr double differenceStep = 1e-5, firstDamping = 1e-3, costTolerance = 1e-5;
+constexpr double quotientStep = 1e-5, firstDamping = 1e-3, costTolerance = 1e-5;
 constexpr int triesOfStep = 8;
 
 class BoundedSearch {
@@ -61,7 +61,7 @@ class BoundedSearch {
     LinearVector moved = x_;
     for (Eigen::Index k = 0; k < x_.size(); ++k) {
       // Toward the inside: the function is not asked beyond the bounds.
-      const double step = x_(k) + differenceStep > upper_(k) ? -differenceStep : differenceStep;
+      const double step = x_(k) + quotientStep > upper_(k) ? -quotientStep : quotientStep;
       moved(k) = x_(k) + step;
       jacobian.col(k) = (residualsAt(moved, std::size_t(residuals_.size())) - residuals_) / step;
       moved(k) = x_(k);

@@ -30,12 +30,16 @@ LinearVector solveNormalEquations(const ChannelProblem& problem, std::span<const
 /// The model, the residuals and the cost at the solution's parameters.
 void evaluate(const ChannelProblem& problem, ChannelSolution& solution) {
   solution.model = problem.model(solution.parameters);
-  solution.residuals.resize(problem.size());
+  std::vector<double>& residuals = solution.residuals;
+  residuals.resize(problem.size());
+  problem.metric.visitTransform([&](const auto& transform) {
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+      residuals[i] = transform(solution.model[i] * problem.factor[i]) - problem.transformed[i];
+  });
   solution.cost = 0;
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    const double d = problem.metric.transform(solution.model[i] * problem.factor[i]) - problem.transformed[i];
-    solution.residuals[i] = problem.rootWeight[i] * problem.metric.shape(d);
-    solution.cost += solution.residuals[i] * solution.residuals[i];
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    residuals[i] = problem.rootWeight[i] * problem.metric.shape(residuals[i]);
+    solution.cost += residuals[i] * residuals[i];
   }
 }
 

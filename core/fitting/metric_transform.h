@@ -24,26 +24,36 @@ class MetricTransform {
   /// What the metric multiplies the measure of a cell by.
   double weight(double cosI, double cosO) const { return metrics::metricWeight(record_->weight, cosI, cosO); }
 
-  /// Of x below 0 (a model with signed coefficients) the straight continuation, so that the solver is led back.
-  double transform(double x) const {
+  /// Calls `visitor` with the function x -> y of the domain, for loops over many values. Of x below 0 (a model with
+  /// signed coefficients) the straight continuation, so that the solver is led back.
+  template <typename Visitor>
+  void visitTransform(Visitor&& visitor) const {
     switch (domain_) {
       case metrics::MetricDomain::cubeRoot:
-        return std::cbrt(x);
+        return visitor([](double x) { return fastCbrt(x); });
       case metrics::MetricDomain::log:
-        return x < 0 ? x : std::log1p(x);
+        return visitor([](double x) { return x < 0 ? x : fastLog1p(std::max(x, 0.0)); });
       case metrics::MetricDomain::gamma:
-        return x < 0 ? -gammaTransformed(-x, gamma_) : gammaTransformed(x, gamma_);
+        return visitor(
+            [gamma = gamma_](double x) { return x < 0 ? -gammaTransformed(-x, gamma) : gammaTransformed(x, gamma); });
       case metrics::MetricDomain::logRelative:
-        return x < 0 ? logOffset() + x / offset : std::log(x + offset);
+        return visitor([atZero = std::log(offset)](double x) {
+          return atZero + (x < 0 ? x / offset : fastLog1p(std::max(x, 0.0) / offset));
+        });
       default:
-        return x;
+        return visitor([](double x) { return x; });
     }
+  }
+  double transform(double x) const {
+    double y = 0;
+    visitTransform([&](const auto& function) { y = function(x); });
+    return y;
   }
   /// Derivative of transform(); bounded, so that a root at 0 does not swallow all other cells.
   double slope(double x) const {
     switch (domain_) {
       case metrics::MetricDomain::cubeRoot: {
-        const double root = std::cbrt(std::max(std::abs(x), smallest));
+        const double root = fastCbrt(std::max(std::abs(x), smallest));
         return 1 / (3 * root * root);
       }
       case metrics::MetricDomain::log:
@@ -79,7 +89,7 @@ class MetricTransform {
       case metrics::MetricPower::absolute:
         return 1 / std::sqrt(std::sqrt(d * d + kink * kink));
       case metrics::MetricPower::twoThirds:
-        return 1 / std::cbrt(d * d + kink * kink);
+        return 1 / fastCbrt(d * d + kink * kink);
       default:
         return 1;
     }
@@ -89,7 +99,6 @@ class MetricTransform {
   static constexpr double smallest = 1e-6;  ///< 1/sr; reflectances below count as this for the slope of a root
   static constexpr double kink = 1e-4;      ///< half width of the rounded tip of |d|
   static constexpr double offset = metrics::logRelativeOffset;
-  static double logOffset() { return std::log(offset); }
 
   const metrics::MetricRecord* record_;
   metrics::MetricDomain domain_;

@@ -6,21 +6,10 @@
 #include <string>
 #include <tuple>
 
+#include "core/io/append_bytes.h"
 #include "core/io/ply_file.h"
 
 namespace gonio::io {
-
-namespace {
-
-static_assert(std::endian::native == std::endian::little, "values are written as they lie in memory");
-
-template <class T>
-void append(std::vector<std::byte>& bytes, const T& value) {
-  const auto* first = reinterpret_cast<const std::byte*>(&value);
-  bytes.insert(bytes.end(), first, first + sizeof value);
-}
-
-}  // namespace
 
 std::vector<std::byte> encodePly(const TriangleMesh& mesh) {
   using Corner = std::tuple<std::uint32_t, float, float, float>;

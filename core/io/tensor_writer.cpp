@@ -4,6 +4,8 @@
 
 #include <cassert>
 
+#include "core/io/append_bytes.h"
+
 namespace gonio::io {
 
 namespace {
@@ -11,17 +13,6 @@ namespace {
 constexpr std::uint64_t alignment = 8;
 
 std::uint64_t aligned(std::uint64_t offset) { return (offset + alignment - 1) / alignment * alignment; }
-
-template <typename T>
-void append(std::vector<std::byte>& bytes, const T& value) {
-  const auto raw = std::as_bytes(std::span(&value, 1));
-  bytes.insert(bytes.end(), raw.begin(), raw.end());
-}
-
-void append(std::vector<std::byte>& bytes, std::string_view text) {
-  const auto raw = std::as_bytes(std::span(text));
-  bytes.insert(bytes.end(), raw.begin(), raw.end());
-}
 
 std::uint64_t directoryBytes(std::span<const TensorField> fields) {
   std::uint64_t bytes = tensorHeaderBytes;

@@ -16,7 +16,7 @@ constexpr std::size_t headBytes = std::size_t(1) << 16;
 constexpr std::size_t shownCharacters = 60;
 constexpr std::string_view blank = " \t", separators = " \t,;";
 
-std::string_view trimmed(std::string_view text) {
+std::string_view withoutMargins(std::string_view text) {
   const auto begin = text.find_first_not_of(blank);
   if (begin == std::string_view::npos) return {};
   return text.substr(begin, text.find_last_not_of(blank) - begin + 1);
@@ -38,7 +38,7 @@ void TextLine::fail(const std::string& expected) const {
 std::optional<TextLine> TextLines::next() {
   while (!rest_.empty()) {
     const auto end = std::min(rest_.find_first_of("\r\n"), rest_.size());
-    const std::string_view line = trimmed(rest_.substr(0, end));
+    const std::string_view line = withoutMargins(rest_.substr(0, end));
     rest_.remove_prefix(end);
     rest_.remove_prefix(std::min<std::size_t>(rest_.starts_with("\r\n") ? 2 : 1, rest_.size()));
     ++number_;

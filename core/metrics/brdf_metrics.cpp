@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/metrics/brdf_metrics.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <span>
 #include <vector>
 
@@ -92,7 +94,8 @@ struct Sums {
   std::vector<double> weights = std::vector<double>(metricRecords().size(), 0.0);
 };
 
-/// Sums the metrics asked for over one block of cells. Metrics of one factor and domain share their differences.
+/// Sums the metrics asked for over one block of cells. Metrics of one factor and domain share their differences. Its
+/// loops run over channels side by side, so that they become vector code.
 class BlockSums {
  public:
   BlockSums(const Compared& cells, double gamma) : cells_(cells), gamma_(gamma) {}
@@ -116,38 +119,55 @@ class BlockSums {
   }
 
  private:
+  using Array = Eigen::Array3Xd;  ///< a column for each pair
+
+  static Eigen::Map<const Array> columns(std::span<const Rgb> values) {
+    return {glm::value_ptr(values.front()), 3, Eigen::Index(values.size())};
+  }
+
   void computeDifferences(const MetricRecord& record) {
-    differences_.resize(cells_.pairs.size());
+    const auto count = Eigen::Index(cells_.pairs.size());
+    differences_.resize(3, count);
+    if (count == 0) return;
+    reference_ = columns(cells_.reference).max(0);
+    test_ = columns(cells_.test).max(0);
     if (record.domain == MetricDomain::lab) {
-      for (std::size_t i = 0; i < differences_.size(); ++i)
-        differences_[i] = labOf(glm::max(Rgb(0), cells_.reference[i])) - labOf(glm::max(Rgb(0), cells_.test[i]));
+      labDifferences(reference_, test_, differences_);
       return;
     }
-    visitDifference(record.domain, gamma_, [&](const auto& difference) {
-      for (std::size_t i = 0; i < differences_.size(); ++i) {
-        const DirectionPair& pair = cells_.pairs[i];
+    if (record.factor != MetricFactor::one)
+      for (Eigen::Index i = 0; i < count; ++i) {
+        const DirectionPair& pair = cells_.pairs[std::size_t(i)];
         const double factor = metricFactor(record.factor, pair.wi.z, pair.wo.z);
-        const Rgb r = glm::max(Rgb(0), cells_.reference[i]) * factor, t = glm::max(Rgb(0), cells_.test[i]) * factor;
-        differences_[i] = {difference(r.x, t.x), difference(r.y, t.y), difference(r.z, t.z)};
+        reference_.col(i) *= factor;
+        test_.col(i) *= factor;
       }
+    visitDifference(record.domain, gamma_, [&](const auto& difference) {
+      const double *r = reference_.data(), *t = test_.data();
+      double* d = differences_.data();
+      for (Eigen::Index i = 0; i < 3 * count; ++i) d[i] = difference(r[i], t[i]);
     });
   }
 
-  void accumulate(const MetricRecord& record, double& deviation, double& weightSum) const {
+  void accumulate(const MetricRecord& record, double& deviation, double& weightSum) {
+    powers_.resize(3, differences_.cols());
+    visitPower(record.power, [&](const auto& power) {
+      const double* d = differences_.data();
+      double* p = powers_.data();
+      for (Eigen::Index i = 0; i < differences_.size(); ++i) p[i] = power(d[i]);
+    });
     const double terms = record.domain == MetricDomain::lab ? 1 : 3;
-    for (std::size_t i = 0; i < differences_.size(); ++i) {
+    for (std::size_t i = 0; i < cells_.pairs.size(); ++i) {
       const DirectionPair& pair = cells_.pairs[i];
       const double weight = cells_.measures[i] * metricWeight(record.weight, pair.wi.z, pair.wo.z);
-      const Rgb& d = differences_[i];
       weightSum += terms * weight;
-      deviation +=
-          weight * (metricPower(record.power, d.x) + metricPower(record.power, d.y) + metricPower(record.power, d.z));
+      deviation += weight * powers_.col(Eigen::Index(i)).sum();
     }
   }
 
   Compared cells_;
   double gamma_;
-  std::vector<Rgb> differences_;
+  Array reference_, test_, differences_, powers_;
 };
 
 Sums sumsOfBlock(std::span<const BrdfMetric> wanted, const TabulatedBrdf& reference, const Cells& cells, double gamma) {

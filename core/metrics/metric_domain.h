@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "core/brdf/data_transform.h"
+#include "core/math/fast_roots_logs.h"
 #include "core/math/types.h"
 #include "core/metrics/brdf_metric.h"
 
@@ -41,30 +43,36 @@ void visitDifference(MetricDomain domain, double gamma, Visitor&& visitor) {
   switch (domain) {
     case MetricDomain::log:
       // ln((1 + r) / (1 + t)) without cancellation for small values.
-      return visitor([](double r, double t) { return std::log1p((r - t) / (1 + t)); });
+      return visitor([](double r, double t) { return fastLog1p((r - t) / (1 + t)); });
     case MetricDomain::cubeRoot:
-      return visitor([](double r, double t) { return std::cbrt(r) - std::cbrt(t); });
+      return visitor([](double r, double t) { return fastCbrt(r) - fastCbrt(t); });
     case MetricDomain::gamma:
+      if (gamma == 2) return visitor([](double r, double t) { return std::sqrt(r) - std::sqrt(t); });
       return visitor([gamma](double r, double t) { return gammaTransformed(r, gamma) - gammaTransformed(t, gamma); });
     case MetricDomain::logRelative:
-      return visitor([](double r, double t) { return std::log1p((r - t) / (t + logRelativeOffset)); });
+      return visitor([](double r, double t) { return fastLog1p((r - t) / (t + logRelativeOffset)); });
     default:
       return visitor([](double r, double t) { return r - t; });
   }
 }
 
-inline double metricPower(MetricPower power, double d) {
+/// Calls `visitor` with the function d -> |d|^p.
+template <typename Visitor>
+void visitPower(MetricPower power, Visitor&& visitor) {
   switch (power) {
     case MetricPower::square:
-      return d * d;
+      return visitor([](double d) { return d * d; });
     case MetricPower::absolute:
-      return std::abs(d);
+      return visitor([](double d) { return std::abs(d); });
     default:
-      return std::cbrt(d * d);
+      return visitor([](double d) { return fastCbrt(d * d); });
   }
 }
 
 /// CIE 1976 L*, a*, b* of a reflectance (1/sr, linear sRGB primaries, >= 0); the perfect diffuser, 1 / pi, is white.
 Rgb labOf(const Rgb& reflectance);
+/// Of the Euclidean distance of two colours the components, a column for each. @param reference, test 3 x n,
+/// reflectances as labOf() takes them; @param differences 3 x n.
+void labDifferences(const Eigen::Array3Xd& reference, const Eigen::Array3Xd& test, Eigen::Array3Xd& differences);
 
 }  // namespace gonio::metrics

@@ -19,8 +19,10 @@ using Space = editing::InterpolationSpace;
 class BlendSpacesTest : public QObject {
   Q_OBJECT
  private:
-  const std::vector<editing::InterpolationEnd> m_ends{
-      {greyMaterial("a", 0.2)->table()}, {greyMaterial("b", 0.4)->table()}, {greyMaterial("c", 0.9)->table()}};
+  static editing::InterpolationEnd grey(const char* name, double albedo) {
+    return {.table = greyMaterial(name, albedo)->table(), .code = anyCode()};
+  }
+  const std::vector<editing::InterpolationEnd> m_ends{grey("a", 0.2), grey("b", 0.4), grey("c", 0.9)};
 
   std::vector<editing::InterpolationEnd> ends(std::initializer_list<std::size_t> which) const {
     std::vector<editing::InterpolationEnd> result;

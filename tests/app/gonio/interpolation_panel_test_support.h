@@ -17,11 +17,20 @@
 
 namespace gonio::app::test_support {
 
+/// One coefficient in place of the code of a material, where what it decodes to does not matter: encoding takes a
+/// second.
+inline std::shared_ptr<const dictionary::SparseCode> anyCode() {
+  dictionary::SparseCode code{.grid = HalfDifferenceGrid()};
+  for (dictionary::ChannelCode& channel : code.channels) channel.coefficients = {{.index = 0, .value = 1}};
+  return std::make_shared<const dictionary::SparseCode>(code);
+}
+
 inline LoadedMaterialPtr greyMaterial(const char* name, double albedo) {
   auto loaded = std::make_shared<LoadedMaterial>();
   loaded->material.name = name;
   loaded->material.source.path = std::string("/nowhere/") + name + ".binary";
   loaded->material.source.sha256 = std::string(64, 'a');
+  loaded->material.code = anyCode();
   const HalfDifferenceGrid grid{12, 12, 12};
   loaded->base = std::make_shared<const TabulatedBrdf>(
       grid, std::vector<TabulatedBrdf::Value>(grid.size(), glm::vec3(float(albedo / pi))),
