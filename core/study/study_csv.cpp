@@ -45,4 +45,22 @@ plots::CsvTable studyCsv(const std::string& title, std::span<const StudyRecord> 
   return table;
 }
 
+plots::CsvTable summaryCsv(const std::string& title, std::span<const StudySummary> summaries,
+                           std::span<const std::string> materials, const MachineFacts& machine,
+                           const std::string& pictures) {
+  std::vector<StudyRecord> medians;
+  plots::CsvColumn count{"materials", {}}, least{"least rendered SNR [dB]", {}}, most{"largest rendered SNR [dB]", {}},
+      worst{"worst material", {}};
+  for (const StudySummary& summary : summaries) {
+    medians.push_back(summary.median);
+    count.values.push_back(double(summary.materials));
+    least.values.push_back(summary.leastSnr);
+    most.values.push_back(summary.mostSnr);
+    worst.texts.push_back(materials[summary.worst]);
+  }
+  plots::CsvTable table = studyCsv(title, medians, machine, pictures);
+  for (plots::CsvColumn* column : {&count, &least, &most, &worst}) table.columns.push_back(std::move(*column));
+  return table;
+}
+
 }  // namespace gonio::study

@@ -31,8 +31,10 @@ class LibrarySelectionTest : public QObject {
     QCOMPARE(view.selection().ids(), QStringList({"b", "c", "a"}));
     QTest::keyClick(view.list(), Qt::Key_Return, Qt::ShiftModifier);
     QCOMPARE(interpolate[0][0].toStringList(), QStringList({"b", "c", "a"}));
+    const QSignalSpy changed(&model, &LibraryModel::notesChanged);
     QTest::keyClick(view.list(), Qt::Key_Asterisk);
     for (const char* id : {"a", "b", "c"}) QVERIFY(model.note(id).favourite);
+    QCOMPARE(changed.count(), 1);
     QTest::keyClick(view.list(), Qt::Key_Asterisk);
     for (const char* id : {"a", "b", "c"}) QVERIFY(model.note(id).isEmpty());
     QVERIFY(open.isEmpty());
@@ -48,6 +50,7 @@ class LibrarySelectionTest : public QObject {
     QStringList asked;
     LibraryActions actions{.open = [&](const QString& id) { asked << "open " + id; },
                            .comparePair = [&](const QStringList& two) { asked << "pair " + two.join(' '); },
+                           .study = [&](const QStringList& all) { asked << "study " + all.join(' '); },
                            .exportAll = [&](const QStringList& all) { asked << "export " + all.join(' '); },
                            .favour = [](const QStringList&, bool) {}};
     const auto texts = [&](const QStringList& ids) {
@@ -60,9 +63,11 @@ class LibrarySelectionTest : public QObject {
       return result;
     };
     QCOMPARE(texts({"a"}), QStringList({"Open", "Export...", "Favourite"}));
-    QCOMPARE(texts({"a", "b"}), QStringList({"Compare These Two", "Export These 2...", "Favourites"}));
-    QCOMPARE(texts({"a", "b", "c"}), QStringList({"Export These 3...", "Favourites"}));
-    QCOMPARE(asked, QStringList({"open a", "export a", "pair a b", "export a b", "export a b c"}));
+    QCOMPARE(texts({"a", "b"}),
+             QStringList({"Compare These Two", "Study These 2...", "Export These 2...", "Favourites"}));
+    QCOMPARE(texts({"a", "b", "c"}), QStringList({"Study These 3...", "Export These 3...", "Favourites"}));
+    QCOMPARE(asked,
+             QStringList({"open a", "export a", "pair a b", "study a b", "export a b", "study a b c", "export a b c"}));
   }
 
   /// Space shows a large picture, which follows the selection and goes with Escape.
@@ -90,10 +95,10 @@ class LibrarySelectionTest : public QObject {
     LibraryModel model;
     LibraryView view(&model);
     model.setItems(threeMaterials());
-    QSignalSpy changed(&model, &LibraryModel::noteChanged);
+    QSignalSpy changed(&model, &LibraryModel::notesChanged);
     view.selection().select("b");
     QTest::keyClick(view.list(), Qt::Key_Asterisk);
-    QCOMPARE(changed[0][0].toString(), QString("b"));
+    QCOMPARE(changed[0][0].value<LibraryNotes>().keys(), QStringList{"b"});
     QVERIFY(model.note("b").favourite);
     view.setChipsShown(true);
     view.chips().chip("Favourites")->setChecked(true);

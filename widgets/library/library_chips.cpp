@@ -14,7 +14,7 @@ LibraryChips::LibraryChips(const LibraryModel& model, QWidget* parent) : QWidget
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(3);
   connect(&model, &QAbstractItemModel::modelReset, this, &LibraryChips::rebuild);
-  connect(&model, &LibraryModel::noteChanged, this, &LibraryChips::followTags);
+  connect(&model, &LibraryModel::notesChanged, this, &LibraryChips::followTags);
   rebuild();
 }
 

@@ -14,8 +14,8 @@ struct LibraryActions {
   using Several = std::function<void(const QStringList& ids)>;
 
   One open, look, compare;
-  Several comparePair;  ///< of two ids
-  Several interpolate, exportAll;
+  Several comparePair;                    ///< of two ids
+  Several interpolate, study, exportAll;  ///< study: of two or more ids
   std::function<void(const QStringList& ids, bool favourite)> favour;
   std::function<void(const QStringList& ids, int rating)> rate;
   Several tag;

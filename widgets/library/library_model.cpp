@@ -18,8 +18,17 @@ QStringList tagsOf(const QString& text) {
   return tags;
 }
 
+void LibraryModel::beginListing() {
+  beginResetModel();
+  m_entries.clear();
+  m_headings.clear();
+  m_listing = true;
+  endResetModel();
+}
+
 void LibraryModel::setItems(std::vector<LibraryItem> items) {
   beginResetModel();
+  m_listing = false;
   std::map<QString, Entry> before;
   for (Entry& entry : m_entries) before.emplace(entry.item.id, std::move(entry));
   m_entries.clear();
@@ -108,10 +117,24 @@ void LibraryModel::setNotes(LibraryNotes notes) {
 }
 
 void LibraryModel::setNote(const QString& id, const LibraryNote& note) {
-  if (m_notes.value(id) == note) return;
-  note.isEmpty() ? void(m_notes.remove(id)) : void(m_notes.insert(id, note));
-  if (const int row = find(id); row >= 0) Q_EMIT dataChanged(index(row), index(row));
-  Q_EMIT noteChanged(id, note);
+  changeNotes({id}, [&](LibraryNote& changed) { changed = note; });
+}
+
+void LibraryModel::changeNotes(const QStringList& ids, const std::function<void(LibraryNote&)>& change) {
+  LibraryNotes changed;
+  for (const QString& id : ids) {
+    LibraryNote note = m_notes.value(id);
+    change(note);
+    if (m_notes.value(id) == note) continue;
+    note.isEmpty() ? void(m_notes.remove(id)) : void(m_notes.insert(id, note));
+    changed[id] = note;
+  }
+  if (changed.isEmpty()) return;
+  // One signal: the order of the materials may depend on their notes.
+  const int only = changed.size() == 1 ? find(changed.keyBegin().operator*()) : 0;
+  if (only >= 0 && !m_entries.empty())
+    Q_EMIT dataChanged(index(only), index(changed.size() == 1 ? only : int(m_entries.size()) - 1));
+  Q_EMIT notesChanged(changed);
 }
 
 QStringList LibraryModel::tags() const {

@@ -5,6 +5,7 @@
 #include <QAbstractListModel>
 #include <QImage>
 #include <QPixmap>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -59,6 +60,9 @@ class LibraryModel : public QAbstractListModel {
 
   /// Looks of materials that were here before, in the same version, stay.
   void setItems(std::vector<LibraryItem> items);
+  /// Without materials until setItems().
+  void beginListing();
+  bool isListing() const { return m_listing; }
   void setLook(const QString& id, const LibraryLook& look);
   /// Why a material has no picture; shown in its tool tip.
   void setFailure(const QString& id, const QString& reason);
@@ -69,6 +73,8 @@ class LibraryModel : public QAbstractListModel {
   void setNotes(LibraryNotes notes);
   LibraryNote note(const QString& id) const { return m_notes.value(id); }
   void setNote(const QString& id, const LibraryNote& note);
+  /// Changes the notes of several materials in one step.
+  void changeNotes(const QStringList& ids, const std::function<void(LibraryNote&)>& change);
   /// Of the materials that are here, each once, in alphabetical order.
   QStringList tags() const;
   /// Ids without a look and without a failure, in order.
@@ -87,7 +93,8 @@ class LibraryModel : public QAbstractListModel {
   QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
  Q_SIGNALS:
-  void noteChanged(const QString& id, const gonio::widgets::LibraryNote& note);
+  /// Those that have changed; an empty one is gone.
+  void notesChanged(const gonio::widgets::LibraryNotes& notes);
 
  private:
   struct Entry {
@@ -109,6 +116,7 @@ class LibraryModel : public QAbstractListModel {
   std::vector<Entry> m_entries;
   std::vector<Heading> m_headings;
   LibraryNotes m_notes;
+  bool m_listing = false;
   struct Reference {
     Rgb lab;
     double roughness;

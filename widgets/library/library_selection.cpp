@@ -64,19 +64,11 @@ void LibrarySelection::openCurrent() {
 }
 
 void LibrarySelection::setFavourites(const QStringList& ids, bool favourite) {
-  for (const QString& id : ids) {
-    LibraryNote note = m_model.note(id);
-    note.favourite = favourite;
-    m_model.setNote(id, note);
-  }
+  m_model.changeNotes(ids, [&](LibraryNote& note) { note.favourite = favourite; });
 }
 
 void LibrarySelection::setRating(const QStringList& ids, int rating) {
-  for (const QString& id : ids) {
-    LibraryNote note = m_model.note(id);
-    note.rating = rating;
-    m_model.setNote(id, note);
-  }
+  m_model.changeNotes(ids, [&](LibraryNote& note) { note.rating = rating; });
 }
 
 void LibrarySelection::editTags(const QStringList& ids) {
@@ -91,12 +83,10 @@ void LibrarySelection::editTags(const QStringList& ids) {
       QLineEdit::Normal, shared.join(QStringLiteral(", ")), &accepted);
   if (!accepted) return;
   const QStringList wanted = tagsOf(text);
-  for (const QString& id : ids) {
-    LibraryNote note = m_model.note(id);
+  m_model.changeNotes(ids, [&](LibraryNote& note) {
     note.tags.removeIf([&](const QString& tag) { return shared.contains(tag) || wanted.contains(tag); });
     note.tags << wanted;
-    m_model.setNote(id, note);
-  }
+  });
 }
 
 LibraryCommon LibrarySelection::common(const QStringList& ids) const {
@@ -128,6 +118,7 @@ void LibrarySelection::showMenu(const QPoint& position) {
   if (!m_single) {
     actions.comparePair = [this](const QStringList& two) { Q_EMIT pairRequested(two[0], two[1]); };
     actions.interpolate = [this](const QStringList& all) { Q_EMIT interpolationRequested(all); };
+    actions.study = [this](const QStringList& all) { Q_EMIT studyRequested(all); };
     actions.exportAll = [this](const QStringList& all) { Q_EMIT exportRequested(all); };
   }
   libraryMenu(ids, common(ids), actions, &m_list)->popup(m_list.viewport()->mapToGlobal(position));

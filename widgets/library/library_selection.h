@@ -43,6 +43,8 @@ class LibrarySelection : public QObject {
   /// The first is to be opened, the second compared with it.
   void pairRequested(const QString& first, const QString& second);
   void exportRequested(const QStringList& ids);
+  /// Accuracy against cost of several materials.
+  void studyRequested(const QStringList& ids);
   /// A large picture for the quick look, by its setPicture().
   void largePictureRequested(const QString& id);
 

@@ -180,8 +180,9 @@ void LibraryView::setEmptyText(const QString& text) {
 }
 
 void LibraryView::updateEmptyState() {
-  m_empty->setText(m_model->rowCount() == 0     ? m_emptyText
-                   : m_search->text().isEmpty() ? tr("No material is of the chosen kinds.")
+  m_empty->setText(m_model->isListing()         ? tr("Listing the folder...")
+                   : m_model->rowCount() == 0   ? m_emptyText
+                   : m_search->text().isEmpty() ? tr("No material matches the filter.")
                                                 : tr("No material matches \"%1\".").arg(m_search->text()));
   m_empty->setVisible(m_proxy->rowCount() == 0);
 }

@@ -3,6 +3,7 @@
 #include "app/gonio/document/material_files.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 #include "core/documents/edit_document.h"
 #include "core/materials/material_formats.h"
@@ -58,5 +59,23 @@ QString tableSuffix() { return formatSuffix(materials::FormatId::merl); }
 
 bool isDocument(const QString& path) { return editing::isDocumentName(path.toStdString()); }
 QString documentSuffix() { return toQt(editing::documentSuffix); }
+
+QString materialName(const QString& id) {
+  const QString last = id.section('/', -1);
+  return id.startsWith(QLatin1String("library:")) ? last : QFileInfo(last).completeBaseName();
+}
+
+QStringList distinctNames(const QStringList& ids) {
+  QStringList plain, names;
+  for (const QString& id : ids) plain << materialName(id);
+  for (qsizetype i = 0; i < ids.size(); ++i) {
+    const bool bundled = ids[i].startsWith(QLatin1String("library:"));
+    const QString other = bundled ? ids[i].section(':', -1).section('/', -2, -2) : QFileInfo(ids[i]).suffix();
+    QString name = plain.count(plain[i]) > 1 ? plain[i] + '_' + other : plain[i];
+    while (names.contains(name)) name += '_';
+    names << name;
+  }
+  return names;
+}
 
 }  // namespace gonio::app

@@ -28,4 +28,9 @@ QString tableSuffix();
 bool isDocument(const QString& path);
 QString documentSuffix();
 
+/// "chrome" of "library:merl-copy/chrome" and of "/data/chrome.binary".
+QString materialName(const QString& id);
+/// Names of several materials, no two equal: those of one name get their source or suffix, "paper_rgl".
+QStringList distinctNames(const QStringList& ids);
+
 }  // namespace gonio::app

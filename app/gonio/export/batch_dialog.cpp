@@ -15,23 +15,11 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "app/gonio/document/material_files.h"
 #include "app/gonio/export/export_settings.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
-
-QStringList distinctNames(const QStringList& ids) {
-  QStringList plain, names;
-  for (const QString& id : ids) plain << materialName(id);
-  for (qsizetype i = 0; i < ids.size(); ++i) {
-    const bool bundled = ids[i].startsWith(QLatin1String("library:"));
-    const QString other = bundled ? ids[i].section(':', -1).section('/', -2, -2) : QFileInfo(ids[i]).suffix();
-    QString name = plain.count(plain[i]) > 1 ? plain[i] + '_' + other : plain[i];
-    while (names.contains(name)) name += '_';
-    names << name;
-  }
-  return names;
-}
 
 BatchDialog::BatchDialog(ExportController& controller, QSettings& settings, const QStringList& ids, QWidget* parent)
     : QDialog(parent), m_controller(controller), m_settings(settings), m_ids(ids), m_names(distinctNames(ids)) {

@@ -16,9 +16,6 @@ class QSettings;
 
 namespace gonio::app {
 
-/// Names of exports, each another: materials of one name are told apart by their source or suffix.
-QStringList distinctNames(const QStringList& ids);
-
 /// Exports several materials of the library, as measured, to one target and one folder: each a task of its own, which
 /// can be stopped alone. It remembers target, SNR and folder, with File > Export for Renderer.
 class BatchDialog : public QDialog {

@@ -51,11 +51,6 @@ QString fileNames(const exports::ExportTarget& target, const QString& name, cons
   return ExportController::tr("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
 }
 
-QString materialName(const QString& id) {
-  const QString last = id.section('/', -1);
-  return id.startsWith(QLatin1String("library:")) ? last : QFileInfo(last).completeBaseName();
-}
-
 ExportController::ExportController(Document& document, BackgroundTasks& tasks, QObject* parent)
     : QObject(parent), m_document(document), m_tasks(tasks) {
   connect(&document, &Document::materialChanged, this, [this] {

@@ -90,9 +90,6 @@ class ExportController : public QObject {
   std::optional<ExportRequest> m_last;
 };
 
-/// "chrome" of "library:merl-copy/chrome" and of "/data/chrome.binary".
-QString materialName(const QString& id);
-
 /// "chrome_rgb.bsdf and chrome_spec.bsdf"
 QString fileNames(const exports::ExportTarget& target, const QString& name, const Scene* withScene = nullptr);
 

@@ -145,7 +145,7 @@ void LibraryController::listOwn() {
 void LibraryController::showFolder(const QString& folder) {
   begin(QDir(folder).dirName(), folder);
   watch(folder);
-  m_model.setItems({});
+  m_model.beginListing();
   listFolder();
 }
 

@@ -58,7 +58,19 @@ widgets::LibraryNotes LibraryStore::read() const {
   return notes;
 }
 
-bool LibraryStore::write(const QString& id, const widgets::LibraryNote& note) {
+bool LibraryStore::write(const widgets::LibraryNotes& notes) {
+  if (!run(QStringLiteral("BEGIN IMMEDIATE"))) return false;
+  for (auto note = notes.begin(); note != notes.end(); ++note)
+    if (!writeOne(note.key(), note.value())) {
+      const QString failure = m_failure;
+      run(QStringLiteral("ROLLBACK"));
+      m_failure = failure;
+      return false;
+    }
+  return run(QStringLiteral("COMMIT"));
+}
+
+bool LibraryStore::writeOne(const QString& id, const widgets::LibraryNote& note) {
   if (note.isEmpty()) return run(QStringLiteral("DELETE FROM notes WHERE material = ?"), {id});
   return run(
       QStringLiteral("INSERT OR REPLACE INTO notes VALUES (?, ?, ?, ?, ?)"),

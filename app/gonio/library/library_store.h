@@ -19,13 +19,14 @@ class LibraryStore {
   LibraryStore& operator=(const LibraryStore&) = delete;
 
   widgets::LibraryNotes read() const;
-  /// In the file at once. An empty note leaves it. @returns whether it could be written.
-  bool write(const QString& id, const widgets::LibraryNote& note);
+  /// In the file at once, all or none. An empty note leaves it. @returns whether they could be written.
+  bool write(const widgets::LibraryNotes& notes);
   /// Why the last note was not kept, or why the file cannot be opened; empty: all is well.
   const QString& failure() const { return m_failure; }
 
  private:
   bool run(const QString& statement, const QVariantList& values = {});
+  bool writeOne(const QString& id, const widgets::LibraryNote& note);
 
   QString m_connection, m_failure;
 };

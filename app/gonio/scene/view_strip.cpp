@@ -86,10 +86,11 @@ void ViewStrip::build() {
   m_exposure->setRange(-hardStops, hardStops);
   m_exposure->setUnit(tr("EV"));
   m_exposure->setStep(0.5);
+  m_exposure->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("-10.25 EV")) + fontMetrics().height());
   m_exposure->setAccessibleName(tr("Exposure in stops"));
   for (QComboBox* box : {m_shapes, m_lights, m_backgrounds}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(7);
+    box->setMinimumContentsLength(6);
     box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);  // one with icons is taller: all are then
   }
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);

@@ -115,8 +115,8 @@ void EditorParts::connectLibrary() {
   QObject::connect(&library, &LibraryController::titleChanged, &libraryView, &widgets::LibraryView::setTitle);
   QObject::connect(&library, &LibraryController::added, &libraryView.selection(), &widgets::LibrarySelection::select);
   QObject::connect(&libraryView, &widgets::LibraryView::visibleIdsChanged, &library, &LibraryController::setVisible);
-  QObject::connect(&library.model(), &widgets::LibraryModel::noteChanged, &libraryView,
-                   [this](const QString& id, const widgets::LibraryNote& note) { libraryStore.write(id, note); });
+  QObject::connect(&library.model(), &widgets::LibraryModel::notesChanged, &libraryView,
+                   [this](const widgets::LibraryNotes& notes) { libraryStore.write(notes); });
   QObject::connect(&libraryView.selection(), &widgets::LibrarySelection::referenceRequested, &comparison,
                    &ComparisonController::openReference);
   QObject::connect(&controller, &DocumentController::opened, &libraryView, [this] {

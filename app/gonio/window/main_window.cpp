@@ -29,6 +29,7 @@
 #include "app/gonio/study/contact_sheet_window.h"
 #include "app/gonio/study/fit_ranking_panel.h"
 #include "app/gonio/study/study_panel.h"
+#include "app/gonio/study/study_summary_window.h"
 #include "app/gonio/window/analyse_menu.h"
 #include "app/gonio/window/dock_layout.h"
 #include "app/gonio/window/drop_target.h"
@@ -163,7 +164,7 @@ void MainWindow::connectDocument() {
       m_status->showNotice(tr("Notes on materials are not kept: %1").arg(failure));
   };
   tellLostNotes();
-  connect(&m_parts.library.model(), &widgets::LibraryModel::noteChanged, this, tellLostNotes);
+  connect(&m_parts.library.model(), &widgets::LibraryModel::notesChanged, this, tellLostNotes);
   const auto written = [this](const QString& path) { m_status->showNotice(tr("Wrote %1").arg(path)); };
   const auto cancelled = [this](const QString& path) {
     m_status->showNotice(tr("Cancelled: %1 was not written").arg(path));
@@ -241,6 +242,12 @@ void MainWindow::connectRequests() {
             auto* dialog = new BatchDialog(m_parts.exporter, m_parts.settings, ids, this);
             dialog->setAttribute(Qt::WA_DeleteOnClose);
             dialog->open();
+          });
+  connect(&m_parts.libraryView.selection(), &widgets::LibrarySelection::studyRequested, this,
+          [this](const QStringList& ids) {
+            auto* window = new StudySummaryWindow(m_parts.tasks, ids, this);
+            window->setAttribute(Qt::WA_DeleteOnClose);
+            window->show();
           });
   connect(&m_parts.inspector, &Inspector::factorEditWanted, this, [this] {
     m_docks->show(QStringLiteral("factors"));

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "app/gonio/document/material_files.h"
 #include "core/io/atomic_file.h"
 #include "core/io/merl_file.h"
 #include "tests/app/gonio/glossy_material.h"

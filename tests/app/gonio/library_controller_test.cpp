@@ -49,7 +49,9 @@ class LibraryControllerTest : public QObject {
       return anyLook();
     });
     library.showFolder(folder.path());
+    QVERIFY(library.model().isListing());
     QTRY_COMPARE(idsOf(library.model()), QStringList{folder.filePath("a.code")});
+    QVERIFY(!library.model().isListing());
     QTRY_VERIFY(library.model().pending().isEmpty());
     QVERIFY(add("b.code"));
     QFile none(folder.filePath("notes.txt"));

@@ -26,11 +26,11 @@ class LibraryStoreTest : public QObject {
       LibraryStore store(path());
       QVERIFY(store.failure().isEmpty());
       QVERIFY(store.read().isEmpty());
-      store.write("library:a/gold", {.rating = 2});
-      store.write("library:a/gold", gold);
-      store.write("/tmp/it's; DROP TABLE notes.binary", felt);
-      store.write("gone", felt);
-      store.write("gone", {});
+      store.write({{"library:a/gold", LibraryNote{.rating = 2}}});
+      store.write({{"library:a/gold", gold}});
+      store.write({{"/tmp/it's; DROP TABLE notes.binary", felt}});
+      store.write({{"gone", felt}});
+      store.write({{"gone", LibraryNote()}});
     }
     const LibraryStore store(path());
     const gonio::widgets::LibraryNotes notes = store.read();
@@ -39,12 +39,21 @@ class LibraryStoreTest : public QObject {
     QVERIFY(notes["/tmp/it's; DROP TABLE notes.binary"] == felt);
   }
 
+  /// Those of one call in one step.
+  void several() {
+    LibraryStore store(path());
+    gonio::widgets::LibraryNotes notes;
+    for (int i = 0; i < 100; ++i) notes[QString::number(i)] = {.rating = 1 + i % 5};
+    QVERIFY(store.write(notes));
+    QVERIFY(store.read() == notes);
+  }
+
   /// Each window has one.
   void twoAtOnce() {
     LibraryStore first(path()), second(path());
-    first.write("a", {.rating = 1});
-    second.write("b", {.rating = 2});
-    first.write("b", {.rating = 3});
+    first.write({{"a", LibraryNote{.rating = 1}}});
+    second.write({{"b", LibraryNote{.rating = 2}}});
+    first.write({{"b", LibraryNote{.rating = 3}}});
     QCOMPARE(second.read()["b"].rating, 3);
     QCOMPARE(second.read()["a"].rating, 1);
   }
@@ -59,7 +68,7 @@ class LibraryStoreTest : public QObject {
     {
       LibraryStore store(path());
       QVERIFY(!store.failure().isEmpty());
-      QVERIFY(!store.write("a", {.rating = 1}));
+      QVERIFY(!store.write({{"a", LibraryNote{.rating = 1}}}));
       QVERIFY(!store.failure().isEmpty() && store.read().isEmpty());
     }
     QVERIFY(file.open(QFile::ReadOnly));

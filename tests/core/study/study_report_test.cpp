@@ -74,6 +74,8 @@ class StudyReportTest : public QObject {
     QCOMPARE(summary[0].median.renderedSnr, 30.0);
     QCOMPARE(summary[0].leastSnr, 10.0);
     QCOMPARE(summary[0].mostSnr, 50.0);
+    QCOMPARE(summary[0].worst, std::size_t(2));
+    QCOMPARE(summary[3].worst, std::size_t(0));
     QCOMPARE(summary[0].median.bytes, std::size_t(7));
     QCOMPARE(summary[0].median.errors[3], 8.0);
     QCOMPARE(summary[1].median.renderedSnr, infinity);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QDialog>
+#include <QStringList>
+
+#include "app/gonio/document/background_task.h"
+#include "app/gonio/study/study_summary_model.h"
+#include "core/study/accuracy_study.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QSortFilterProxyModel;
+class QTreeView;
+
+namespace gonio::app {
+
+/// Accuracy against cost of several materials: each representation of each is measured in the background, one material
+/// after the other, and summarised in a row. What is measured when the user stops stays; Measure goes on from there.
+class StudySummaryWindow : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// @param ids of the library: bundled materials, files, documents.
+  StudySummaryWindow(BackgroundTasks& tasks, const QStringList& ids, QWidget* parent);
+  ~StudySummaryWindow() override;
+
+  StudySummaryModel& model() { return m_model; }
+  QTreeView& table() const { return *m_table; }
+  /// In place of all representations of the families that are ticked.
+  void setChoice(const study::RepresentationChoice& choice, const study::StudyOptions& options);
+  bool isRunning() const;
+  void measure();
+  void cancel();
+  QString csv() const;
+  /// How far it is, and which materials could not be read.
+  QString status() const;
+
+ protected:
+  /// Escape stops the measurement first.
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void build();
+  QWidget* buildFamilies();
+  void planFamilies();
+  void measureNext();
+  void start(std::size_t material);
+  void fail(std::size_t material, const QString& error);
+  /// The first that can be read and has representations to measure.
+  std::optional<std::size_t> nextMaterial() const;
+  void refresh();
+
+  BackgroundTasks& m_tasks;
+  const QStringList m_ids;
+  StudySummaryModel m_model;
+  study::RepresentationChoice m_choice;
+  study::StudyOptions m_options;
+  study::MachineFacts m_machine;
+  std::vector<QString> m_failures;  ///< of each material; empty: none
+  QString m_key;                    ///< of its tasks
+  std::vector<QCheckBox*> m_families;
+  QSortFilterProxyModel* m_sorted;
+  QTreeView* m_table;
+  QPushButton *m_measure, *m_copy;
+  QLabel *m_empty, *m_status, *m_footer;
+};
+
+}  // namespace gonio::app
