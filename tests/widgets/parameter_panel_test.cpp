@@ -52,6 +52,34 @@ class ParameterPanelTest : public QObject {
   };
 
  private Q_SLOTS:
+  /// As a square root, roughness is shown, typed and explained so; the value stays that of the model.
+  void roughnessAsASquareRoot() {
+    Owned owned(m_spec);
+    const std::size_t roughness = index("roughness");
+    const NumberField& field = *line(owned.panel.row(roughness), 0)->field();
+    owned.values.values[roughness] = Rgb(0.25);
+    owned.panel.setValues(owned.values, owned.fitted);
+    QCOMPARE(field.text(), "0.25");
+    setRoughnessDisplay(RoughnessDisplay::squareRoot);
+    owned.panel.showUnits();
+    QVERIFY2(field.text().startsWith("0.5") && field.text().endsWith("√α"), qPrintable(field.text()));
+    QVERIFY(field.toolTip().contains("√α"));
+    QCOMPARE(owned.values.values[roughness].x, 0.25);
+    auto* typed = line(owned.panel.row(roughness), 0)->field();
+    typed->selectAll();
+    QTest::keyClicks(typed, "0.8");
+    QTest::keyClick(typed, Qt::Key_Return);
+    QVERIFY(std::abs(owned.values.values[roughness].x - 0.64) < 1e-12);
+    typed->selectAll();
+    QTest::keyClicks(typed, "-1");
+    QTest::keyClick(typed, Qt::Key_Return);
+    QCOMPARE(owned.values.values[roughness].x, m_spec.parameters[roughness].hardMin);
+    // Oren and Nayar's is an angle.
+    const models::ModelSpec& orenNayar = models::findModel("oren-nayar").spec();
+    QCOMPARE(displayUnit(orenNayar.parameters[*orenNayar.find("roughness")]), "deg");
+    setRoughnessDisplay(RoughnessDisplay::alpha);
+  }
+
   /// A fit may lead outside the range that an artist uses: the slider spans it, four fifths of the way, within what
   /// can be typed; where the fit lies inside, the range stays.
   void slidersHoldTheFittedValue() {

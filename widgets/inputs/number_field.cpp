@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <QWheelEvent>
 #include <algorithm>
+#include <cmath>
 
 #include "core/math/types.h"
 #include "widgets/inputs/arithmetic.h"
@@ -28,9 +29,10 @@ void NumberField::setRange(double hardMin, double hardMax) {
   m_max = hardMax;
 }
 
-void NumberField::setUnit(const QString& unit, double displayFactor) {
+void NumberField::setUnit(const QString& unit, double displayFactor, double displayPower) {
   m_unit = unit;
   m_displayFactor = displayFactor;
+  m_displayPower = displayPower;
   setValue(m_value);
 }
 
@@ -40,7 +42,7 @@ void NumberField::setValue(double value) {
 }
 
 QString NumberField::formatted(double value) const {
-  const QString number = formatNumber(value * m_displayFactor);
+  const QString number = formatNumber(std::pow(value, m_displayPower) * m_displayFactor);
   return m_unit.isEmpty() ? number : number + QChar(0x202f) + m_unit;
 }
 
@@ -59,7 +61,9 @@ void NumberField::commit() {
   if (text() == m_shown) return;
   const auto typed = evaluateArithmetic(text(), m_unit);
   if (!typed) return restore();
-  offer(*typed / m_displayFactor);
+  const double shown = *typed / m_displayFactor;
+  // Outside the domain of the power the lower limit is the nearest that there is.
+  offer(m_displayPower == 1 ? shown : std::pow(std::max(shown, 0.0), 1 / m_displayPower));
 }
 
 void NumberField::offer(double value) {

@@ -15,9 +15,9 @@ class NumberField : public QLineEdit {
  public:
   explicit NumberField(QWidget* parent = nullptr);
 
-  /// `displayFactor` converts the value to what is shown (180/pi for angles).
   void setRange(double hardMin, double hardMax);
-  void setUnit(const QString& unit, double displayFactor = 1);
+  /// What is shown and typed is displayFactor * value^displayPower: 180/pi for angles, a power of 1/2 for square roots.
+  void setUnit(const QString& unit, double displayFactor = 1, double displayPower = 1);
   void setStep(double step) { m_step = step; }
   double value() const { return m_value; }
   /// Shows a value; emits nothing.
@@ -45,7 +45,7 @@ class NumberField : public QLineEdit {
   void stepBy(double steps);
   void offer(double value);
 
-  double m_value = 0, m_min = 0, m_max = 1, m_step = 0.01, m_displayFactor = 1;
+  double m_value = 0, m_min = 0, m_max = 1, m_step = 0.01, m_displayFactor = 1, m_displayPower = 1;
   QString m_unit;
   QString m_shown;  ///< the text as it was set; equal text means nothing was typed
 };

@@ -32,9 +32,8 @@ ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& l
   m_label->setWordWrap(true);
   m_label->installEventFilter(this);
   m_field->setRange(spec.hardMin, spec.hardMax);
-  m_field->setUnit(displayUnit(spec), displayFactor(spec));
+  showUnit();
   m_field->setStep((spec.softMax - spec.softMin) * fieldStepShare);
-  m_field->setFixedWidth(em * 5 + (spec.unit.empty() ? 0 : em));
   m_reset->setIcon(glyphIcon(Glyph::reset));
   m_reset->setAutoRaise(true);
   m_reset->setFocusPolicy(Qt::TabFocus);
@@ -65,6 +64,13 @@ ParameterLine::ParameterLine(const models::ParameterSpec& spec, const QString& l
     Q_EMIT valueEdited(value);
     Q_EMIT editingFinished();
   });
+}
+
+void ParameterLine::showUnit() {
+  const QString unit = displayUnit(m_spec);
+  m_field->setUnit(unit, displayFactor(m_spec), displayPower(m_spec));
+  const int em = fontMetrics().height();
+  m_field->setFixedWidth(em * 9 / 2 + (unit.isEmpty() ? 0 : 3 * em / 2));
 }
 
 void ParameterLine::setValue(double value, double reference) {

@@ -33,6 +33,8 @@ class ParameterLine : public QWidget {
   void setTrailing(QWidget* widget);
   /// Puts a widget (a list of choices) in the place of the slider and the number.
   void replaceNumber(QWidget* widget);
+  /// Again, after the units of the program have changed.
+  void showUnit();
   void setDescription(const QString& toolTip, const QString& accessibleName);
 
   ParameterSlider* slider() const { return m_slider; }

@@ -93,6 +93,10 @@ void ParameterPanel::setValues(const models::ParameterValues& values, const mode
   }
 }
 
+void ParameterPanel::showUnits() {
+  for (ParameterRow* row : m_rows) row->showUnits();
+}
+
 int ParameterPanel::currentParameter() const {
   for (std::size_t i = 0; i < m_rows.size(); ++i)
     if (m_rows[i]->underMouse()) return int(i);

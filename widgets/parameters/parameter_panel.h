@@ -27,6 +27,8 @@ class ParameterPanel : public QWidget {
   void setModel(const models::ModelSpec* spec, const QString& emptyText = {});
   /// @param reference what a reset goes back to: the fitted values.
   void setValues(const models::ParameterValues& values, const models::ParameterValues& reference);
+  /// Again, after the units of the program have changed.
+  void showUnits();
 
   std::size_t rowCount() const { return m_rows.size(); }
   ParameterRow* row(std::size_t parameter) const { return m_rows[parameter]; }

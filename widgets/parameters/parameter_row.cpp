@@ -133,6 +133,13 @@ void ParameterRow::setActive(bool active, const QString& reason) {
   describe();
 }
 
+void ParameterRow::showUnits() {
+  m_line->showUnit();
+  for (ParameterLine* line : m_channels)
+    if (line) line->showUnit();
+  describe();
+}
+
 void ParameterRow::refresh() {
   m_line->setValue(linkedValue(*m_spec, m_value), linkedValue(*m_spec, m_reference));
   m_line->setModified(isModified());

@@ -29,6 +29,8 @@ class ParameterRow : public QWidget {
   bool isModified() const { return m_value != m_reference; }
   /// Greyed while it does not matter; `reason` stands first in the tooltips then.
   void setActive(bool active, const QString& reason);
+  /// Again, after the units of the program have changed.
+  void showUnits();
   void setChannelsShown(bool shown);
   bool channelsShown() const;
 

@@ -13,7 +13,21 @@ namespace {
 struct ParameterText {
   Q_DECLARE_TR_FUNCTIONS(ParameterText)
 };
+
+RoughnessDisplay chosenRoughness = RoughnessDisplay::alpha;
+
+bool isShownAsRoot(const models::ParameterSpec& spec) {
+  return chosenRoughness == RoughnessDisplay::squareRoot && spec.role == models::ParameterRole::width &&
+         spec.scale != models::ParameterScale::angle && spec.id.find("roughness") != std::string_view::npos;
+}
+
+QString displayNumber(const models::ParameterSpec& spec, double value) {
+  return formatNumber(std::pow(value, displayPower(spec)) * displayFactor(spec));
+}
 }  // namespace
+
+void setRoughnessDisplay(RoughnessDisplay display) { chosenRoughness = display; }
+RoughnessDisplay roughnessDisplay() { return chosenRoughness; }
 
 QString fromView(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
 
@@ -21,7 +35,10 @@ double displayFactor(const models::ParameterSpec& spec) {
   return spec.scale == models::ParameterScale::angle ? degrees(1.0) : 1.0;
 }
 
+double displayPower(const models::ParameterSpec& spec) { return isShownAsRoot(spec) ? 0.5 : 1; }
+
 QString displayUnit(const models::ParameterSpec& spec) {
+  if (isShownAsRoot(spec)) return QStringLiteral("√α");
   return spec.scale == models::ParameterScale::angle ? ParameterText::tr("deg") : fromView(spec.unit);
 }
 
@@ -30,11 +47,10 @@ QString displayValue(const models::ParameterSpec& spec, const Rgb& value) {
     const auto index = std::size_t(std::lround(std::max(0.0, value.x)));
     return fromView(spec.choices[std::min(index, spec.choices.size() - 1)]);
   }
-  const double factor = displayFactor(spec);
   const QString unit = displayUnit(spec).isEmpty() ? QString() : QChar(0x202f) + displayUnit(spec);
-  if (!spec.perChannel) return formatNumber(value.x * factor) + unit;
+  if (!spec.perChannel) return displayNumber(spec, value.x) + unit;
   return QStringLiteral("%1, %2, %3")
-             .arg(formatNumber(value.x * factor), formatNumber(value.y * factor), formatNumber(value.z * factor)) +
+             .arg(displayNumber(spec, value.x), displayNumber(spec, value.y), displayNumber(spec, value.z)) +
          unit;
 }
 
@@ -46,15 +62,13 @@ QString parameterToolTip(const models::ParameterSpec& spec, const Rgb* fitted) {
                      .arg(fromView(spec.label).toHtmlEscaped(), fromView(spec.symbol).toHtmlEscaped(),
                           fromView(spec.description).toHtmlEscaped(), fromView(spec.formula).toHtmlEscaped());
   if (spec.choices.empty()) {
-    const double factor = displayFactor(spec);
     const QString unit = displayUnit(spec).isEmpty() ? ParameterText::tr("none") : displayUnit(spec);
+    const auto range = [&](double from, double to) {
+      return ParameterText::tr("%1 to %2").arg(displayNumber(spec, from), displayNumber(spec, to));
+    };
     text += line(ParameterText::tr("Unit"), unit);
-    text += line(
-        ParameterText::tr("Slider"),
-        ParameterText::tr("%1 to %2").arg(formatNumber(spec.softMin * factor), formatNumber(spec.softMax * factor)));
-    text += line(
-        ParameterText::tr("Typed"),
-        ParameterText::tr("%1 to %2").arg(formatNumber(spec.hardMin * factor), formatNumber(spec.hardMax * factor)));
+    text += line(ParameterText::tr("Slider"), range(spec.softMin, spec.softMax));
+    text += line(ParameterText::tr("Typed"), range(spec.hardMin, spec.hardMax));
   }
   text += line(ParameterText::tr("Default"), displayValue(spec, Rgb(spec.defaultValue)));
   if (fitted) text += line(ParameterText::tr("Fitted"), displayValue(spec, *fitted));

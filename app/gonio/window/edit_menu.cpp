@@ -37,6 +37,7 @@ EditMenu::EditMenu(Document& document, DocumentController& controller, const Ins
 void EditMenu::apply(const Preferences& preferences) {
   m_document.history().setByteLimit(std::size_t(preferences.historyMegabytes) << 20);
   limitThreads(preferences.threads);
+  widgets::setRoughnessDisplay(preferences.roughness);
 }
 
 void EditMenu::addHistory(QAction* showHistory) {
@@ -90,6 +91,9 @@ void EditMenu::showPreferences() {
   chosen.write(m_settings);
   apply(chosen);
   if (chosen.theme != before.theme) applyTheme(*qApp, chosen.theme);
+  if (chosen.roughness == before.roughness) return;
+  for (const QWidget* window : QApplication::topLevelWidgets())
+    for (auto* panel : window->findChildren<widgets::ParameterPanel*>()) panel->showUnits();
 }
 
 }  // namespace gonio::app

@@ -27,7 +27,8 @@ namespace gonio::app {
 namespace {
 
 const QString themeKey = QStringLiteral("theme"), historyKey = QStringLiteral("history/megabytes"),
-              threadsKey = QStringLiteral("threads");
+              threadsKey = QStringLiteral("threads"), roughnessKey = QStringLiteral("units/roughness"),
+              squareRoot = QStringLiteral("square root");
 constexpr int defaultHistoryMegabytes = int(History::defaultByteLimit >> 20), mostHistoryMegabytes = 1 << 14;
 
 int coreCount() { return std::max(1, int(std::thread::hardware_concurrency())); }
@@ -45,13 +46,17 @@ Preferences Preferences::read(const QSettings& settings) {
   return {.theme = themeByName(settings.value(themeKey).toString()),
           .historyMegabytes =
               std::clamp(settings.value(historyKey, defaultHistoryMegabytes).toInt(), 1, mostHistoryMegabytes),
-          .threads = std::clamp(settings.value(threadsKey, 0).toInt(), 0, coreCount())};
+          .threads = std::clamp(settings.value(threadsKey, 0).toInt(), 0, coreCount()),
+          .roughness = settings.value(roughnessKey).toString() == squareRoot ? widgets::RoughnessDisplay::squareRoot
+                                                                             : widgets::RoughnessDisplay::alpha};
 }
 
 void Preferences::write(QSettings& settings) const {
   settings.setValue(themeKey, themeName(theme));
   settings.setValue(historyKey, historyMegabytes);
   settings.setValue(threadsKey, threads);
+  settings.setValue(roughnessKey,
+                    roughness == widgets::RoughnessDisplay::squareRoot ? squareRoot : QStringLiteral("alpha"));
 }
 
 void limitThreads(int threads) {
@@ -63,12 +68,16 @@ void limitThreads(int threads) {
 PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QString& graphics, QWidget* parent)
     : QDialog(parent),
       m_theme(new QComboBox),
+      m_roughness(new QComboBox),
       m_history(new QSpinBox),
       m_threads(new QSpinBox),
       m_thumbnails(new QLabel) {
   setWindowTitle(tr("Preferences"));
   m_theme->addItems({tr("As the system"), tr("Light"), tr("Dark")});
   m_theme->setCurrentIndex(int(preferences.theme));
+  m_roughness->addItems({tr("α, as in the models"), tr("√α, as in Blender and Unreal")});
+  m_roughness->setCurrentIndex(int(preferences.roughness));
+  m_roughness->setToolTip(tr("How roughness is shown and typed in All parameters; the materials stay as they are"));
   m_history->setRange(1, mostHistoryMegabytes);
   m_history->setSuffix(tr(" MB"));
   m_history->setValue(preferences.historyMegabytes);
@@ -90,6 +99,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QStri
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* form = new QFormLayout(this);
   form->addRow(tr("&Theme"), m_theme);
+  form->addRow(tr("R&oughness"), m_roughness);
   form->addRow(tr("&Undo memory"), m_history);
   form->addRow(tr("Th&reads"), m_threads);
   form->addRow(tr("Thumbnails"), rowOf(m_thumbnails, clear));
@@ -120,8 +130,10 @@ void PreferencesDialog::showThumbnailSize() {
   qint64 bytes = 0;
   const QFileInfoList files = QDir(thumbnailCacheFolder()).entryInfoList(QDir::Files);
   for (const QFileInfo& file : files) bytes += file.size();
-  m_thumbnails->setText(files.isEmpty() ? tr("None kept")
-                                        : tr("%1 kept, %2").arg(files.size()).arg(QLocale().formattedDataSize(bytes)));
+  m_thumbnails->setText(
+      files.isEmpty()
+          ? tr("None kept")
+          : tr("%1 kept, %2").arg(files.size()).arg(QLocale().formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat)));
   m_thumbnails->setToolTip(thumbnailCacheFolder());
 }
 
@@ -132,7 +144,8 @@ void PreferencesDialog::clearThumbnails() {
 }
 
 Preferences PreferencesDialog::preferences() const {
-  return {Theme(m_theme->currentIndex()), m_history->value(), m_threads->value()};
+  return {Theme(m_theme->currentIndex()), m_history->value(), m_threads->value(),
+          widgets::RoughnessDisplay(m_roughness->currentIndex())};
 }
 
 }  // namespace gonio::app

@@ -5,6 +5,7 @@
 #include <QDialog>
 
 #include "app/gonio/window/theme.h"
+#include "widgets/parameters/parameter_text.h"
 
 class QComboBox;
 class QLabel;
@@ -18,6 +19,7 @@ struct Preferences {
   Theme theme = Theme::system;
   int historyMegabytes = 0;  ///< of undo steps, for each window
   int threads = 0;           ///< of computations; 0: all cores
+  widgets::RoughnessDisplay roughness = widgets::RoughnessDisplay::alpha;
 
   static Preferences read(const QSettings& settings);
   void write(QSettings& settings) const;
@@ -42,7 +44,7 @@ class PreferencesDialog : public QDialog {
   void clearThumbnails();
   void showThumbnailSize();
 
-  QComboBox* m_theme;
+  QComboBox *m_theme, *m_roughness;
   QSpinBox *m_history, *m_threads;
   QLabel* m_thumbnails;
 };

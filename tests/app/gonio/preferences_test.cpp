@@ -32,7 +32,7 @@ class PreferencesTest : public QObject {
     QSettings settings(folder.filePath("s.ini"), QSettings::IniFormat);
     const Preferences first = Preferences::read(settings);
     QVERIFY(first.threads == 0 && first.historyMegabytes > 1 && first.theme == Theme::system);
-    const Preferences chosen{Theme::dark, 77, 1};
+    const Preferences chosen{Theme::dark, 77, 1, widgets::RoughnessDisplay::squareRoot};
     chosen.write(settings);
     QVERIFY(Preferences::read(settings) == chosen);
     settings.setValue("threads", -5);
@@ -42,7 +42,7 @@ class PreferencesTest : public QObject {
 
   /// The dialog gives back what it was given, and what is changed in it.
   void theDialogKeepsThem() {
-    const Preferences given{Theme::light, 300, 1};
+    const Preferences given{Theme::light, 300, 1, widgets::RoughnessDisplay::squareRoot};
     PreferencesDialog dialog(given, "Renderer X; 4.5", nullptr);
     QVERIFY(dialog.preferences() == given);
     bool hasGraphics = false;
