@@ -59,6 +59,7 @@ QSize AcquisitionPanel::sizeHint() const { return QSize(80, 24) * fontMetrics().
 
 QWidget* AcquisitionPanel::buildControls() {
   auto* scroll = new QScrollArea;
+  scroll->setFocusPolicy(Qt::NoFocus);  // what it holds has the focus
   scroll->setWidget(m_controls);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);

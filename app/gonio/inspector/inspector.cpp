@@ -91,6 +91,7 @@ Inspector::Inspector(Document& document, DocumentController& controller, Backgro
   layout->addStretch();
   setWidget(content);
   setWidgetResizable(true);
+  setFocusPolicy(Qt::NoFocus);  // what it holds has the focus
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connectDocument();

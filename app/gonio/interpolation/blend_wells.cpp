@@ -95,6 +95,7 @@ void BlendWells::build() {
   column->addStretch();
   setWidget(content);
   setWidgetResizable(true);
+  setFocusPolicy(Qt::NoFocus);  // what it holds has the focus
   viewport()->setAcceptDrops(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

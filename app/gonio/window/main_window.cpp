@@ -40,6 +40,7 @@
 #include "app/gonio/window/material_menu.h"
 #include "app/gonio/window/search_entries.h"
 #include "app/gonio/window/status_line.h"
+#include "app/gonio/window/tab_keys.h"
 #include "app/gonio/window/undo_keys.h"
 #include "app/gonio/window/view_menu.h"
 #include "widgets/library/library_selection.h"
@@ -74,6 +75,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectRequests();
   new FlickerKey(this, [this](bool held) { m_parts.preview.setFlickering(held); });
   new UndoKeys(this);
+  new TabKeys(this);
   new DropTarget(m_parts.preview, {[this](const QString& path) { m_files.open(path); },
                                    [this](const QString& path) { m_parts.comparison.openReference(path); },
                                    [this](const QString& path) { m_parts.environment.open(path); },
