@@ -77,8 +77,8 @@ void EffectList::addRow(Effect effect) {
   Row& row = m_rows[std::size_t(effect)];
   row = {new QLabel, new QLabel(name), new QLabel, new QLabel, new QComboBox};
   row.name->setToolTip(QCoreApplication::translate("EffectList", text.toolTip));
-  row.choice->addItems({tr("by the plan"), tr("on"), tr("off")});
-  row.choice->setAccessibleName(tr("%1: by the plan, on or off").arg(name));
+  row.choice->addItems({tr("auto"), tr("on"), tr("off")});
+  row.choice->setAccessibleName(tr("%1: auto, on or off").arg(name));
   row.choice->setToolTip(tr("Forces the effect: on, to see that the picture stays as it is; off, to see what it does"));
   row.choice->setFocusPolicy(Qt::StrongFocus);
   row.cost->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

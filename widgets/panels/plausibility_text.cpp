@@ -59,7 +59,7 @@ Text textOf(const metrics::PlausibilityCheck& check) {
   return {PlausibilityText::tr("Measured"),
           PlausibilityText::tr(
               "Where the table has no data, the picture is black or takes the values of the cells around."),
-          PlausibilityText::tr("Share of what is seen without data: %1 (limit %2)")
+          PlausibilityText::tr("Visible fraction without data: %1 (limit %2)")
               .arg(percent(check.worst), percent(check.limit)),
           PlausibilityText::tr("Judge those angles with care: nothing was measured there.")};
 }

@@ -105,7 +105,7 @@ void AcquisitionCharts::showSlice() {
 }
 
 void AcquisitionCharts::refresh() {
-  const QString hint = m_session.isBusy() ? QString() : tr("Start chooses directions here.");
+  const QString hint = m_session.isBusy() ? QString() : tr("Press Start to choose directions.");
   m_hemisphere->setHint(hint);
   m_chart->setHint(hint);
 }

@@ -33,7 +33,7 @@ void AcquisitionControls::buildReconstruction(QFormLayout& form) {
       {tr("Ridge, published η = %1").arg(acquisition::publishedRidge),
        tr("With the η of the publications, over as many components. It was found for some 400 training signals; with "
           "fewer it flattens too much.")},
-      {tr("Sparse"), tr("Few components, chosen by orthogonal matching pursuit; tells no uncertainty")}};
+      {tr("Sparse"), tr("Few components, chosen by orthogonal matching pursuit; without uncertainty")}};
   for (const auto& [name, explanation] : methods) {
     m_reconstruction->addItem(name);
     m_reconstruction->setItemData(m_reconstruction->count() - 1, explanation, Qt::ToolTipRole);

@@ -98,9 +98,9 @@ QVariant AcquisitionSampleModel::headerData(int section, Qt::Orientation orienta
       {tr("θd °"), tr("Difference angle: half of that between light and viewer, degrees")},
       {tr("φd °"), tr("Azimuth of the light about the half vector, degrees")},
       {tr("travel"), tr("Place in a short travel of the arms")},
-      {tr("R 1/sr"), tr("Measured reflectance, linear red, 1/sr")},
-      {tr("G 1/sr"), tr("Measured reflectance, linear green, 1/sr")},
-      {tr("B 1/sr"), tr("Measured reflectance, linear blue, 1/sr")}};
+      {tr("R 1/sr"), tr("Measured BRDF value, linear red, 1/sr")},
+      {tr("G 1/sr"), tr("Measured BRDF value, linear green, 1/sr")},
+      {tr("B 1/sr"), tr("Measured BRDF value, linear blue, 1/sr")}};
   if (role == Qt::DisplayRole) return titles[section].first;
   if (role == Qt::ToolTipRole) return titles[section].second;
   if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);

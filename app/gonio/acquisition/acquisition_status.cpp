@@ -33,7 +33,7 @@ QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionCo
     case Step::idle:
       break;
   }
-  if (!planner.hasPlan()) return Text::tr("Start chooses where to measure.");
+  if (!planner.hasPlan()) return Text::tr("Press Start to choose directions.");
   if (planner.settings() != controls.planSettings()) return Text::tr("The settings have changed: start anew.");
   if (!planner.selection().warning.empty()) return QString::fromStdString(planner.selection().warning);
   if (session.referenceReader().isReading()) return Text::tr("Preparing %1...").arg(session.referenceReader().name());

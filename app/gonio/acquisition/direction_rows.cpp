@@ -69,8 +69,8 @@ void DirectionRows::buildMethod(QFormLayout& form) {
 void DirectionRows::buildRig(QFormLayout& form) {
   form.addRow(rowHeading(tr("What the rig can see")));
   const acquisition::MeasurableDirections usual;
-  m_largestAngle = rowField(tr("Largest polar angle"), tr("Neither light nor viewer gets nearer to the horizon"),
-                            radians(10), halfPi, radians(1), QStringLiteral("°"), degrees(1));
+  m_largestAngle = rowField(tr("Max. polar angle"), tr("Maximum polar angle of light and viewer"), radians(10), halfPi,
+                            radians(1), QStringLiteral("°"), degrees(1));
   m_largestAngle->setValue(usual.largestPolarAngle);
   m_separation = rowField(tr("Arms apart"),
                           tr("The least angle between light and viewer: nearer, one arm stands before "

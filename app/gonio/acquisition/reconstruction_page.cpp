@@ -66,7 +66,7 @@ void ReconstructionPage::showResult() {
 void ReconstructionPage::refresh() {
   m_open->setEnabled(m_session.result() && !m_session.isOpening());
   m_view->setHint(!m_session.planner().hasPlan()
-                      ? tr("Start chooses directions; the material is reconstructed from its values there.")
+                      ? tr("Press Start to choose directions and to reconstruct the material from its values there.")
                   : m_session.isBusy()             ? tr("Working...")
                   : m_session.values().rgb.empty() ? tr("Paste or open the values that were measured at the samples.")
                                                    : acquisitionStatus(m_session, m_controls));

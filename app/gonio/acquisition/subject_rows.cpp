@@ -22,11 +22,11 @@ SubjectRows::SubjectRows(QFormLayout& form)
 }
 
 void SubjectRows::build(QFormLayout& form) {
-  m_box->addItems({tr("The open material"), QString(), tr("None: values of a rig"), tr("Choose...")});
+  m_box->addItems({tr("The open material"), QString(), tr("None (measured values)"), tr("Choose...")});
   hideItem(*m_box, chosenMaterial, true);
   form.addRow(tr("Meas&ure"), m_box);
-  m_noise = rowField(tr("Noise"), tr("Standard deviation of a simulated reading, as a share of its value"), 0, 1, 0.01,
-                     tr("%"), 100);
+  m_noise = rowField(tr("Noise"), tr("Standard deviation of a simulated reading, as a fraction of its value"), 0, 1,
+                     0.01, tr("%"), 100);
   m_floor = rowField(tr("Noise floor"), tr("Standard deviation of the sensor in the dark, beside its relative noise"),
                      0, 10, 1e-3, tr("1/sr"));
   m_misalignment = rowField(tr("Misalignment"),

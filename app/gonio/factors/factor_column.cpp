@@ -37,7 +37,7 @@ QString transformedValue(DataTransform transform) {
 widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
   switch (axis) {
     case FactorAxis::theta:
-      return {.title = FactorColumnText::tr("F1: how strongly it mirrors at each angle"),
+      return {.title = FactorColumnText::tr("F1: specular strength vs. angle"),
               .label = FactorColumnText::tr("θR, angle of the mirror direction, degrees"),
               .symbol = FactorColumnText::tr("θR"),
               .suffix = FactorColumnText::tr("°"),
@@ -45,10 +45,10 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
               .unit = radians(1),
               .tick = 15};
     case FactorAxis::deviation:
-      return {.title = FactorColumnText::tr("F2: how wide the highlight is"),
+      return {.title = FactorColumnText::tr("F2: highlight profile"),
               .label = FactorColumnText::tr("|Δp|, distance from the mirror direction on the disk of directions"),
               .symbol = FactorColumnText::tr("|Δp|"),
-              .valueLabel = FactorColumnText::tr("share of F1"),
+              .valueLabel = FactorColumnText::tr("fraction of F1"),
               .help = FactorColumnText::tr(
                   "Dotted: where the disk of directions ends for the θR that is pointed at in F1, toward the near\n"
                   "horizon behind the mirror direction and toward the far one; nothing is beyond."),
@@ -59,7 +59,7 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
               .label = FactorColumnText::tr("|φ|, azimuth about the mirror direction, degrees: 0 toward the viewer"),
               .symbol = FactorColumnText::tr("|φ|"),
               .suffix = FactorColumnText::tr("°"),
-              .valueLabel = FactorColumnText::tr("share of F1"),
+              .valueLabel = FactorColumnText::tr("fraction of F1"),
               .unit = radians(1),
               .tick = 30};
   }

@@ -107,7 +107,7 @@ std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& loaded, std::option
   }
   facts.push_back({SourceFactsText::tr("Albedo"),
                    SourceFactsText::tr("%1 at %2").arg(albedo.join(", "), angles.join(", ")),
-                   SourceFactsText::tr("Share of the light that is reflected (luminance), by angle of incidence")});
+                   SourceFactsText::tr("Fraction of the light that is reflected (luminance), by angle of incidence")});
   for (const std::string& note : source.notes)
     facts.push_back({SourceFactsText::tr("Note"), QString::fromStdString(note)});
   facts.push_back({SourceFactsText::tr("SHA-256"), hash.left(16) + QStringLiteral("…"), hash});

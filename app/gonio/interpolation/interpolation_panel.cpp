@@ -39,7 +39,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_modelLabel(new QLabel(tr("&Model"))),
       m_modelBox(new widgets::ModelBox),
       m_show(new QCheckBox(tr("Show in the &preview"))),
-      m_keep(new QPushButton(tr("&Keep as Material"))) {
+      m_keep(new QPushButton(tr("Sa&ve as Material"))) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(fontMetrics().height());
@@ -233,7 +233,7 @@ void InterpolationPanel::showKeepable() { m_keep->setEnabled(m_spaces.prepared(m
 
 void InterpolationPanel::keep() {
   const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space);
-  if (!blend) return Q_EMIT failed(tr("There is no blend to keep"), tr("Put a material in every place first."));
+  if (!blend) return Q_EMIT failed(tr("There is no blend to save"), tr("Put a material in every place first."));
   auto source = std::make_shared<editing::BlendSource>();
   source->space = m_space;
   source->model = blend->model;
@@ -241,7 +241,7 @@ void InterpolationPanel::keep() {
   source->weights = m_spaces.ordered(weights());
   source->materials.resize(std::size_t(m_ends.count()));
   for (int i = 0; i < m_ends.count(); ++i) source->materials[m_spaces.order()[std::size_t(i)]] = m_ends.at(i)->source;
-  const QString text = tr("Keep %1").arg(description());
+  const QString text = tr("Save %1").arg(description());
   m_tasks.run<LoadedMaterialPtr>(
       {text, keepKey},
       [blend, source](const TaskControl& control) {
@@ -251,7 +251,7 @@ void InterpolationPanel::keep() {
                                 control.between(tableShare, 1));
       },
       [this, text](const LoadedMaterialPtr& material) { m_document.replaceMaterial(material, text); },
-      [this](const QString& error) { Q_EMIT failed(tr("Cannot keep the blend"), error); });
+      [this](const QString& error) { Q_EMIT failed(tr("Cannot save the blend"), error); });
 }
 
 bool InterpolationPanel::isSettled() const {

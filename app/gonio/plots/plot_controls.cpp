@@ -95,7 +95,7 @@ void PlotControls::addKinds() {
       {tr("Polar"), tr("The lobe in the plane of incidence")},
       {tr("Cartesian"), tr("Values over θh, θd or θo")},
       {tr("Slice"), tr("Values over θh and θd in false colour")},
-      {tr("Albedo"), tr("Share of the light that is reflected, against the angle")},
+      {tr("Albedo"), tr("Fraction of the light that is reflected, over the angle of incidence")},
       {tr("3-D lobe"), tr("Values over all directions of the viewer as a surface that can be turned")}};
   for (const auto& [name, toolTip] : kinds) m_kinds->setTabToolTip(m_kinds->addTab(name), toolTip);
   connect(m_kinds, &QTabBar::currentChanged, this,

@@ -37,13 +37,13 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
       m_view(new QTreeView(this)),
       m_empty(new QLabel(m_view)) {
   buildView();
-  auto* label = new QLabel(tr("&Error by"), this);
+  auto* label = new QLabel(tr("&Metric"), this);
   label->setBuddy(m_metric);
   for (const metrics::MetricRecord& record : metrics::metricRecords()) {
     m_metric->addItem(widgets::fromView(record.name));
     m_metric->setItemData(m_metric->count() - 1, widgets::fromView(record.formula), Qt::ToolTipRole);
   }
-  m_metric->setToolTip(tr("Which error the table shows; the fits make the logarithmic one small"));
+  m_metric->setToolTip(tr("Which error the table shows. Fits minimise the log error."));
   connect(m_metric, &QComboBox::activated, this,
           [this](int at) { m_model.setMetric(metrics::metricRecords()[std::size_t(at)].metric); });
   connect(m_fitAll, &QPushButton::clicked, this, [this] { isRunning() ? m_tasks.cancel(rankingKey) : fitAll(); });

@@ -20,12 +20,13 @@ std::optional<double> limitOf(const QDoubleSpinBox& field) {
 }  // namespace
 
 StudyBudgetBar::StudyBudgetBar(QWidget* parent)
-    : QWidget(parent), m_result(new QLabel), m_take(new QPushButton(tr("&Take It"))) {
+    : QWidget(parent), m_result(new QLabel), m_take(new QPushButton(tr("&Use This Representation"))) {
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  m_frame = field(tr("Frame &under"), tr(" ms"), 1e6, tr("The longest frame of the reference renderer; any: no limit"));
-  m_snr = field(tr("at &least"), tr(" dB"), 200, tr("The least rendered SNR; any: no limit"));
-  m_kilobytes = field(tr("si&ze under"), tr(" kB"), 1e6, tr("The largest size; any: no limit"));
+  m_frame =
+      field(tr("&Frame time <="), tr(" ms"), 1e6, tr("Maximum frame time of the reference renderer; any: no limit"));
+  m_snr = field(tr("SN&R >="), tr(" dB"), 200, tr("Minimum rendered SNR; any: no limit"));
+  m_kilobytes = field(tr("Si&ze <="), tr(" kB"), 1e6, tr("Maximum size; any: no limit"));
   m_result->setTextFormat(Qt::PlainText);
   m_take->setToolTip(
       tr("A fit becomes the model in use; a code is shown with as many coefficients in the Representation section;\n"

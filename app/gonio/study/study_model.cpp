@@ -180,7 +180,7 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
   }
   if (role == Qt::ToolTipRole) {
     const QString tips[] = {
-        tr("A way to keep the material, at one budget, rendered as it is kept"),
+        tr("Representation at one budget, with its rendered picture"),
         tr("Of the picture in the scene %1. Larger is better.").arg(comparisonSceneName),
         tr("%1: %2. Smaller is better.").arg(widgets::fromView(metric.name), widgets::fromView(metric.formula)),
         tr("Processor time of one evaluation on one thread, in batches: median and quartiles"),

@@ -75,7 +75,7 @@ QWidget* StudyPanel::buildChoice() {
     top->addWidget(label);
     top->addWidget(box);
   };
-  labelled(tr("E&rror by"), m_quality);
+  labelled(tr("Met&ric"), m_quality);
   labelled(tr("o&ver"), m_cost);
   top->addStretch();
   for (QPushButton* button : {m_back, m_sheet, m_copy, m_export}) top->addWidget(button);
@@ -187,11 +187,11 @@ void StudyPanel::refresh() {
   m_back->setVisible(m_subject.has_value());
   refreshBudget();
   m_view->setMarks(m_shown, m_best);
-  m_view->setHint(!open ? tr("Open a material to see what accuracy costs.")
-                  : running
-                      ? tr("The first representation is being measured.")
-                      : tr("Measure takes some minutes in the background: every way to keep this material, its error "
-                           "and what it costs."));
+  m_view->setHint(
+      !open     ? tr("Open a material to see what accuracy costs.")
+      : running ? tr("The first representation is being measured.")
+                : tr("Measure takes some minutes in the background: the error and the cost of every representation "
+                     "of this material."));
   QStringList facts;
   for (const std::string& line : m_run->machine()) facts << QString::fromStdString(line);
   m_footer->setText(facts.join(QStringLiteral(" · ")));
@@ -205,7 +205,7 @@ void StudyPanel::refreshBudget() {
   m_budget->setEnabled(!rows.empty());
   m_budget->setResult(rows.empty() ? QString()
                       : best ? tr("Best: %1").arg(QString::fromStdString(m_model.representation(m_best).fullLabel()))
-                             : tr("None of the %1 measured ones keeps these limits.").arg(rows.size()),
+                             : tr("None of the %1 measured representations meets this budget.").arg(rows.size()),
                       best.has_value());
 }
 

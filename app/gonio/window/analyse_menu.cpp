@@ -21,7 +21,7 @@ AnalyseMenu::AnalyseMenu(const Document& document, ComparisonController& compari
         docks.show(QStringLiteral("study"));
         study.measure();
       });
-  measure->setToolTip(tr("Accuracy against time: every way to keep the material, its error and what it costs"));
+  measure->setToolTip(tr("Accuracy vs. cost: the error and the cost of every representation of the material"));
   const auto enable = [&document, measure] { measure->setEnabled(document.material() != nullptr); };
   connect(&document, &Document::materialChanged, this, enable);
   enable();

@@ -113,7 +113,7 @@ void MainWindow::addDocks() {
       {tr("Models"), "models", m_parts.ranking},
       {tr("Factor curves"), "factors", m_parts.factors},
       {tr("Interpolation"), "interpolation", m_parts.interpolation},
-      {tr("Accuracy against time"), "study", m_parts.study},
+      {tr("Accuracy vs. cost"), "study", m_parts.study},
       {tr("Scene"), "scene", m_parts.scene},
       {tr("Acquisition"), "acquisition", m_parts.acquisition}};
   for (const auto& [title, name, panel] : bottom) m_docks->add(title, name, &panel, Qt::BottomDockWidgetArea);

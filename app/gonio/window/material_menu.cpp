@@ -70,7 +70,7 @@ void MaterialMenu::addBlends(const Parts& parts) {
                                      interpolation.begin();
                                    });
   interpolate->setToolTip(tr("Blends the open material with others; it becomes A if A is empty"));
-  QAction* keep = addAction(tr("&Keep Blend as Material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
+  QAction* keep = addAction(tr("&Save Blend as Material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
                             &parts.interpolation, &InterpolationPanel::keep);
   keep->setToolTip(tr("The blend of the Interpolation dock becomes the open material; undo brings back what was open"));
 }

@@ -69,7 +69,7 @@ class AcquisitionPanelTest : public QObject {
  private Q_SLOTS:
   void anEmptyPanelSaysWhatToDo() {
     Editor editor;
-    QCOMPARE(editor.panel.status(), "Start chooses where to measure.");
+    QCOMPARE(editor.panel.status(), "Press Start to choose directions.");
     for (const char* name : {"Copy", "Save Plan...", "Paste Values", "Open Values...", "Open as Material"})
       QVERIFY2(!editor.button(name)->isEnabled(), name);
     QVERIFY(editor.panel.startButton().isEnabled());
