@@ -233,7 +233,9 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("gonio"));
   QApplication::setApplicationDisplayName(QStringLiteral("Gonio"));
   QApplication::setApplicationVersion(QStringLiteral(GONIO_VERSION));
+  QApplication::setDesktopFileName(QStringLiteral("gonio"));
   TimedApplication application(argc, argv);
+  QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/gonio.svg")));
   const Options options = readOptions(application);
   if (!options.thumbnails.isEmpty()) return writeThumbnails(options.thumbnails);
   applyTheme(application, themeByName(options.theme.isEmpty() ? QSettings().value("theme").toString() : options.theme));

@@ -14,8 +14,8 @@ namespace gonio::io {
 static_assert(std::endian::native == std::endian::little, "values are written as they lie in memory");
 
 template <typename T>
-requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-void append(std::vector<std::byte>& bytes, const T& value) {
+requires std::is_trivially_copyable_v<T> &&
+    (!std::is_convertible_v<const T&, std::string_view>)void append(std::vector<std::byte>& bytes, const T& value) {
   const auto raw = std::as_bytes(std::span(&value, 1));
   bytes.insert(bytes.end(), raw.begin(), raw.end());
 }
