@@ -61,12 +61,9 @@ class PreviewScenesTest : public QObject {
       renderer_->setSize({side, side});  // so that each target is a new one: none may unbind a texture
       renderer_->setSize({small, small});
       // Interreflection between the parts of a mesh is noisier.
-      const int samples = plan.simulates(Effect::selfShadowing) ? 2048 : 1024;
-      for (int i = 0; i < samples / 64; ++i) renderer_->accumulate(64);
-      Film film(small, small);
+      const int samples = plan.simulates(Effect::selfShadowing) ? 1024 : 512;
       const std::vector slotMaterials(2, material);
-      PathTracer(scene, bindMaterials(scene, slotMaterials), plan, 7).accumulate(film, samples);
-      const double snr = metrics::signalToNoiseRatio(film.image(), renderer_->readPicture());
+      const double snr = snrOf(scene, bindMaterials(scene, slotMaterials), plan, small, samples);
       qInfo("%s: %.1f dB", name.c_str(), snr);
       QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name.c_str()).arg(snr)));
     }
@@ -100,6 +97,19 @@ class PreviewScenesTest : public QObject {
   }
 
  private:
+  /// Of the renderer's scene against the path tracer, whose noise does not count.
+  double snrOf(const Scene& scene, const RenderMaterials& materials, const EffectPlan& plan, int size, int samples) {
+    for (int i = 0; i < samples / 64; ++i) renderer_->accumulate(64);
+    metrics::PicturePair traced;
+    for (std::size_t i = 0; i < 2; ++i) {
+      Film film(size, size);
+      PathTracer(scene, materials, plan, 7 + i).accumulate(film, samples / 2);
+      traced[i] = film.image();
+    }
+    const Image shown = renderer_->readPicture();
+    return metrics::signalToNoiseRatio(traced, {shown, shown});
+  }
+
   /// A scene of two materials against the path tracer.
   void checkTwoMaterials(const char* name, const widgets::PreviewSubject& other,
                          const std::shared_ptr<const RenderMaterial>& tracedOther, int reflections) {
@@ -112,10 +122,7 @@ class PreviewScenesTest : public QObject {
     renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table)));
     renderer_->setScene(scene, plan, {other});
     renderer_->setSize({side / 2, side / 2});
-    for (int i = 0; i < 16; ++i) renderer_->accumulate(64);
-    Film film(side / 2, side / 2);
-    PathTracer(scene, bound, plan, 7).accumulate(film, 1024);
-    const double snr = metrics::signalToNoiseRatio(film.image(), renderer_->readPicture());
+    const double snr = snrOf(scene, bound, plan, side / 2, 512);
     qInfo("%s: %.1f dB", name, snr);
     QVERIFY2(snr > 31, qPrintable(QString("%1: %2 dB").arg(name).arg(snr)));
   }
