@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "app/goniotool/training_files.h"
+#include "core/documents/training_files.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
 #include "core/support/naming_file.h"
@@ -15,8 +15,8 @@ std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::st
                                                        const std::vector<std::string>& excluded, int mostComponents,
                                                        const Tool& tool, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
-  const auto materials =
-      trainingMaterials(trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded));
+  const auto materials = editing::trainingMaterials(
+      editing::trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded));
   auto basis = std::make_shared<materials::BasisFile>();
   basis->components = dictionary::learnPrincipalComponents(
       materials.names.size(), materials.load, {.mostComponents = mostComponents},

@@ -8,7 +8,7 @@
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
-#include "app/goniotool/training_files.h"
+#include "core/documents/training_files.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/training_checkpoint.h"
 
@@ -58,7 +58,8 @@ TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const Tr
 }
 
 int train(const DictionaryArguments& options, const Tool& tool) {
-  const TrainingMaterials materials = trainingMaterials(trainingFiles(options.sources, options.excluded));
+  const TrainingMaterials materials =
+      editing::trainingMaterials(editing::trainingFiles(options.sources, options.excluded));
   const TrainingResult result = trainWithCheckpoints(options, materials, tool);
   materials::writeDictionary(result.ensemble, options.out);
   Json ensembles = Json::array();
@@ -126,7 +127,7 @@ void addTrain(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<DictionaryArguments>();
   TrainingOptions& training = options->training;
   CLI::App* command = app.add_subcommand("train", "Learns an ensemble of dictionaries from materials");
-  command->add_option("SOURCE", options->sources, trainingHelp())->required();
+  command->add_option("SOURCE", options->sources, editing::trainingHelp())->required();
   command->add_option("--out", options->out, "The dictionary (.dictionary)")->required();
   command->add_option("--exclude", options->excluded, "Names of materials to leave out")->delimiter(',');
   command->add_option("--dictionaries", training.dictionaries, "Of each sparsity (8)")->check(CLI::Range(1, 64));

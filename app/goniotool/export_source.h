@@ -22,13 +22,11 @@ struct OpenedSource {
 /// @throws Error naming the file, as openMaterial().
 OpenedSource openForExport(const std::string& argument, const TaskControl& control = {});
 
-/// Whether a name asks for a form that is no table (`.bsdf`, `.bin`).
-bool isOwnForm(const std::filesystem::path& out);
+using exports::isOwnForm;
+using exports::writeOwnForm;
+
 /// The help of an option that names a material to write in any form.
 inline std::string ownFormHelp(const std::string& what) { return what + " (.binary, .bsdf; of UTIA files .bin)"; }
-/// Writes it. Returns what it cannot hold. @throws Error naming the file.
-std::vector<std::string> writeOwnForm(const exports::ExportSource& source, const materials::Material& base,
-                                      const std::filesystem::path& out, const TaskControl& control = {});
 
 /// A material argument at one wavelength, nm, in three equal channels; 0: as openMaterial(). @throws Error naming a
 /// file without spectra.

@@ -9,9 +9,9 @@
 
 #include "app/goniotool/bases.h"
 #include "app/goniotool/report.h"
-#include "app/goniotool/training_files.h"
 #include "core/acquisition/sample_selection.h"
 #include "core/acquisition/sampling_plan.h"
+#include "core/documents/training_files.h"
 #include "core/io/atomic_file.h"
 #include "core/materials/plan_file.h"
 
@@ -139,7 +139,7 @@ void addPlan(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<PlanArguments>();
   SelectionOptions& selection = options->selection;
   CLI::App* command = app.add_subcommand("plan", "The directions at which to measure a material");
-  command->add_option("--train", options->train, trainingHelp() + " to learn from (the bundled library)");
+  command->add_option("--train", options->train, editing::trainingHelp() + " to learn from (the bundled library)");
   command->add_option("--exclude", options->excluded, "Names of materials to leave out")->delimiter(',');
   command->add_option("--samples", selection.samples, "How many directions")->required()->check(CLI::Range(1, 4096));
   command

@@ -6,8 +6,8 @@
 
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
-#include "app/goniotool/training_files.h"
 #include "core/acquisition/dictionary_reconstruction.h"
+#include "core/documents/training_files.h"
 #include "core/materials/dictionary_file.h"
 #include "core/materials/plan_file.h"
 #include "core/materials/values_file.h"
@@ -29,7 +29,7 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
   const acquisition::MeasuredValues values = materials::readValues(request.values, plan);
   const auto dictionary =
       request.dictionary.empty() ? materials::bundledDictionary() : materials::readDictionary(request.dictionary);
-  const auto materials = trainingMaterials(trainingFiles(request.train, request.excluded));
+  const auto materials = editing::trainingMaterials(editing::trainingFiles(request.train, request.excluded));
   auto start = std::chrono::steady_clock::now();
   const auto prior = acquisition::learnDictionaryPrior(
       dictionary->ensemble, materials, {},

@@ -7,7 +7,7 @@
 #include "app/goniotool/interrupt.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/study_report.h"
-#include "app/goniotool/training_files.h"
+#include "core/documents/training_files.h"
 #include "core/models/registry.h"
 #include "core/study/accuracy_study.h"
 #include "core/study/pareto.h"
@@ -57,7 +57,7 @@ StudyOptions studyOptions(const StudyArguments& options, RepresentationChoice& c
   if (!std::ranges::count(choice.families, RepresentationFamily::components)) return study;
   if (options.componentsFrom.empty())
     throw UsageError("study: no basis of principal components is shipped; give --components-from FOLDER");
-  const auto materials = trainingMaterials(trainingFiles(options.componentsFrom));
+  const auto materials = editing::trainingMaterials(editing::trainingFiles(options.componentsFrom));
   const dictionary::PcaOptions pca{.mostComponents = *std::ranges::max_element(choice.components)};
   study.build.components = std::make_shared<const dictionary::PrincipalComponents>(
       dictionary::learnPrincipalComponents(materials.names.size(), materials.load, pca, control));

@@ -9,28 +9,36 @@
 
 namespace gonio::editing {
 
-materials::Material editedMaterial(const std::filesystem::path& path, const TaskControl& control) {
-  const EditDocument document = readDocument(path);
-  materials::Material material = readSource(document, path, control);
-  if (material.source.sha256 != document.sourceSha256)
-    throw Error(path.string() + ": its source " +
-                (document.blend ? "(" + material.source.description + ")" : material.source.path.string()) +
-                " has SHA-256 " + material.source.sha256 + ", the edits were made on " + document.sourceSha256);
-  if (isIdentity(document.edits) && !document.blend) return material;
-  material.name = path.stem().string();
-  const std::shared_ptr<const Brdf> base = material.brdf;
-  const bool anisotropic =
-      std::any_of(document.edits.begin(), document.edits.end(), [](const auto& edit) { return isAnisotropic(edit); });
+materials::Material withEdits(const materials::Material& base, std::span<const Edit> edits,
+                              const TaskControl& control) {
+  materials::Material material = base;
+  if (isIdentity(edits)) return material;
+  material.code = nullptr;
+  const bool anisotropic = std::ranges::any_of(edits, [](const Edit& edit) { return isAnisotropic(edit); });
   // What is no table keeps its own form under the edits.
-  if (material.table) material.brdf = material.table = bakeEdits(material.table, document.edits, control);
-  if (!material.table || anisotropic) material.brdf = applyEdits(base, document.edits);
+  if (base.table) material.brdf = material.table = bakeEdits(base.table, edits, control);
+  if (!base.table || anisotropic) material.brdf = applyEdits(base.brdf, edits);
   if (anisotropic) {
     material.source.notes.push_back("the edits are anisotropic: tables hold the mean over " +
                                     std::to_string(bakedAzimuths) + " azimuths");
   }
-  material.source.path = std::filesystem::absolute(path).lexically_normal();
-  material.source.format = "gonio document";
   return material;
+}
+
+EditedMaterial editedMaterial(const std::filesystem::path& path, const TaskControl& control) {
+  const EditDocument document = readDocument(path);
+  EditedMaterial edited{
+      .shown = {}, .base = readSource(document, path, control), .edits = document.edits, .incident = document.incident};
+  if (edited.base.source.sha256 != document.sourceSha256)
+    throw Error(path.string() + ": its source " +
+                (document.blend ? "(" + edited.base.source.description + ")" : edited.base.source.path.string()) +
+                " has SHA-256 " + edited.base.source.sha256 + ", the edits were made on " + document.sourceSha256);
+  edited.shown = withEdits(edited.base, document.edits, control);
+  if (isIdentity(document.edits) && !document.blend) return edited;
+  edited.shown.name = path.stem().string();
+  edited.shown.source.path = std::filesystem::absolute(path).lexically_normal();
+  edited.shown.source.format = "gonio document";
+  return edited;
 }
 
 }  // namespace gonio::editing

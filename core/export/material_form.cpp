@@ -6,6 +6,7 @@
 
 #include "core/editing/edit.h"
 #include "core/export/rgl_export.h"
+#include "core/io/atomic_file.h"
 #include "core/io/merl_file.h"
 #include "core/io/utia_file.h"
 #include "core/materials/material_file.h"
@@ -120,6 +121,18 @@ FormFile encodeMaterial(const ExportSource& source, const materials::Material& b
   if (form == MaterialForm::utia) return encodeUtiaForm(source, base, control);
   if (form == MaterialForm::rgl) return encodeRglForm(source, base, control);
   return encodeTableForm(source, gridOf(form), control);
+}
+
+bool isOwnForm(const std::filesystem::path& path) {
+  return path.extension() == materials::formatOf(materials::FormatId::rgl).suffix() ||
+         path.extension() == materials::formatOf(materials::FormatId::utia).suffix();
+}
+
+std::vector<std::string> writeOwnForm(const ExportSource& source, const materials::Material& base,
+                                      const std::filesystem::path& path, const TaskControl& control) {
+  FormFile file = encodeMaterial(source, base, formBySuffix(path, *base.brdf), control);
+  io::writeFileAtomically(path, file.bytes);
+  return std::move(file.losses);
 }
 
 double formError(const FormFile& file, const Brdf& material, const TaskControl& control) {

@@ -40,6 +40,13 @@ std::string azimuthLoss();
 FormFile encodeMaterial(const ExportSource& source, const materials::Material& base, MaterialForm form,
                         const TaskControl& control = {});
 
+/// Whether a name asks for a form that is no table (`.bsdf`, `.bin`).
+bool isOwnForm(const std::filesystem::path& path);
+/// Writes a material in such a form, atomically. Returns what it cannot hold. @throws Error naming the file; as
+/// encodeMaterial().
+std::vector<std::string> writeOwnForm(const ExportSource& source, const materials::Material& base,
+                                      const std::filesystem::path& path, const TaskControl& control = {});
+
 /// How far a file that encodeMaterial() made is from the material: rendered SNR in comparisonScene(), dB; +infinity for
 /// equal pictures. Some seconds. @throws Cancelled.
 double formError(const FormFile& file, const Brdf& material, const TaskControl& control = {});

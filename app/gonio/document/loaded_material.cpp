@@ -68,7 +68,7 @@ LoadedMaterialPtr loadMaterial(const std::filesystem::path& path, const TaskCont
 LoadedMaterialPtr loadEdited(const std::filesystem::path& path, const TaskControl& control) {
   if (!editing::isDocumentName(path)) return loadMaterial(path, control);
   constexpr double editedShare = 0.6;
-  return measuredMaterial(editing::editedMaterial(path, control.between(0, editedShare)), nullptr,
+  return measuredMaterial(editing::editedMaterial(path, control.between(0, editedShare)).shown, nullptr,
                           control.between(editedShare, 1));
 }
 

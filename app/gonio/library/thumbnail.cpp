@@ -45,7 +45,7 @@ QString ownMaterialsFolder() {
 }
 
 materials::Material libraryMaterial(const QString& id, const TaskControl& control) {
-  return isDocument(id) ? editing::editedMaterial(id.toStdString(), control)
+  return isDocument(id) ? editing::editedMaterial(id.toStdString(), control).shown
                         : materials::readMaterial(id.toStdString(), control);
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/dictionary/training_materials.h"
 
-namespace gonio::tool {
+namespace gonio::editing {
 
 /// "Folders of .binary and .bsdf files, or files".
 std::string trainingHelp();
@@ -21,4 +21,4 @@ std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
 /// Their tables over the grid of MERL tables; `load` throws Error naming a file of another grid.
 dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files);
 
-}  // namespace gonio::tool
+}  // namespace gonio::editing

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "app/goniotool/training_files.h"
+#include "core/documents/training_files.h"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "app/goniotool/materials.h"
+#include "core/documents/open_material.h"
+#include "core/materials/material_formats.h"
 
-namespace gonio::tool {
+namespace gonio::editing {
 
 std::string trainingHelp() {
   return "Folders of " + materials::suffixText(materials::isMeasurement, "and") + " files, or files";
@@ -51,4 +52,4 @@ dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& 
   return materials;
 }
 
-}  // namespace gonio::tool
+}  // namespace gonio::editing
