@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include "core/acquisition/reconstruction.h"
+#include "core/acquisition/sample_selection.h"
+#include "core/documents/training_files.h"
+#include "core/materials/basis_file.h"
+#include "core/materials/bundled_basis.h"
+#include "core/materials/bundled_library.h"
+#include "core/materials/plan_file.h"
+#include "core/materials/values_file.h"
+#include "python/bindings/materials.h"
+
+namespace gonio::python {
+
+namespace {
+
+using namespace acquisition;
+
+/// Principal components as Python holds them. Immutable.
+struct PyBasis {
+  std::shared_ptr<const dictionary::PrincipalComponents> components;
+  std::vector<std::string> learnedFrom;
+};
+
+PyBasis bundledBasis(const py::object& progress) {
+  return resultOf(progress, [](const TaskControl& control) {
+    const auto bundled = materials::bundledBasis(control);
+    return PyBasis{{bundled, &bundled->components}, {}};
+  });
+}
+
+PyBasis readBasis(const std::string& path) {
+  const auto file = materials::readBasis(path);
+  return {{file, &file->components}, file->learnedFrom};
+}
+
+PyBasis learnBasis(const std::vector<std::string>& sources, const std::vector<std::string>& excluded, int components,
+                   const py::object& progress) {
+  return resultOf(progress, [&](const TaskControl& control) {
+    const auto training = editing::trainingMaterials(
+        editing::trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded));
+    return PyBasis{std::make_shared<const dictionary::PrincipalComponents>(dictionary::learnPrincipalComponents(
+                       training.names.size(), training.load, {.mostComponents = components}, control)),
+                   training.names};
+  });
+}
+
+/// Codes of the first components: (3, components).
+py::array_t<float> encodeComponents(const PyBasis& basis, const PyMaterial& material, int components,
+                                    const py::object& progress) {
+  const auto code = resultOf(progress, [&](const TaskControl& control) {
+    return dictionary::encode(*basis.components, *material.table({control.stop, {}}), components, control);
+  });
+  py::array_t<float> result({py::ssize_t(3), py::ssize_t(code.components())});
+  float* out = result.mutable_data();
+  for (const Eigen::VectorXf& channel : code.channels) out = std::copy_n(channel.data(), channel.size(), out);
+  return result;
+}
+
+PyMaterialPtr decodeComponents(const PyBasis& basis,
+                               const py::array_t<float, py::array::c_style | py::array::forcecast>& code,
+                               const std::string& name, const py::object& progress) {
+  if (code.ndim() != 2 || code.shape(0) != 3) throw Error("code: expected an array of shape (3, components)");
+  dictionary::ComponentCode channels;
+  for (int c = 0; c < 3; ++c)
+    channels.channels[std::size_t(c)] = Eigen::Map<const Eigen::VectorXf>(code.data(c, 0), code.shape(1));
+  return newMaterial(name, "components", resultOf(progress, [&](const TaskControl& control) {
+                       return dictionary::decode(*basis.components, channels, control);
+                     }));
+}
+
+struct Limits {
+  double maxPolar, minSeparation;
+  std::vector<std::array<double, 6>> forbidden;  ///< lowest and highest theta_i, theta_o, |phi_i - phi_o|
+};
+
+MeasurableDirections measurable(const Limits& limits) {
+  MeasurableDirections result{
+      .largestPolarAngle = limits.maxPolar, .smallestSeparation = limits.minSeparation, .forbidden = {}};
+  for (const auto& box : limits.forbidden)
+    result.forbidden.push_back({{box[0], box[1]}, {box[2], box[3]}, {box[4], box[5]}});
+  result.check();
+  return result;
+}
+
+/// In the order of SelectionMethod.
+constexpr std::array<std::string_view, 5> selectionMethods{"somp", "somp-first-columns", "condition-number", "random",
+                                                           "uniform"};
+
+py::tuple plan(const PyBasis& basis, int samples, const std::string& method, int components, double maxPolar,
+               double minSeparation, const std::vector<std::array<double, 6>>& forbidden, std::uint64_t seed,
+               int restarts, const py::object& progress) {
+  const auto found = std::ranges::find(selectionMethods, method);
+  if (found == selectionMethods.end())
+    throw Error("method: found '" + method +
+                "', expected somp, somp-first-columns, condition-number, random or uniform");
+  const SelectionOptions options{.method = SelectionMethod(found - selectionMethods.begin()),
+                                 .samples = samples,
+                                 .components = components,
+                                 .measurable = measurable({maxPolar, minSeparation, forbidden}),
+                                 .seed = seed,
+                                 .restarts = restarts};
+  const SampleSelection selection = resultOf(
+      progress, [&](const TaskControl& control) { return selectSamples(*basis.components, options, control); });
+  SamplingPlan planned = planFor(basis.components->mapping.grid, selection.cells);
+  planned.method = method;
+  return py::make_tuple(planned, selection.conditionNumber, selection.residuals, selection.warning);
+}
+
+py::tuple directionsOf(const SamplingPlan& plan) {
+  std::vector<Rgb> wi, wo;
+  for (const PlannedSample& sample : plan.samples) {
+    wi.push_back(sample.directions.wi);
+    wo.push_back(sample.directions.wo);
+  }
+  return py::make_tuple(toArray(wi), toArray(wo));
+}
+
+SamplingPlan planOf(const Vectors& wi, const Vectors& wo) {
+  const std::vector<Direction> light = toRgb(wi, "wi"), viewer = toRgb(wo, "wo");
+  if (light.size() != viewer.size() || light.empty()) throw Error("expected as many wi as wo, at least one");
+  checkUnit(light, 0, "wi");
+  checkUnit(viewer, 0, "wo");
+  SamplingPlan plan;
+  std::vector<DirectionPair> pairs;
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    if (isBelowHorizon(light[i]) || isBelowHorizon(viewer[i]))
+      throw Error("found a direction below the horizon (number " + std::to_string(i) + ")");
+    pairs.push_back({light[i], viewer[i]});
+    plan.samples.push_back({.index = int(i) + 1, .directions = pairs.back()});
+  }
+  int order = 0;
+  for (const std::size_t next : shortTravel(pairs)) plan.samples[next].order = ++order;
+  return plan;
+}
+
+py::tuple measure(const PyMaterial& material, const SamplingPlan& plan, double relative, double absolute,
+                  double misalignment, std::uint64_t seed) {
+  const MeasuredValues values = resultOf(py::none(), [&](const TaskControl&) {
+    return acquisition::measure(*material.brdf(), plan, {relative, absolute, misalignment, seed});
+  });
+  return py::make_tuple(toArray(values.rgb),
+                        values.noise.empty() ? py::object(py::none()) : py::object(toArray(values.noise)));
+}
+
+MeasuredValues valuesOf(const Vectors& rgb, const py::object& noise) {
+  MeasuredValues values{.rgb = toRgb(rgb, "values"), .noise = {}};
+  if (!noise.is_none()) values.noise = toRgb(noise.cast<Vectors>(), "noise");
+  return values;
+}
+
+/// (theta_h, theta_d, phi_d) with NaN where nothing is known.
+py::array_t<float> onGrid(const dictionary::MappedCells& mapping, const std::vector<float>& deviation) {
+  const HalfDifferenceGrid& grid = mapping.grid;
+  py::array_t<float> array({grid.thetaHCount, grid.thetaDCount, grid.phiDCount});
+  std::fill_n(array.mutable_data(), grid.size(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < deviation.size(); ++i) array.mutable_data()[mapping.cells[i]] = deviation[i];
+  return array;
+}
+
+py::dict reconstruct(const PyBasis& basis, const SamplingPlan& plan, const Vectors& rgb, const py::object& noise,
+                     const std::string& method, std::optional<double> ridge, int components, int atoms,
+                     const std::string& name, const py::object& progress) {
+  const auto found = std::ranges::find(reconstructionMethodNames, method);
+  if (found == reconstructionMethodNames.end()) throw Error("method: found '" + method + "', expected ridge or sparse");
+  const MeasuredValues values = valuesOf(rgb, noise);
+  const ReconstructionOptions options{.method = ReconstructionMethod(found - reconstructionMethodNames.begin()),
+                                      .ridge = ridge,
+                                      .components = components,
+                                      .atoms = atoms};
+  const Reconstruction result = resultOf(progress, [&](const TaskControl& control) {
+    return acquisition::reconstruct(*basis.components, plan, values, options, control);
+  });
+  py::dict row;
+  row["material"] = newMaterial(name, "reconstruction", result.table);
+  row["ridge"] = result.ridge;
+  row["components"] = result.components;
+  row["leave_one_out_error"] = result.leaveOneOutError;
+  row["deviation"] = result.deviation.empty() ? py::object(py::none())
+                                              : py::object(onGrid(basis.components->mapping, result.deviation));
+  return row;
+}
+
+void bindBasis(py::module_& module) {
+  py::class_<PyBasis>(module, "Basis")
+      .def("__len__", [](const PyBasis& b) { return b.components->count(); })
+      .def_property_readonly("singular_values",
+                             [](const PyBasis& b) {
+                               const auto& values = b.components->svd.singularValues;
+                               return toArray(std::span<const double>(values.data(), std::size_t(values.size())));
+                             })
+      .def_property_readonly("learned_from", [](const PyBasis& b) { return b.learnedFrom; })
+      .def_property_readonly("grid",
+                             [](const PyBasis& b) {
+                               const HalfDifferenceGrid& grid = b.components->mapping.grid;
+                               return py::make_tuple(grid.thetaHCount, grid.thetaDCount, grid.phiDCount);
+                             })
+      .def("encode", encodeComponents)
+      .def("decode", decodeComponents)
+      .def("save", [](const PyBasis& b, const std::string& path) {
+        materials::writeBasis(*b.components, b.components->count(), b.learnedFrom, path);
+      });
+  module.def("bundled_basis", bundledBasis);
+  module.def("read_basis", readBasis, py::call_guard<py::gil_scoped_release>());
+  module.def("learn_basis", learnBasis);
+}
+
+}  // namespace
+
+void bindAcquisition(py::module_& module) {
+  bindBasis(module);
+  py::class_<SamplingPlan>(module, "Plan")
+      .def("__len__", [](const SamplingPlan& plan) { return plan.samples.size(); })
+      .def_property_readonly("directions", directionsOf)
+      .def_property_readonly("travel", [](const SamplingPlan& plan) { return plan.travel(); })
+      .def_readonly("method", &SamplingPlan::method)
+      .def("save", [](const SamplingPlan& plan, const std::string& path) { materials::writePlan(plan, path); })
+      .def("save_values", [](const SamplingPlan& plan, const Vectors& rgb, const py::object& noise,
+                             const std::string& path) { materials::writeValues(plan, valuesOf(rgb, noise), path); })
+      .def("read_values", [](const SamplingPlan& plan, const std::string& path) {
+        const MeasuredValues values = materials::readValues(path, plan);
+        return py::make_tuple(toArray(values.rgb),
+                              values.noise.empty() ? py::object(py::none()) : py::object(toArray(values.noise)));
+      });
+  module.def("plan", plan);
+  module.def("plan_of", planOf);
+  module.def("read_plan", [](const std::string& path) { return materials::readPlan(path); });
+  module.def("measure", measure);
+  module.def("reconstruct", reconstruct);
+}
+
+}  // namespace gonio::python

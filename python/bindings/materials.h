@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include "core/documents/open_material.h"
+#include "core/export/export_source.h"
+#include "core/rendering/render_material.h"
+#include "python/bindings/arrays.h"
+
+namespace gonio::python {
+
+/// A material as Python holds it. Immutable.
+class PyMaterial {
+ public:
+  explicit PyMaterial(editing::EditedMaterial edited) : edited_(std::move(edited)) {}
+  explicit PyMaterial(const materials::Material& material) : edited_{.shown = material, .base = material} {}
+
+  const materials::Material& shown() const { return edited_.shown; }
+  const materials::Material& base() const { return edited_.base; }
+  const editing::EditedMaterial& edited() const { return edited_; }
+  const editing::EditList& edits() const { return edited_.edits; }
+  const std::shared_ptr<const Brdf>& brdf() const { return edited_.shown.brdf; }
+  std::shared_ptr<const TabulatedBrdf> table(const TaskControl& control) const {
+    return edited_.shown.tabulated(control);
+  }
+  /// With a density to sample from, which is made at the first call.
+  std::shared_ptr<const RenderMaterial> rendered() const;
+  exports::ExportSource exported() const;
+
+ private:
+  editing::EditedMaterial edited_;
+  mutable std::once_flag made_;
+  mutable std::shared_ptr<const RenderMaterial> rendered_;
+};
+using PyMaterialPtr = std::shared_ptr<PyMaterial>;
+
+/// A material that is no file. @param kind stands where files have their format.
+PyMaterialPtr newMaterial(const std::string& name, const std::string& kind, std::shared_ptr<const Brdf> brdf,
+                          const std::string& description = {});
+/// The same of a table.
+PyMaterialPtr newMaterial(const std::string& name, const std::string& kind, std::shared_ptr<const TabulatedBrdf> table,
+                          const std::string& description = {});
+
+/// {metric: error} of errors in the order of metrics::allBrdfMetrics().
+py::dict errorsOf(const std::vector<double>& errors);
+
+// The functions of the module, an area each.
+void bindMaterials(py::module_& module);
+void bindModels(py::module_& module);
+void bindEdits(py::module_& module);
+void bindRepresentations(py::module_& module);
+void bindAcquisition(py::module_& module);
+void bindPictures(py::module_& module);
+
+}  // namespace gonio::python

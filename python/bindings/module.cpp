@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/math/parallel.h"
+#include "python/bindings/materials.h"
+
+namespace gonio::python {
+
+namespace {
+
+/// Bounds the threads of all parallel loops of the process; 0: all cores.
+void setThreads(int count) {
+  static std::optional<ThreadLimit> limit;
+  if (count < 0) throw Error("threads: expected 1 or more, or 0 for all cores");
+  limit.reset();
+  if (count > 0) limit.emplace(count);
+}
+
+}  // namespace
+
+}  // namespace gonio::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace gonio::python;
+  py::register_exception<gonio::Error>(module, "Error", PyExc_ValueError);
+  module.attr("version") = GONIO_VERSION;
+  module.def("set_threads", setThreads);
+  module.def("threads", gonio::threadCount);
+  bindMaterials(module);
+  bindModels(module);
+  bindEdits(module);
+  bindRepresentations(module);
+  bindAcquisition(module);
+  bindPictures(module);
+}

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include <pybind11/stl.h>
+
+#include "core/export/export_target.h"
+#include "core/materials/dictionary_file.h"
+#include "core/metrics/brdf_metrics.h"
+#include "core/models/registry.h"
+#include "core/rendering/environment_file.h"
+#include "core/rendering/rendered_comparison.h"
+#include "core/rendering/scene_file.h"
+#include "core/study/accuracy_study.h"
+#include "python/bindings/materials.h"
+
+namespace gonio::python {
+
+namespace {
+
+/// A scene with its materials in place.
+struct Filled {
+  Scene scene;
+  RenderMaterials materials;
+};
+
+Filled fill(const std::vector<PyMaterialPtr>& given, const std::string& name, const std::string& environment,
+            double rotation) {
+  Filled filled{.scene = openScene(name, int(given.size())), .materials = {}};
+  if (!environment.empty()) filled.scene.environment = openEnvironment(environment);
+  filled.scene.environmentRotation += rotation;
+  const auto places = std::size_t(std::max(1, materialSlotCount(filled.scene)));
+  if (given.size() > places)
+    throw Error("materials: found " + std::to_string(given.size()) + ", expected at most " + std::to_string(places) +
+                ", as many as the scene '" + filled.scene.name + "' shows");
+  for (const PyMaterialPtr& material : given) filled.materials.push_back(material->rendered());
+  filled.materials = bindMaterials(filled.scene, filled.materials);
+  return filled;
+}
+
+py::tuple render(const std::vector<PyMaterialPtr>& given, const std::string& scene, const std::string& environment,
+                 double rotation, int width, int height, int samples, std::uint64_t seed, const py::object& progress) {
+  if (width < 1 || height < 1 || width > 8192 || height > 8192) throw Error("size: expected 1 to 8192 pixels");
+  if (samples < 1) throw Error("samples: expected 1 or more");
+  return toArrays(resultOf(progress, [&](const TaskControl& control) {
+    const Filled filled = fill(given, scene, environment, rotation);
+    const PathTracer tracer(filled.scene, filled.materials, planEffects(filled.scene, filled.materials), seed);
+    Film film(width, height);
+    tracer.accumulate(film, samples, control);
+    return film.image();
+  }));
+}
+
+py::list effects(const std::vector<PyMaterialPtr>& given, const std::string& scene, const std::string& environment) {
+  const EffectPlan plan = resultOf(py::none(), [&](const TaskControl&) {
+    const Filled filled = fill(given, scene, environment, 0);
+    return planEffects(filled.scene, filled.materials);
+  });
+  py::list list;
+  for (std::size_t i = 0; i < effectCount; ++i)
+    list.append(py::make_tuple(effectId(Effect(i)), plan.decisions[i].simulated, plan.decisions[i].reason));
+  return list;
+}
+
+py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle, int size, int samples, bool pictures,
+                 const py::object& progress) {
+  struct Result {
+    std::vector<double> errors;
+    double brdfSnr, renderedSnr, renderedPsnr;
+    Image reference, test;
+  };
+  Result result = resultOf(progress, [&](const TaskControl& control) {
+    Result made;
+    const auto table = a.table(control.between(0, 0.1));
+    // The cells of a table are isotropic: what is not is compared by its mean over the azimuths.
+    const std::shared_ptr<const Brdf> other = b.brdf()->isIsotropic() ? b.brdf() : b.table({control.stop, {}});
+    made.errors = metrics::brdfErrors(*table, *other, maxPolarAngle);
+    made.brdfSnr = metrics::brdfSignalToNoiseRatio(*table, *other);
+    const RenderedComparison comparison(*a.brdf(), {.width = size, .height = size, .samples = samples, .lobe = {}},
+                                        control.between(0.2, 0.6));
+    ComparisonPicture picture = comparison.render(*b.brdf(), control.between(0.6, 1));
+    made.renderedSnr = comparison.signalToNoiseRatio(picture);
+    made.renderedPsnr = comparison.peakSignalToNoiseRatio(picture);
+    made.reference = comparison.reference();
+    made.test = std::move(picture.image);
+    return made;
+  });
+  py::dict row;
+  row["errors"] = errorsOf(result.errors);
+  row["brdf_snr"] = result.brdfSnr;
+  row["rendered_snr"] = result.renderedSnr;
+  row["rendered_psnr"] = result.renderedPsnr;
+  row["pictures"] = py::none();
+  if (pictures)
+    row["pictures"] = py::make_tuple(toArrays(std::move(result.reference))[0], toArrays(std::move(result.test))[0]);
+  return row;
+}
+
+struct StudyRequest {
+  std::vector<std::string> families, models;
+  std::vector<int> terms;
+  std::vector<std::size_t> coefficients;
+};
+
+std::vector<study::Representation> representations(const StudyRequest& request) {
+  study::RepresentationChoice choice{.terms = request.terms, .coefficients = request.coefficients};
+  choice.families.clear();
+  for (const std::string& family : request.families) choice.families.push_back(study::familyById(family));
+  for (const std::string& id : request.models) choice.models.push_back(&models::findModel(id));
+  return study::representationsOf(choice);
+}
+
+py::dict describe(const study::StudyRecord& record) {
+  py::dict row;
+  row["family"] = study::familyId(record.representation.family);
+  row["representation"] = record.representation.id;
+  row["label"] = record.representation.label;
+  row["budget"] = record.representation.budget;
+  row["bytes"] = record.bytes;
+  row["encode_seconds"] = record.encodeSeconds;
+  row["evaluation_ns"] = record.evaluation.median;
+  row["frame_ms"] = record.frameMilliseconds;
+  row["errors"] = errorsOf(record.errors);
+  row["rendered_snr"] = record.renderedSnr;
+  return row;
+}
+
+py::list runStudy(const PyMaterial& material, const std::vector<std::string>& families,
+                  const std::vector<std::string>& models, const std::vector<int>& terms,
+                  const std::vector<std::size_t>& coefficients,
+                  const std::shared_ptr<materials::NamedEnsemble>& dictionary, int size, int samples, bool timed,
+                  const py::object& progress) {
+  const auto planned = representations({families, models, terms, coefficients});
+  study::StudyOptions options;
+  options.build.dictionary = dictionary;
+  options.picture.width = options.picture.height = size;
+  options.picture.samples = samples;
+  options.timed = timed;
+  const auto records = resultOf(progress, [&](const TaskControl& control) {
+    return study::runStudy({material.table(control.between(0, 0.05)), material.brdf()}, planned, options,
+                           control.between(0.05, 1));
+  });
+  py::list list;
+  for (const study::StudyRecord& record : records) list.append(describe(record));
+  return list;
+}
+
+const exports::ExportTarget& targetOf(const std::string& id) {
+  if (const auto* target = exports::findExportTarget(id)) return *target;
+  std::string ids;
+  for (const exports::ExportTarget& target : exports::exportTargets())
+    ids += (ids.empty() ? "" : ", ") + std::string(target.id);
+  throw Error("target: found '" + id + "', expected one of " + ids);
+}
+
+py::dict exportMaterial(const PyMaterial& material, const std::string& path, const std::string& id, double snr,
+                        std::size_t thetaCount, std::size_t size, const std::string& sceneName,
+                        const std::string& environment, bool overwrite, const py::object& progress) {
+  const exports::ExportTarget& target = targetOf(id);
+  exports::ExportOptions options{.snr = snr};
+  if (thetaCount > 0) options.size = {thetaCount, size};
+  if (options.size && !target.choosesSize)
+    throw Error("grid: of the targets that write .bsdf files alone, found " + id);
+  if (!sceneName.empty() && !target.scene) throw Error("scene: " + id + " has no scenes");
+  std::vector<exports::ExportFile> files;
+  const exports::MadeExport made = resultOf(progress, [&](const TaskControl& control) {
+    std::optional<Scene> scene;
+    if (!sceneName.empty()) scene = openScene(sceneName);
+    if (scene && !environment.empty()) scene->environment = openEnvironment(environment);
+    const std::filesystem::path name = target.nameOf(path);
+    std::vector<std::filesystem::path> sources;
+    if (const auto& source = material.base().source.path; std::filesystem::exists(source)) sources.push_back(source);
+    exports::checkTargets(target.paths(name, scene ? &*scene : nullptr), sources, overwrite);
+    exports::MadeExport result = exports::makeExport(target, material.exported(), options, control);
+    if (scene) exports::addScene(result, target, *scene, name);
+    files = exports::filesOf(result, name);
+    exports::writeExport(files);
+    return result;
+  });
+  py::list paths;
+  for (const exports::ExportFile& file : files) paths.append(file.path.string());
+  py::dict facts, row;
+  for (const exports::ExportFact& fact : made.facts)
+    std::visit([&](const auto& value) { facts[py::str(std::string(fact.key))] = value; }, fact.value);
+  row["files"] = paths;
+  row["snr"] = made.snr;
+  row["bytes"] = made.bytes();
+  row["facts"] = facts;
+  row["warnings"] = made.warnings;
+  row["material"] = newMaterial(material.shown().name, std::string(target.label), made.brdf);
+  return row;
+}
+
+py::list targets() {
+  py::list list;
+  for (const exports::ExportTarget& target : exports::exportTargets())
+    list.append(py::make_tuple(target.id, target.label, target.description, target.holds, target.scene != nullptr));
+  return list;
+}
+
+}  // namespace
+
+void bindPictures(py::module_& module) {
+  module.def("render", render);
+  module.def("effects", effects);
+  module.def("scenes", bundledSceneNames);
+  module.def("compare", compare);
+  module.def("study", runStudy);
+  module.def("export", exportMaterial);
+  module.def("targets", targets);
+}
+
+}  // namespace gonio::python

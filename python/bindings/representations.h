@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include "core/factorization/pdv_factors.h"
+#include "core/materials/dictionary_file.h"
+#include "python/bindings/materials.h"
+
+namespace gonio::python {
+
+/// Factors as Python holds them. Immutable.
+struct PyFactors {
+  std::shared_ptr<const factorization::PdvFactors> factors;
+  std::vector<double> residuals;
+  double seconds = 0;
+};
+
+using PyDictionaryPtr = std::shared_ptr<const materials::NamedEnsemble>;
+
+}  // namespace gonio::python

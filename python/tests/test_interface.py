@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+"""Every public name has a docstring and types, each argument is documented, and docs/python.md is made of these."""
+import importlib.util
+import inspect
+import pathlib
+import typing
+
+import pytest
+
+import gonio
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def members(owner):
+    """Public functions and properties of a class."""
+    for name, member in vars(owner).items():
+        if not name.startswith("_") and (inspect.isfunction(member) or isinstance(member, property)):
+            yield name, member
+
+
+def callables():
+    for name in gonio.__all__:
+        item = getattr(gonio, name)
+        if inspect.isfunction(item):
+            yield name, item
+        elif item is not gonio.Error:
+            yield from ((f"{name}.{member}", function) for member, function in members(item) if inspect.isfunction(function))
+            if "__init__" in vars(item) and "not directly" not in (item.__init__.__doc__ or "not directly"):
+                yield name, item.__init__
+
+
+def test_every_public_name_is_documented():
+    for name in gonio.__all__:
+        item = getattr(gonio, name)
+        assert inspect.getdoc(item), name
+        if inspect.isclass(item) and item is not gonio.Error:
+            for member, value in members(item):
+                assert inspect.getdoc(value), f"{name}.{member}"
+    public = {name for name in vars(gonio) if not name.startswith("_")}
+    assert public == set(gonio.__all__)
+
+
+@pytest.mark.parametrize("name, function", list(callables()), ids=lambda value: value if isinstance(value, str) else "")
+def test_every_argument_has_a_type(name, function):
+    signature = inspect.signature(function)
+    hints = typing.get_type_hints(function)
+    for parameter in signature.parameters.values():
+        assert parameter.name == "self" or parameter.name in hints, f"{name}: {parameter.name}"
+    assert "return" in hints, name
+
+
+@pytest.mark.parametrize("name, function", list(callables()), ids=lambda value: value if isinstance(value, str) else "")
+def test_documented_arguments_are_those_of_the_signature(name, function):
+    text = inspect.getdoc(function)
+    if "Args:" not in text:
+        return
+    block = text.split("Args:\n", 1)[1].split("\n\n", 1)[0]
+    documented = [line.strip().split(":", 1)[0] for line in block.splitlines() if line.startswith("    ") and line[4] != " "]
+    actual = [parameter for parameter in inspect.signature(function).parameters if parameter != "self"]
+    assert documented == actual, name
+
+
+def test_fields_of_results_are_documented():
+    reference = load_script()
+    for name in gonio.__all__:
+        item = getattr(gonio, name)
+        if hasattr(item, "__dataclass_fields__"):
+            assert set(reference.fields_of(item)) == set(item.__dataclass_fields__), name
+
+
+def load_script():
+    spec = importlib.util.spec_from_file_location("python_reference", ROOT / "scripts" / "python_reference.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_reference_page_is_made_from_the_docstrings():
+    page = (ROOT / "docs" / "python.md").read_text()
+    assert page == load_script().page(page), "run scripts/python_reference.py with the module in PYTHONPATH"
+
+
+def test_types_are_for_type_checkers():
+    assert (pathlib.Path(gonio.__file__).parent / "py.typed").exists()
+    assert gonio.__version__

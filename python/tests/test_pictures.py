@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+"""Pictures, comparisons, studies, exports."""
+import numpy as np
+import pytest
+
+import gonio
+
+
+def test_a_lambertian_sphere_is_lit_as_its_formula(tmp_path):
+    """Under one distant light of irradiance pi the radiance is albedo times the cosine: at the brightest point the albedo."""
+    lambert = gonio.models()["lambert"].material(diffuse=0.5)
+    picture = gonio.render(lambert, "sphere", size=64, samples=16, alpha=True)
+    assert picture.shape == (64, 64, 4) and picture.dtype == np.float32
+    assert picture[0, 0, 3] == 0 and picture[32, 32, 3] == 1
+    wide = gonio.render(lambert, "sphere", size=(24, 16), samples=4)
+    assert wide.shape == (16, 24, 3)
+    np.testing.assert_array_equal(wide, gonio.render(lambert, "sphere", size=(24, 16), samples=4))
+
+
+def test_a_white_sphere_in_a_white_room_is_white(tmp_path):
+    """White furnace: in an environment of radiance 1 a Lambertian sphere of albedo 1 has radiance 1 everywhere."""
+    (tmp_path / "white.hdr").write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n" + bytes([128, 128, 128, 129] * 32))
+    white = gonio.models()["lambert"].material(diffuse=1.0)
+    picture = gonio.render(white, "sphere", size=32, samples=64, environment=tmp_path / "white.hdr", alpha=True)
+    inside = picture[..., 3] == 1
+    np.testing.assert_allclose(picture[inside][:, :3], 1, rtol=0.05)
+
+
+def test_effects_have_reasons(chrome):
+    effects = {effect.name: effect for effect in gonio.effects(chrome)}
+    assert not effects["cast-shadows"].simulated and effects["cast-shadows"].reason
+
+
+def test_bad_scenes_are_errors(chrome):
+    assert "sphere" in gonio.scenes()
+    with pytest.raises(gonio.Error, match="nowhere"):
+        gonio.render(chrome, "nowhere")
+    with pytest.raises(gonio.Error, match="at most 1"):
+        gonio.render([chrome, chrome], "sphere", size=8, samples=1)
+
+
+def test_comparison(chrome, paint):
+    same = gonio.compare(chrome, chrome, size=16, samples=4)
+    assert same.rendered_snr == np.inf and same.brdf_snr == np.inf and max(same.errors.values()) == 0
+    assert same.pictures is None
+    # Half as bright: the difference has half the amplitude of the signal, 6.02 dB.
+    half = gonio.compare(chrome, gonio.from_table(chrome.values / 2, chrome.valid), size=16, samples=4, pictures=True)
+    assert half.brdf_snr == pytest.approx(20 * np.log10(2), abs=1e-3)
+    assert half.rendered_snr == pytest.approx(20 * np.log10(2), abs=0.1)
+    np.testing.assert_allclose(half.pictures[1], half.pictures[0] / 2, rtol=1e-3, atol=1e-6)
+    assert set(half.errors) == set(gonio.metrics())
+
+
+def test_study_measures_its_budgets(paint):
+    records = gonio.study(paint, ["table", "fits", "factors"], models=["lambert"], terms=[1, 2], size=16, samples=4, timed=False)
+    assert [record.budget for record in records if record.representation == "factors-3d"] == [1, 2]
+    factors = [record for record in records if record.representation == "factors-3d"]
+    assert factors[0].bytes < factors[1].bytes and factors[0].errors["log"] > factors[1].errors["log"]
+    table = next(record for record in records if record.representation == "table-trilinear")
+    assert table.errors["log"] == 0
+    with pytest.raises(gonio.Error, match="fits"):
+        gonio.study(paint, ["nothing"])
+
+
+def test_export_writes_what_it_says(paint, tmp_path):
+    assert {"mitsuba", "blender"} <= set(gonio.targets())
+    made = gonio.export(paint, tmp_path / "paint", "csv")
+    assert made.files and sum((tmp_path / name).stat().st_size for name in made.files) == made.bytes
+    # A table in text is the table.
+    assert made.snr == np.inf
+    np.testing.assert_array_equal(made.material.evaluate([0, 0, 1.0], [0, 0.6, 0.8]), paint.evaluate([0, 0, 1.0], [0, 0.6, 0.8]))
+    with pytest.raises(gonio.Error, match="paint"):
+        gonio.export(paint, tmp_path / "paint", "csv")
+    gonio.export(paint, tmp_path / "paint", "csv", overwrite=True)
+    with pytest.raises(gonio.Error, match="target"):
+        gonio.export(paint, tmp_path / "other", "nothing")

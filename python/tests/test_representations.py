@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+"""Factors, codes, blends."""
+import numpy as np
+import pytest
+
+import gonio
+
+
+@pytest.fixture(scope="module")
+def factors(paint):
+    return gonio.factorize(paint, terms=3)
+
+
+def test_residuals_fall_and_terms_are_nested(paint, factors):
+    assert factors.terms == 3 and len(factors.residuals) == 4
+    assert factors.residuals[0] == 1 and np.all(np.diff(factors.residuals) <= 0)
+    one = gonio.factorize(paint, terms=1, deviation_nodes=factors.deviation_nodes)
+    np.testing.assert_array_equal(factors.truncated(1).f1, one.f1)
+
+
+def test_factors_evaluate_as_their_formula(factors):
+    """y = sum_l F1 F2 F3 at the nodes, rho = exp(y) - 1 (log-plus): in the plane of incidence with the mirror direction."""
+    curve = factors.theta_nodes < 1.2
+    theta = factors.theta_nodes[curve]
+    y = (factors.f1[:, :, curve] * factors.f2[:, :, :1] * factors.f3[:, :, :1]).sum(axis=1)
+    wo = np.stack((np.sin(theta), 0 * theta, np.cos(theta)), axis=-1)
+    np.testing.assert_allclose(factors.material().evaluate(wo * [-1, 1, 1], wo), np.expm1(np.maximum(0, y)).T, rtol=1e-6)
+
+
+def test_factor_files_round_trip(factors, tmp_path):
+    factors.save(tmp_path / "paint.pdv")
+    assert (tmp_path / "paint.pdv").stat().st_size == factors.bytes
+    again = gonio.open_factors(tmp_path / "paint.pdv")
+    np.testing.assert_array_equal(again.f2, factors.f2.astype(np.float32))
+    assert gonio.open(tmp_path / "paint.pdv").format == "PDV factors"
+
+
+def test_edits_of_curves(paint, factors):
+    same = gonio.edit_factors(paint, factors, factors.with_curves(f1=factors.f1))
+    np.testing.assert_array_equal(same.values, paint.values)
+    stronger = gonio.edit_factors(paint, factors, factors.with_curves(f1=factors.f1 * 1.2))
+    assert stronger.values.sum() > paint.values.sum()
+    with pytest.raises(gonio.Error, match="f1"):
+        factors.with_curves(f1=factors.f1[:, :, 1:])
+
+
+def test_bad_factorisations_are_errors(paint):
+    for options in ({"terms": 0}, {"form": "4d"}, {"transform": "square"}, {"deviation_nodes": [0, 0, 1]}):
+        with pytest.raises(gonio.Error):
+            gonio.factorize(paint, **options)
+
+
+@pytest.fixture(scope="module")
+def code():
+    return gonio.encode(gonio.open("library:sgd/blue-metallic-paint"), coefficients=64, transforms=["log-plus"])
+
+
+def test_codes_are_sums_of_atoms(code):
+    """The transformed values of the decoded table are the sum over the coefficients of products of atoms, but for the scale
+    of the nodes: the ratio to it is one function of the node for all channels."""
+    dictionary = gonio.dictionary()
+    values = code.material().values
+    ratios = []
+    for c, channel in enumerate(code.channels):
+        phi, theta_d, theta_h = dictionary.atoms(channel.dictionary)
+        assert np.all(np.diff(np.abs(channel.values)) <= 0) and len(channel.values) <= 64
+        i = channel.indices
+        at = (slice(5, 80, 15), slice(5, 60, 15), slice(10, 170, 40))
+        signal = np.einsum("n,hn,dn,pn->hdp", channel.values.astype(float), theta_h[at[0]][:, i[:, 2]], theta_d[at[1]][:, i[:, 1]],
+                           phi[at[2]][:, i[:, 0]])
+        ratios.append(np.log1p(values[at][..., c]) / signal)
+    valid = code.material().valid[at]
+    np.testing.assert_allclose(ratios[0][valid], ratios[1][valid], rtol=1e-3)
+
+
+def test_code_files_round_trip(code, tmp_path):
+    code.save(tmp_path / "paint.code")
+    assert (tmp_path / "paint.code").stat().st_size == code.bytes
+    np.testing.assert_array_equal(gonio.decode(tmp_path / "paint.code").values, code.material().values)
+
+
+def test_codes_without_a_table(code, directions):
+    """At the nodes both forms agree."""
+    nodes = gonio.grid_directions()
+    table, own = code.material(), code.material(as_table=False)
+    assert table.is_table and not own.is_table
+    at = (slice(5, 60, 10), slice(5, 45, 10), slice(10, 170, 40))
+    valid = nodes.valid[at]
+    np.testing.assert_allclose(own.evaluate(nodes.wi[at], nodes.wo[at])[valid], table.values[at][valid], rtol=2e-3, atol=1e-5)
+
+
+def test_linear_blends_are_means(chrome, paint, directions):
+    wi, wo = directions(100), directions(100, seed=2)
+    blends = gonio.Interpolation([chrome, paint])
+    expected = 0.25 * chrome.evaluate(wi, wo) + 0.75 * paint.evaluate(wi, wo)
+    np.testing.assert_allclose(blends.blend([0.25, 0.75]).evaluate(wi, wo), expected, rtol=1e-6, atol=1e-9)
+    np.testing.assert_array_equal(blends.blend([0, 1]).values, paint.values)
+
+
+@pytest.mark.parametrize("space", ["parameters", "differential"])
+def test_ends_of_other_spaces_are_the_materials(chrome, paint, space):
+    np.testing.assert_array_equal(gonio.interpolate([chrome, paint], [1, 0], space).values, chrome.values)
+
+
+def test_bad_blends_are_errors(chrome, paint):
+    with pytest.raises(gonio.Error, match="space"):
+        gonio.interpolate([chrome, paint], [0.5, 0.5], "cubic")
+    with pytest.raises(gonio.Error):
+        gonio.interpolate([chrome, paint], [0.5, 0.6])

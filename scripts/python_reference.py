@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+"""Writes the reference of docs/python.md, below its introduction, from the docstrings of the module gonio:
+
+    PYTHONPATH=build/release/python scripts/python_reference.py
+"""
+import ast
+import inspect
+import math
+import pathlib
+import re
+
+import gonio
+
+PAGE = pathlib.Path(__file__).resolve().parents[1] / "docs" / "python.md"
+MARKER = "<!-- From here on made by scripts/python_reference.py. -->\n"
+SECTIONS = {
+    "Materials": ["open", "library", "from_table", "grid_directions", "check", "set_threads", "Material", "GridDirections",
+                  "LibraryEntry", "Check"],
+    "Models, fits, edits": ["models", "fit", "fit_all", "edit", "edit_factors", "artist_controls", "metrics", "Model",
+                            "Parameter", "Fit", "Metric"],
+    "Factors, codes, interpolation": ["factorize", "open_factors", "encode", "decode", "open_code", "dictionary",
+                                      "interpolate", "Factors", "Code", "ChannelCode", "Dictionary", "Interpolation"],
+    "Acquisition": ["plan", "open_plan", "measure", "reconstruct", "bundled_basis", "learn_basis", "open_basis", "Plan",
+                    "Readings", "Reconstruction", "Basis"],
+    "Pictures, studies, exports": ["render", "scenes", "effects", "compare", "study", "export", "targets", "Comparison",
+                                   "Effect", "Record", "Export", "Target"],
+}
+
+
+def class_nodes():
+    """The syntax trees of all classes of the package, by name."""
+    nodes = {}
+    for file in pathlib.Path(gonio.__file__).parent.glob("*.py"):
+        for node in ast.parse(file.read_text()).body:
+            if isinstance(node, ast.ClassDef):
+                nodes[node.name] = node
+    return nodes
+
+
+CLASSES = class_nodes()
+
+
+def fields_of(item):
+    """{name: docstring} of the fields of a data class: the strings behind them."""
+    body = CLASSES[item.__name__].body
+    return {node.target.id: inspect.cleandoc(text.value.value)
+            for node, text in zip(body, body[1:])
+            if isinstance(node, ast.AnnAssign) and isinstance(text, ast.Expr) and isinstance(text.value, ast.Constant)}
+
+
+def signature(function):
+    """Arguments as they are written: names, types, defaults."""
+    text = re.sub(r"(: |-> )'([^']*)'", r"\1\2", str(inspect.signature(function)))
+    for written, shown in (("self, ", ""), ("(self)", "()"), (" -> None", ""), (str(math.radians(85)), "radians(85)")):
+        text = text.replace(written, shown)
+    return re.sub(r"NDArray\[np\.(\w+?)_?\]", r"NDArray[\1]", text)
+
+
+def markdown(docstring):
+    """A docstring with its sections as lists."""
+    lines = []
+    for line in docstring.splitlines():
+        heading = re.fullmatch(r"(Args|Returns|Raises):", line)
+        item = re.match(r"    (\w+): (.*)", line)
+        if heading:
+            lines.append({"Args": "Arguments:", "Returns": "Returns:", "Raises": "Raises:"}[heading[1]])
+            lines.append("")
+        elif item:
+            lines.append(f"- `{item[1]}`: {item[2]}")
+        else:
+            lines.append("  " + line.strip() if line.startswith("        ") else line[4:] if re.match(r"    \S", line) else line)
+    return "\n".join(lines)
+
+
+def described(title, item, level):
+    return f"{'#' * level} {title}\n\n{markdown(inspect.getdoc(item))}\n"
+
+
+def class_text(name, item):
+    parts = [described(f"class `{name}`", item, 3)]
+    fields = fields_of(item) if hasattr(item, "__dataclass_fields__") else {}
+    properties = {key: inspect.getdoc(value) for key, value in vars(item).items() if isinstance(value, property) and key[0] != "_"}
+    if fields or properties:
+        parts.append("\n".join(f"- `{key}`: {' '.join(text.split())}" for key, text in {**fields, **properties}.items()) + "\n")
+    if "__init__" in vars(item) and not fields and "not directly" not in item.__init__.__doc__:
+        parts.append(described(f"`{name}{signature(item.__init__)}`", item.__init__, 4))
+    for key, value in vars(item).items():
+        if inspect.isfunction(value) and key[0] != "_":
+            parts.append(described(f"`{name}.{key}{signature(value)}`", value, 4))
+    return "\n".join(parts)
+
+
+def page(text):
+    """The page with its introduction as it is in `text` and the reference made anew."""
+    parts = [text.split(MARKER)[0] + MARKER, inspect.getdoc(gonio) + "\n"]
+    for section, names in SECTIONS.items():
+        parts.append(f"## {section}\n")
+        for name in names:
+            item = getattr(gonio, name)
+            parts.append(class_text(name, item) if inspect.isclass(item) else described(f"`gonio.{name}{signature(item)}`", item, 3))
+    listed = [name for names in SECTIONS.values() for name in names]
+    missing = set(gonio.__all__) - {"Error"} - set(listed)
+    if missing:
+        raise SystemExit(f"not in a section: {', '.join(sorted(missing))}")
+    return "\n".join(parts)
+
+
+if __name__ == "__main__":
+    PAGE.write_text(page(PAGE.read_text()))
