@@ -164,12 +164,20 @@ void printEdit(const editing::Edit& edit, const fitting::FitResult& fitted,
         text);
 }
 
+/// "ggx, layered".
+std::string modelsWithLobes() {
+  std::string names;
+  for (const models::Model* model : models::allModels())
+    if (model->hasLobes()) names += (names.empty() ? "" : ", ") + std::string(model->spec().id);
+  return names;
+}
+
 editing::Composition compositionOf(const EditArguments& options, const models::Model& model) {
   if (options.composition.empty()) return editing::defaultComposition(model);
   const auto found = std::ranges::find(editing::compositionIds, options.composition);
   const auto composition = editing::Composition(found - editing::compositionIds.begin());
   if (composition == editing::Composition::lobes && !model.hasLobes())
-    throw UsageError("edit: --compose lobes needs a model that is a sum of lobes (ggx, layered), found " +
+    throw UsageError("edit: --compose lobes needs a model that is a sum of lobes (" + modelsWithLobes() + "), found " +
                      std::string(model.spec().id));
   return composition;
 }

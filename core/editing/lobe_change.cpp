@@ -6,8 +6,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 
-#include "core/editing/lobe_warp.h"
 #include "core/support/error.h"
 
 namespace gonio::editing {
@@ -18,11 +18,6 @@ Rgb ratioOf(const Rgb& measured, const Rgb& fitted) {
   return (glm::max(measured, Rgb(0)) + LobeChange::epsilon) / (fitted + LobeChange::epsilon);
 }
 
-double scaleOf(const models::ModelLobe& fitted, const models::ModelLobe& edited) {
-  if (fitted.parameters == edited.parameters) return 0;
-  return fitted.roughness > 0 && edited.roughness > 0 ? fitted.roughness / edited.roughness : bodyScale;
-}
-
 /// What the body carries of the ratio.
 Rgb bodyRatio(const Rgb& ratio, const Rgb& body, const Rgb& model) {
   constexpr double darkest = 1e-30;
@@ -31,18 +26,37 @@ Rgb bodyRatio(const Rgb& ratio, const Rgb& body, const Rgb& model) {
 }
 
 /// Scales that differ by rounding alone are made equal: lobes that widen alike then share their places.
-void alignScales(std::span<double> scales) {
+void align(LobeWarp& warp, std::span<const PartChange> before) {
   constexpr double rounding = 1e-9;
-  for (std::size_t k = 0; k < scales.size(); ++k)
-    for (std::size_t before = 0; before < k; ++before)
-      if (std::abs(scales[k] - scales[before]) < rounding * std::abs(scales[k])) scales[k] = scales[before];
+  for (const PartChange& other : before)
+    if (glm::all(glm::lessThan(glm::abs(warp.scale - other.warp.scale), rounding * warp.scale)))
+      warp.scale = other.warp.scale;
 }
 
-std::vector<double> scalesOf(std::span<const models::ModelLobe> fitted, std::span<const models::ModelLobe> edited) {
-  std::vector<double> scales;
-  for (std::size_t k = 0; k < fitted.size(); ++k) scales.push_back(scaleOf(fitted[k], edited[k]));
-  alignScales(scales);
-  return scales;
+bool isLit(const models::ModelLobe& lobe) {
+  return std::ranges::any_of(lobe.colours, [](const Rgb& colour) { return colour != Rgb(0); });
+}
+
+PartChange changeOf(const models::ModelLobe& fitted, const models::ModelLobe& edited) {
+  PartChange change{.isRecoloured = fitted.colours != edited.colours, .wasLit = isLit(fitted), .isLit = isLit(edited)};
+  const bool isSame = !change.isRecoloured && fitted.parameters == edited.parameters;
+  if (isSame || !(change.wasLit || change.isLit)) return change;
+  const models::LobeWidth &from = fitted.width, &to = edited.width;
+  const bool hasWidth = from.x > 0 && from.y > 0 && to.x > 0 && to.y > 0;
+  change.kind = hasWidth ? PartChange::highlight : PartChange::body;
+  if (hasWidth) change.warp = {{from.x / to.x, from.y / to.y}, to.rotation, from.rotation};
+  return change;
+}
+
+std::vector<PartChange> changesOf(std::span<const models::ModelLobe> fitted,
+                                  std::span<const models::ModelLobe> edited) {
+  std::vector<PartChange> changes;
+  for (std::size_t k = 0; k < fitted.size(); ++k) {
+    PartChange change = changeOf(fitted[k], edited[k]);
+    align(change.warp, changes);
+    changes.push_back(change);
+  }
+  return changes;
 }
 
 }  // namespace
@@ -52,14 +66,20 @@ LobeChange::LobeChange(const DifferentialEdit& edit) : fitted_(edit.model->insta
     throw Error("the model " + std::string(edit.model->spec().id) +
                 " is no sum of lobes, so its edit cannot be composed by lobes; expected additive or log-plus");
   std::vector<models::ModelLobe> fitted = edit.model->lobes(edit.fitted), edited = edit.model->lobes(edit.target());
-  const std::vector<double> scales = scalesOf(fitted, edited);
-  for (std::size_t k = 0; k < fitted.size(); ++k)
-    if (scales[k] != 0) lobes_.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf), scales[k]});
-  std::ranges::stable_sort(lobes_, {}, &Lobe::scale);
+  const std::vector<PartChange> changes = changesOf(fitted, edited);
+  isIsotropic_ = fitted_->isIsotropic();
+  for (std::size_t k = 0; k < fitted.size(); ++k) {
+    if (changes[k].kind == PartChange::none) continue;
+    isIsotropic_ = isIsotropic_ && edited[k].brdf->isIsotropic();
+    auto group = std::ranges::find(groups_, changes[k].warp, &Group::warp);
+    if (group == groups_.end()) group = groups_.insert(group, Group{changes[k].warp, {}});
+    group->lobes.push_back({std::move(fitted[k].brdf), std::move(edited[k].brdf), changes[k].kind == PartChange::body,
+                            changes[k].isRecoloured});
+  }
 }
 
-std::vector<double> lobeScales(const DifferentialEdit& edit) {
-  return scalesOf(edit.model->lobes(edit.fitted), edit.model->lobes(edit.target()));
+std::vector<PartChange> partChanges(const DifferentialEdit& edit) {
+  return changesOf(edit.model->lobes(edit.fitted), edit.model->lobes(edit.target()));
 }
 
 Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited) {
@@ -79,14 +99,10 @@ void LobeChange::evaluate(const Brdf& base, std::span<const DirectionPair> pairs
   const auto carried = std::span(carriedScratch).first(pairs.size());
   fitted_->evaluate(pairs, model);
   for (std::size_t i = 0; i < pairs.size(); ++i) ratios[i] = ratioOf(values[i], model[i]);
-  double scale = 1;
-  for (const Lobe& lobe : lobes_) {
-    const bool isMoved = lobe.scale != 1 && lobe.scale != bodyScale;
-    if (isMoved && lobe.scale != scale) {
-      std::ranges::copy(ratios, carried.begin());
-      carryRatios(scale = lobe.scale, base, pairs, carried);
-    }
-    add(lobe, pairs, {model, ratios, isMoved ? carried : ratios}, changes);
+  for (const Group& group : groups_) {
+    std::ranges::copy(ratios, carried.begin());
+    if (!group.warp.isIdentity()) carryRatios(group.warp, base, pairs, carried);
+    for (const Lobe& lobe : group.lobes) add(lobe, pairs, {model, ratios, carried}, changes);
   }
 }
 
@@ -95,21 +111,20 @@ void LobeChange::add(const Lobe& lobe, std::span<const DirectionPair> pairs, con
   std::array<Rgb, maxPairs> fitted, edited;
   lobe.fitted->evaluate(pairs, std::span(fitted).first(pairs.size()));
   lobe.edited->evaluate(pairs, std::span(edited).first(pairs.size()));
-  const bool isBody = lobe.scale == bodyScale;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Rgb here = isBody ? bodyRatio(ratios.here[i], fitted[i], ratios.model[i]) : ratios.here[i];
-    const Rgb carried = isBody ? here : ratios.carried[i];
-    changes[i] += edited[i] * recolouredRatio(carried, fitted[i], edited[i]) - fitted[i] * here;
+    const Rgb here = lobe.isBody ? bodyRatio(ratios.here[i], fitted[i], ratios.model[i]) : ratios.here[i];
+    const Rgb carried = lobe.isBody ? here : ratios.carried[i];
+    changes[i] +=
+        edited[i] * (lobe.isRecoloured ? recolouredRatio(carried, fitted[i], edited[i]) : carried) - fitted[i] * here;
   }
 }
 
-void LobeChange::carryRatios(double scale, const Brdf& base, std::span<const DirectionPair> pairs,
+void LobeChange::carryRatios(const LobeWarp& warp, const Brdf& base, std::span<const DirectionPair> pairs,
                              std::span<Rgb> carried) const {
   std::array<DirectionPair, maxPairs> moved;
   std::array<Rgb, maxPairs> measured, model;
   const auto first = [&](auto& all) { return std::span(all).first(pairs.size()); };
-  std::ranges::transform(pairs, moved.begin(),
-                         [&](const DirectionPair& pair) { return withScaledHalfTangent(pair, scale); });
+  editing::warp(warp, pairs, first(moved));
   base.evaluate(first(moved), first(measured));
   fitted_->evaluate(first(moved), first(model));
   for (std::size_t i = 0; i < pairs.size(); ++i)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/editing/differential_edit.h"
+#include "core/editing/lobe_warp.h"
 
 namespace gonio::editing {
 
@@ -15,9 +16,10 @@ namespace gonio::editing {
 ///
 ///   edited(x) = m(x) + sum over k of M'_k(x) q(w_k(x)) - M_k(x) q(x),
 ///
-/// where w_k scales tan theta_h by alpha_k / alpha'_k (withScaledHalfTangent()): it maps a direction to where the
-/// unedited lobe had the same place in its profile. A highlight keeps its colour and its shape while it widens, and
-/// lobes that do not change add exactly nothing. Where w_k(x) was not measured, q(x) is taken.
+/// where w_k scales tan theta_h by alpha_k / alpha'_k, along and across the grain where there is one (LobeWarp): it
+/// maps a direction to where the unedited lobe had the same place in its profile. A highlight keeps its colour and its
+/// shape while it widens, and lobes that do not change add exactly nothing. Where w_k(x) was not measured, q(x) is
+/// taken.
 ///
 /// A lobe that gets another colour carries the ratio of each channel as far as it keeps its chromaticity, and the ratio
 /// of luminance for the rest (recolouredRatio()): a red body that is made grey does not keep the errors of a channel in
@@ -32,11 +34,11 @@ class LobeChange {
   static constexpr std::size_t maxPairs = 64;
 
   /// Added to `changes`, 1/sr, for at most maxPairs pairs above the horizon. @param values of the base at the pairs.
-  /// Evaluates the base once more for each ratio by which lobes change their width: once where all widen alike.
+  /// Evaluates the base once more for each way in which lobes change their width: once where all widen alike.
   void evaluate(const Brdf& base, std::span<const DirectionPair> pairs, std::span<const Rgb> values,
                 std::span<Rgb> changes) const;
 
-  bool isIsotropic() const { return fitted_->isIsotropic(); }
+  bool isIsotropic() const { return isIsotropic_; }
   bool isReciprocal() const { return fitted_->isReciprocal(); }
 
   /// eps, 1/sr: keeps the ratio near 1 where measurement and fit are both dark.
@@ -45,7 +47,12 @@ class LobeChange {
  private:
   struct Lobe {
     std::unique_ptr<const Brdf> fitted, edited;
-    double scale;  ///< alpha / alpha'; bodyScale of the body
+    bool isBody, isRecoloured;
+  };
+  /// Lobes that had the same places.
+  struct Group {
+    LobeWarp warp;
+    std::vector<Lobe> lobes;
   };
   /// What is known at the pairs: the model, and the ratio q there and where the lobe had them.
   struct Ratios {
@@ -53,10 +60,12 @@ class LobeChange {
   };
   static void add(const Lobe& lobe, std::span<const DirectionPair> pairs, const Ratios& ratios, std::span<Rgb> changes);
   /// The ratios at the places that the lobe had, where they were measured.
-  void carryRatios(double scale, const Brdf& base, std::span<const DirectionPair> pairs, std::span<Rgb> carried) const;
+  void carryRatios(const LobeWarp& warp, const Brdf& base, std::span<const DirectionPair> pairs,
+                   std::span<Rgb> carried) const;
 
   std::unique_ptr<const Brdf> fitted_;
-  std::vector<Lobe> lobes_;  ///< those that change, by their scale
+  std::vector<Group> groups_;  ///< of the lobes that change
+  bool isIsotropic_;
 };
 
 /// The ratio that a lobe carries. With the chromaticities c = M_k / Y(M_k) and c' = M'_k / Y(M'_k), Y the luminance,
@@ -64,10 +73,14 @@ class LobeChange {
 /// @param ratio q; fitted, edited M_k and M'_k, 1/sr.
 Rgb recolouredRatio(const Rgb& ratio, const Rgb& fitted, const Rgb& edited);
 
-/// Stands for alpha / alpha' of a part that has no width.
-inline constexpr double bodyScale = -1;
-/// alpha / alpha' of each part of the edited model, 1 where it keeps its width, bodyScale where it has none; 0 where it
-/// does not change at all. What the shader reads. Only of models with lobes.
-std::vector<double> lobeScales(const DifferentialEdit& edit);
+/// What an edit does to a part of the model.
+struct PartChange {
+  enum Kind { none, body, highlight } kind = none;  ///< body: without a width
+  bool isRecoloured = false;
+  LobeWarp warp = {};                  ///< of a highlight
+  bool wasLit = false, isLit = false;  ///< the fitted part, the edited one: false where it is black
+};
+/// Of each part. What the shader reads. Only of models with lobes.
+std::vector<PartChange> partChanges(const DifferentialEdit& edit);
 
 }  // namespace gonio::editing

@@ -97,8 +97,13 @@ std::vector<glm::vec3> shaderParameters(const ParameterValues& p) { return withG
 ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {roughnessX, roughnessY, rotation}, true); }
 
 template <typename Facets>
+std::vector<ModelLobe> parts(const ParameterValues& p) {
+  return bodyAndHighlight(create<Facets>, p, {p.values[roughnessX].x, p.values[roughnessY].x, p.values[rotation].x});
+}
+
+template <typename Facets>
 constexpr Model::Functions functions{
-    .create = create<Facets>, .shaderParameters = shaderParameters, .canonical = canonical};
+    .create = create<Facets>, .shaderParameters = shaderParameters, .lobes = parts<Facets>, .canonical = canonical};
 
 }  // namespace
 

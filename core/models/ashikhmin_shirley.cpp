@@ -74,6 +74,14 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
       nx == ny);
 }
 
+/// cos^n theta_h is nearly exp(-n tan^2 theta_h / 2).
+double widthOf(const ParameterValues& p, Index exponent) { return std::sqrt(2 / p.values[exponent].x); }
+
+std::vector<ModelLobe> parts(const ParameterValues& p) {
+  return bodyAndHighlight(create, p, {widthOf(p, exponentX), widthOf(p, exponentY), p.values[rotation].x},
+                          {p.values[normalReflectance], p.values[diffuseTerm]});
+}
+
 std::vector<glm::vec3> shaderParameters(const ParameterValues& p) { return withGrainAxis(p, rotation); }
 
 ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {exponentX, exponentY, rotation}, false); }
@@ -81,8 +89,9 @@ ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {expo
 }  // namespace
 
 const Model& ashikhminShirley() {
-  static const Model model(ashikhminShirleySpec,
-                           {.create = create, .shaderParameters = shaderParameters, .canonical = canonical});
+  static const Model model(
+      ashikhminShirleySpec,
+      {.create = create, .shaderParameters = shaderParameters, .lobes = parts, .canonical = canonical});
   return model;
 }
 

@@ -106,4 +106,19 @@ inline Fresnel chosenFresnel(const ParameterValues& p, std::size_t term, std::si
 /// cos theta_d at which samplers take the reflectance: highlights are about that bright.
 inline constexpr double typicalCosine = 0.7;
 
+/// For Model::lobes() of a model whose first parameters are k_d of its body and k_s of its highlight: each by the
+/// model's formula with the other black. @param width of the highlight, which depends on all other parameters.
+/// @param ofBody what the body depends on beside k_d.
+template <typename Create>
+std::vector<ModelLobe> bodyAndHighlight(const Create& create, const ParameterValues& p, const LobeWidth& width,
+                                        std::vector<Rgb> ofBody = {}) {
+  constexpr std::size_t kd = 0, ks = 1;
+  ParameterValues body = p, highlight = p;
+  body.values[ks] = highlight.values[kd] = Rgb(0);
+  std::vector<ModelLobe> result;
+  result.push_back({create(body), {}, {p.values[kd]}, std::move(ofBody)});
+  result.push_back({create(highlight), width, {p.values[ks]}, {p.values.begin() + ks + 1, p.values.end()}});
+  return result;
+}
+
 }  // namespace gonio::models

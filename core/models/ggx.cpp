@@ -66,12 +66,8 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
 }
 
 std::vector<ModelLobe> parts(const ParameterValues& p) {
-  ParameterValues body = p, highlight = p;
-  body.values[specular] = highlight.values[diffuse] = Rgb(0);
-  std::vector<ModelLobe> result;
-  result.push_back({create(body), 0, {p.values[diffuse]}});
-  result.push_back({create(highlight), p.values[roughness].x, {p.values.begin() + specular, p.values.end()}});
-  return result;
+  const double alpha = p.values[roughness].x;
+  return bodyAndHighlight(create, p, {alpha, alpha});
 }
 
 }  // namespace

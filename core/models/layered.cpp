@@ -227,9 +227,14 @@ std::vector<ModelLobe> parts(const ParameterValues& p) {
       for (const std::size_t i : parametersOf(other))
         if (other != part && parameters[i].linear) alone.values[i] = Rgb(0);
     const bool isMicrofacet = part > 0 && part <= lobeCount;
-    ModelLobe one{create(alone), isMicrofacet ? p.values[firstOf(part - 1) + 2].x : 0, {}};
-    for (const std::size_t i : parametersOf(part)) one.parameters.push_back(p.values[i]);
-    one.parameters.emplace_back(isPartOn(p, part) ? 1 : 0);
+    const double alpha = isMicrofacet ? p.values[firstOf(part - 1) + 2].x : 0;
+    ModelLobe one{create(alone), {alpha, alpha}, {}, {}};
+    for (const std::size_t i : parametersOf(part)) {
+      if (parameters[i].perChannel)
+        one.colours.push_back(isPartOn(p, part) ? p.values[i] : Rgb(0));
+      else
+        one.parameters.push_back(p.values[i]);
+    }
     result.push_back(std::move(one));
   }
   return result;

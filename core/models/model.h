@@ -44,11 +44,18 @@ struct ParameterValues {
   bool operator==(const ParameterValues&) const = default;
 };
 
+/// What the tangent of theta_h in the profile of a highlight scales with.
+struct LobeWidth {
+  double x = 0, y = 0;  ///< along the grain and across it; 0: there is no highlight to widen
+  double rotation = 0;  ///< of the grain from the tangent, rad
+};
+
 /// One of the terms that a model is the sum of.
 struct ModelLobe {
   std::unique_ptr<const Brdf> brdf;
-  double roughness = 0;         ///< scale of the tangent of theta_h in its profile; 0: it has no highlight to widen
-  std::vector<Rgb> parameters;  ///< all that it depends on
+  LobeWidth width;
+  std::vector<Rgb> colours;     ///< all that its chromaticity depends on: the lobe is black where they are
+  std::vector<Rgb> parameters;  ///< all else that it depends on
 };
 
 /// A parametric reflectance model: a factory of BRDFs. Immutable; the registry owns one of each.
@@ -88,7 +95,7 @@ class Model {
   /// @throws Error as instantiate().
   std::vector<glm::vec3> shaderParameters(const ParameterValues& parameters) const;
 
-  /// Whether it is a sum of a body and microfacet lobes, each with a roughness.
+  /// Whether it is a sum of a body and lobes about the half vector, each with its widths.
   bool hasLobes() const { return functions_.lobes != nullptr; }
   /// The terms of the sum, the same number for all parameters: their values add up to instantiate()'s. In the shader
   /// they are lobes_ID() (shaders/models). Only of a model that hasLobes(). @throws Error as instantiate().

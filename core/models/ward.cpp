@@ -121,8 +121,13 @@ std::vector<glm::vec3> shaderParameters(const ParameterValues& p) { return withG
 ParameterValues canonical(const ParameterValues& p) { return alongGrain(p, {roughnessX, roughnessY, rotation}, true); }
 
 template <double (*fade)(const SurfaceGeometry&)>
+std::vector<ModelLobe> parts(const ParameterValues& p) {
+  return bodyAndHighlight(create<fade>, p, {p.values[roughnessX].x, p.values[roughnessY].x, p.values[rotation].x});
+}
+
+template <double (*fade)(const SurfaceGeometry&)>
 constexpr Model::Functions anisotropicFunctions{
-    .create = create<fade>, .shaderParameters = shaderParameters, .canonical = canonical};
+    .create = create<fade>, .shaderParameters = shaderParameters, .lobes = parts<fade>, .canonical = canonical};
 
 }  // namespace
 

@@ -39,12 +39,22 @@ float beckmannShadowedCosine(vec3 w, vec2 alpha) {
   return w.z * (1.0 - 0.5 * complementaryError(a)) + slope * exp(-a * a) / (2.0 * sqrt(pi));
 }
 
-vec3 evaluate_beckmann_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_BECKMANN_ANISOTROPIC]) {
+// The terms of the sum: the body, then the highlight.
+const int LOBE_COUNT_BECKMANN_ANISOTROPIC = 2;
+void lobes_beckmann_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_BECKMANN_ANISOTROPIC], out vec3 lobes[LOBE_COUNT_BECKMANN_ANISOTROPIC]) {
   SurfaceGeometry g;
-  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  lobes[0] = lobes[1] = vec3(0.0);
+  if (!surfaceGeometry(wi, wo, g)) return;
   vec2 alpha = vec2(p[2].x, p[3].x), axis = p[9].xy;
   float shadowedI = beckmannShadowedCosine(inGrain(wi, axis), alpha);
   float shadowedO = beckmannShadowedCosine(inGrain(wo, axis), alpha);
   float cosines = p[6].x < 0.5 ? shadowedI * shadowedO : g.cosO * shadowedI + g.cosI * shadowedO - g.cosI * g.cosO;
-  return p[0] / pi + p[1] * (beckmannDensity(inGrain(g.h, axis), alpha) * fresnel(g.cosD, p[5].x, p[8].x, p[7].x) / (4.0 * cosines));
+  lobes[0] = p[0] / pi;
+  lobes[1] = p[1] * (beckmannDensity(inGrain(g.h, axis), alpha) * fresnel(g.cosD, p[5].x, p[8].x, p[7].x) / (4.0 * cosines));
+}
+
+vec3 evaluate_beckmann_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_BECKMANN_ANISOTROPIC]) {
+  vec3 lobes[LOBE_COUNT_BECKMANN_ANISOTROPIC];
+  lobes_beckmann_anisotropic(wi, wo, p, lobes);
+  return lobes[0] + lobes[1];
 }

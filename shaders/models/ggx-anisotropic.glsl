@@ -10,12 +10,22 @@
 
 const int PARAMETER_COUNT_GGX_ANISOTROPIC = 10;
 
-vec3 evaluate_ggx_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX_ANISOTROPIC]) {
+// The terms of the sum: the body, then the highlight.
+const int LOBE_COUNT_GGX_ANISOTROPIC = 2;
+void lobes_ggx_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX_ANISOTROPIC], out vec3 lobes[LOBE_COUNT_GGX_ANISOTROPIC]) {
   SurfaceGeometry g;
-  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  lobes[0] = lobes[1] = vec3(0.0);
+  if (!surfaceGeometry(wi, wo, g)) return;
   vec2 alpha = vec2(p[2].x, p[3].x), axis = p[9].xy;
   float shadowedI = ggxShadowedCosine(inGrain(wi, axis), alpha);
   float shadowedO = ggxShadowedCosine(inGrain(wo, axis), alpha);
   float cosines = p[6].x < 0.5 ? shadowedI * shadowedO : g.cosO * shadowedI + g.cosI * shadowedO - g.cosI * g.cosO;
-  return p[0] / pi + p[1] * (ggxDensity(inGrain(g.h, axis), alpha) * fresnel(g.cosD, p[5].x, p[8].x, p[7].x) / (4.0 * cosines));
+  lobes[0] = p[0] / pi;
+  lobes[1] = p[1] * (ggxDensity(inGrain(g.h, axis), alpha) * fresnel(g.cosD, p[5].x, p[8].x, p[7].x) / (4.0 * cosines));
+}
+
+vec3 evaluate_ggx_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_GGX_ANISOTROPIC]) {
+  vec3 lobes[LOBE_COUNT_GGX_ANISOTROPIC];
+  lobes_ggx_anisotropic(wi, wo, p, lobes);
+  return lobes[0] + lobes[1];
 }

@@ -13,7 +13,7 @@ vec3 layeredLobe(SurfaceGeometry g, vec3 normal, vec3 edge, float alpha) {
   float rootI = sqrt(alpha2 + (1.0 - alpha2) * g.cosI * g.cosI);
   float rootO = sqrt(alpha2 + (1.0 - alpha2) * g.cosO * g.cosO);
   float m = 1.0 - g.cosD, m2 = m * m, s = m2 * m2 * m;
-  return alpha2 / (pi * slope * slope) * 0.5 / (g.cosO * rootI + g.cosI * rootO) * mix(normal, edge, s);
+  return (0.5 * alpha2 / (pi * slope * slope * (g.cosO * rootI + g.cosI * rootO))) * mix(normal, edge, s);
 }
 
 vec3 layeredSheen(SurfaceGeometry g, vec3 strength, float alpha) {

@@ -6,10 +6,20 @@
 
 const int PARAMETER_COUNT_WARD_ANISOTROPIC = 6;
 
-vec3 evaluate_ward_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_WARD_ANISOTROPIC]) {
+// The terms of the sum: the body, then the highlight.
+const int LOBE_COUNT_WARD_ANISOTROPIC = 2;
+void lobes_ward_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_WARD_ANISOTROPIC], out vec3 lobes[LOBE_COUNT_WARD_ANISOTROPIC]) {
   SurfaceGeometry g;
-  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  lobes[0] = lobes[1] = vec3(0.0);
+  if (!surfaceGeometry(wi, wo, g)) return;
   g.h = inGrain(g.h, p[5].xy);
   float fade = 1.0 / (sqrt(g.cosI) * sqrt(g.cosO));
-  return p[0] / pi + p[1] * (wardLobe(g, p[2].x, p[3].x, 0.0) * fade);
+  lobes[0] = p[0] / pi;
+  lobes[1] = p[1] * (wardLobe(g, p[2].x, p[3].x, 0.0) * fade);
+}
+
+vec3 evaluate_ward_anisotropic(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_WARD_ANISOTROPIC]) {
+  vec3 lobes[LOBE_COUNT_WARD_ANISOTROPIC];
+  lobes_ward_anisotropic(wi, wo, p, lobes);
+  return lobes[0] + lobes[1];
 }

@@ -6,9 +6,19 @@
 
 const int PARAMETER_COUNT_WARD_DUER = 6;
 
-vec3 evaluate_ward_duer(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_WARD_DUER]) {
+// The terms of the sum: the body, then the highlight.
+const int LOBE_COUNT_WARD_DUER = 2;
+void lobes_ward_duer(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_WARD_DUER], out vec3 lobes[LOBE_COUNT_WARD_DUER]) {
   SurfaceGeometry g;
-  if (!surfaceGeometry(wi, wo, g)) return vec3(0.0);
+  lobes[0] = lobes[1] = vec3(0.0);
+  if (!surfaceGeometry(wi, wo, g)) return;
   g.h = inGrain(g.h, p[5].xy);
-  return p[0] / pi + p[1] * (wardLobe(g, p[2].x, p[3].x, 0.0) / (g.cosI * g.cosO));
+  lobes[0] = p[0] / pi;
+  lobes[1] = p[1] * (wardLobe(g, p[2].x, p[3].x, 0.0) / (g.cosI * g.cosO));
+}
+
+vec3 evaluate_ward_duer(vec3 wi, vec3 wo, vec3 p[PARAMETER_COUNT_WARD_DUER]) {
+  vec3 lobes[LOBE_COUNT_WARD_DUER];
+  lobes_ward_duer(wi, wo, p, lobes);
+  return lobes[0] + lobes[1];
 }

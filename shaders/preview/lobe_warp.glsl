@@ -1,18 +1,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
-// Twin of core/editing/lobe_warp.h: the directions of a half vector with `scale` times the tangent of its polar angle.
-void scaleHalfTangent(inout vec3 wi, inout vec3 wo, float scale) {
-  vec3 sum = wi + wo;
-  float across = length(sum.xy);
-  if (across <= 1e-6) return;
-  vec2 axis = sum.xy / across;
-  float turn = atan(scale * across, sum.z) - atan(across, sum.z);
-  vec2 along = vec2(dot(wi.xy, axis), dot(wo.xy, axis));
-  const float lastAngle = 0.5 * pi - 0.01;
-  turn = min(turn, max(0.0, lastAngle - max(atan(along.x, wi.z), atan(along.y, wo.z))));
-  float cosine = cos(turn), sine = sin(turn);
-  wi = vec3(wi.xy + (along.x * (cosine - 1.0) + wi.z * sine) * axis, wi.z * cosine - along.x * sine);
-  wo = vec3(wo.xy + (along.y * (cosine - 1.0) + wo.z * sine) * axis, wo.z * cosine - along.y * sine);
+#include "grain.glsl"
+#include "math.glsl"
+
+// Twins of core/editing/lobe_warp.h.
+vec3 turnedBy(vec3 w, vec3 axis, float cosine) {
+  return w * cosine + cross(axis, w) + axis * (dot(axis, w) / (1.0 + cosine));
+}
+
+const float lowestSine = 0.01;
+
+float angleToHorizon(vec3 w, vec3 axis) {
+  float along = axis.z * dot(axis, w), up = w.z - along, ahead = axis.x * w.y - axis.y * w.x;
+  float radius = max(length(vec2(up, ahead)), 1e-20);
+  return max(0.0, atan(ahead, up) + acos(clamp(lowestSine - along / radius, -1.0, 1.0)));
+}
+
+// Where both scales are one number the compiler leaves out what only a grain needs.
+void scaleHalfSlopes(inout vec3 wi, inout vec3 wo, vec2 scale) {
+  vec3 h = wi + wo;
+  h /= max(length(h), 1e-6);
+  vec3 scaled = vec3(scale * h.xy, h.z);
+  float inverse = inversesqrt(dot(scaled, scaled));
+  vec3 axis = inverse * vec3(h.y * h.z * (1.0 - scale.y), h.x * h.z * (scale.x - 1.0), h.x * h.y * (scale.y - scale.x));
+  float cosine = inverse * dot(h, scaled), part = 1.0;
+  // A loop of at most one round: software OpenGL runs the body of an `if` whether it is true or not.
+  float lowest = min(turnedBy(wi, axis, cosine).z, turnedBy(wo, axis, cosine).z);
+  for (int rounds = 0; rounds < 1 && lowest < lowestSine; ++rounds) {
+    float sine = max(length(axis), 1e-20);
+    vec3 unit = axis / sine;
+    float last = min(atan(sine, cosine), min(angleToHorizon(wi, unit), angleToHorizon(wo, unit)));
+    part = sin(last) / sine;
+    cosine = cos(last);
+  }
+  wi = turnedBy(wi, part * axis, cosine);
+  wo = turnedBy(wo, part * axis, cosine);
+}
+
+// `grains`: cosine and sine of the rotation of the edited and of the fitted grain.
+void scaleHalfSlopesAlongGrain(inout vec3 wi, inout vec3 wo, vec2 scale, vec4 grains) {
+  wi = inGrain(wi, grains.xy);
+  wo = inGrain(wo, grains.xy);
+  scaleHalfSlopes(wi, wo, scale);
+  vec2 back = vec2(grains.z, -grains.w);
+  wi = inGrain(wi, back);
+  wo = inGrain(wo, back);
 }
 
 // The ratio that a lobe carries as it changes its colour: twin of core/editing/lobe_change.h.
@@ -29,6 +61,11 @@ vec3 bodyRatio(vec3 ratio, vec3 body, vec3 model) {
   vec3 part = body / max(model, vec3(1e-30));
   part *= part;
   return 1.0 + part * part * (ratio - 1.0);
+}
+
+vec3 bodyChange(vec3 ratio, vec3 before, vec3 after, vec3 model) {
+  vec3 own = bodyRatio(ratio, before, model);
+  return after * recolouredRatio(own, before, after) - before * own;
 }
 
 // What a fit does not explain: twin of LobeChange.

@@ -62,6 +62,15 @@ vec3 measuredBrdf(vec3 wi, vec3 wo, out bool valid) {
 #endif
 }
 
+// The same at directions that came from `wi` and `wo` by a turn in the plane of the normal and the half vector.
+vec3 measuredInPlane(vec3 wi, vec3 wo, vec3 movedIn, vec3 movedOut, out bool valid) {
+#if defined(OTHER_FORM) || defined(BLEND_TABLES)
+  return measuredBrdf(movedIn, movedOut, valid);
+#else
+  return evaluateTableInPlane(wi, wo, movedIn + movedOut, valid);
+#endif
+}
+
 // The stages that widgets/preview/gl/edit_chain puts together, functions that each call the one before: either steps that
 // look at one pair of directions, with the clamp of editing::applyEdits(), or one edit that is composed by lobes.
 #ifdef EDIT_STAGES

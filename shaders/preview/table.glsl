@@ -17,11 +17,23 @@ vec4 tableAt(sampler3D values, float period, vec3 at) {
 }
 
 // Linear RGB in 1/sr; `valid` is false where all eight corners are invalid.
+vec3 tableValue(vec3 at, inout bool valid) {
+  vec4 value = tableAt(table, phiPeriod, at);
+  valid = valid && value.a > 0.0;
+  return valid ? value.rgb / value.a : vec3(0.0);
+}
+
 vec3 evaluateTable(vec3 wi, vec3 wo, out bool valid) {
   vec3 at;
   valid = toHalfDifference(wi, wo, at);
-  if (!valid) return vec3(0.0);
-  vec4 value = tableAt(table, phiPeriod, at);
-  valid = value.a > 0.0;
-  return valid ? value.rgb / value.a : vec3(0.0);
+  return tableValue(at, valid);
+}
+
+// At `moved`, which is the half vector of both directions after they were turned in its plane with the normal: theta_d
+// and phi_d stay.
+vec3 evaluateTableInPlane(vec3 wi, vec3 wo, vec3 moved, out bool valid) {
+  vec3 at;
+  valid = toHalfDifference(wi, wo, at);
+  at.x = atan(length(moved.xy), moved.z);
+  return tableValue(at, valid);
 }

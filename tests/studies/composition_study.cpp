@@ -5,8 +5,8 @@
 // values that are best for the composition. Prints, for each, the rendered SNR of the edited material against the
 // truth, dB, and the hue error of its highlight, CIELAB units; then medians, of each kind of edit and of all. GRID:
 // MERL grids divided by this (2). FOLDER: pictures of the five worst of each method, the truth above the edited
-// material; "" for none. KIND: of edits
-// ("roughness", "body grey"); all without.
+// material; "" for none. KIND: of edits ("roughness", "body grey"), or one of them ("roughness Beckmann metal 4"); all
+// without.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -133,7 +133,10 @@ void run(int divisor, const std::filesystem::path& folder, const std::vector<std
   std::vector<EditTruth> truths =
       editTruths({.thetaHCount = 90 / divisor, .thetaDCount = 90 / divisor, .phiDCount = 180 / divisor});
   if (!kinds.empty())
-    std::erase_if(truths, [&](const EditTruth& truth) { return std::ranges::find(kinds, truth.kind) == kinds.end(); });
+    std::erase_if(truths, [&](const EditTruth& truth) {
+      return std::ranges::none_of(
+          kinds, [&](const std::string& kind) { return kind == truth.kind || kind == truth.kind + ' ' + truth.name; });
+    });
   std::printf("| kind | truth |");
   for (const Method& method : methods) std::printf(" %s |", method.name().c_str());
   std::printf("\n");

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "core/io/rgl_file.h"
+#include "core/models/model_brdf.h"
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_spheres.h"
@@ -43,6 +44,25 @@ editing::Edit ofLayers(Composition composition, double from, double to) {
   return result;
 }
 
+/// Of both widths along a grain, which turns.
+editing::Edit ofGrain(const models::Model& model) {
+  editing::DifferentialEdit edit{
+      .model = &model, .fitted = models::defaultParameters(model.spec()), .composition = Composition::lobes};
+  edit.edited = edit.fitted;
+  const auto set = [&](const char* id, double fitted, double edited) {
+    if (const auto i = model.spec().find(id)) {
+      edit.fitted.values[*i] = Rgb(fitted);
+      edit.edited.values[*i] = Rgb(edited);
+    }
+  };
+  set("roughness-x", 0.15, 0.3);
+  set("roughness-y", 0.4, 0.3);
+  set("exponent-x", 90, 25);
+  set("exponent-y", 12, 25);
+  set("rotation", 0.3, 0.8);
+  return {.content = edit, .strength = 0.9};
+}
+
 std::shared_ptr<const TabulatedBrdf> measuredTable() {
   const models::Model& model = models::findModel("abc");
   return bakeTable(*model.instantiate(models::defaultParameters(model.spec())));
@@ -65,6 +85,32 @@ class CompositionPreviewTest : public QObject {
         verify(table_, {ofGgx(composition, from, to)});
         verify(table_, {ofLayers(composition, from, to)});
       }
+  }
+
+  void byModelsWithAGrain() {
+    const models::Model& ward = models::findModel("ward-anisotropic");
+    models::ParameterValues grain = models::defaultParameters(ward.spec());
+    grain.values[*ward.spec().find("roughness-y")] = Rgb(0.5);
+    const auto brushed = std::make_shared<const models::ModelBrdf>(ward, grain);
+    verify(brushed, {ofGrain(models::findModel("ggx-anisotropic"))});
+    for (const char* model : {"ward-anisotropic", "ashikhmin-shirley"})
+      verify(table_, {ofGrain(models::findModel(model))});
+  }
+
+  /// What the text of a lobe depends on: which parts there are, and what changes of them.
+  void partsThatComeAndGo() {
+    const models::Model& model = models::layered();
+    for (const auto& [from, to] : {std::pair{0.0, 1.0}, {1.0, 0.0}}) {
+      editing::Edit edit = ofLayers(Composition::lobes, 0.2, 0.2);
+      auto& change = std::get<editing::DifferentialEdit>(edit.content);
+      for (const char* part : {"coat-lobe", "retro-lobe", "diffuse"}) {
+        change.fitted.values[*model.spec().find(part)] *= Rgb(from);
+        change.edited.values[*model.spec().find(part)] *= Rgb(to);
+      }
+      for (const char* width : {"base-roughness", "flakes-roughness"})
+        change.edited.values[*model.spec().find(width)] *= Rgb(width[0] == 'b' ? 0.7 : 0.5);
+      verify(table_, {edit});
+    }
   }
 
   void coloursOfTheValues() {

@@ -71,7 +71,7 @@ class LayeredTest : public QObject {
       on.values[index(lobe)] = Rgb(1);
       const auto off = model().lobes(p), lit = model().lobes(on);
       int different = 0;
-      for (std::size_t k = 0; k < off.size(); ++k) different += off[k].parameters != lit[k].parameters;
+      for (std::size_t k = 0; k < off.size(); ++k) different += off[k].colours != lit[k].colours;
       QCOMPARE(different, 1);
     }
   }

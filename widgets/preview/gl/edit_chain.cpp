@@ -2,9 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "widgets/preview/gl/edit_chain.h"
 
-#include <algorithm>
-
-#include "core/editing/lobe_change.h"
+#include "widgets/preview/gl/lobe_stage.h"
 
 namespace gonio::widgets {
 
@@ -14,42 +12,10 @@ using editing::DifferentialEdit;
 using editing::Edit;
 using editing::FactorEdit;
 
-/// "ggx".
+/// "ggx-anisotropic".
 QString modelId(const models::Model& model) {
   return QString::fromUtf8(model.spec().id.data(), qsizetype(model.spec().id.size()));
 }
-
-/// A function for an edit that is composed by lobes: twin of editing::LobeChange. %1 its name, %2 the stage before it,
-/// %3 the model's name in the shader, %4 that in upper case, %5 the number of the edit. Lobes that widen alike share a
-/// look-up of the base, in a loop over the widths that there are: software OpenGL runs the body of an `if` whether it
-/// is true or not.
-constexpr const char* lobesStage = R"(
-vec3 %1(vec3 wi, vec3 wo, out bool valid) {
-  vec3 value = %2(wi, wo, valid);
-  if (!valid || wi.z <= 0.0 || wo.z <= 0.0) return value;
-  vec3 before[LOBE_COUNT_%4], after[LOBE_COUNT_%4];
-  lobes_%3(wi, wo, fitted%5, before);
-  lobes_%3(wi, wo, edited%5, after);
-  vec3 model = vec3(0.0);
-  for (int part = 0; part < LOBE_COUNT_%4; ++part) model += before[part];
-  vec3 ratio = fitRatio(value, model);
-  vec3 change = vec3(0.0);
-  for (int part = 0; part < LOBE_COUNT_%4; ++part) {
-    vec3 own = scales%5[part] < 0.0 ? bodyRatio(ratio, before[part], model) : ratio;
-    if (scales%5[part] != 0.0) change -= before[part] * own;
-    if (abs(scales%5[part]) == 1.0) change += after[part] * recolouredRatio(own, before[part], after[part]);
-  }
-  for (int turn = 0; turn < warps%5; ++turn) {
-    vec3 movedIn = wi, movedOut = wo;
-    bool measured;
-    scaleHalfTangent(movedIn, movedOut, warpScales%5[turn]);
-    vec3 there = %2(movedIn, movedOut, measured);
-    vec3 carried = measured ? fitRatio(there, evaluate_%3(movedIn, movedOut, fitted%5)) : ratio;
-    for (int part = 0; part < LOBE_COUNT_%4; ++part)
-      if (scales%5[part] == warpScales%5[turn]) change += after[part] * recolouredRatio(carried, before[part], after[part]);
-  }
-  return withChange(value, strength%5 * change);
-})";
 
 /// The text of a chain while it is put together: functions that each call the one before.
 struct ChainText {
@@ -88,11 +54,9 @@ struct ChainText {
 
   void addLobes(const DifferentialEdit& edit) {
     endSteps();
-    const QString model = modelId(*edit.model).replace('-', '_'), name = nextStage();
-    uniforms += QString(" uniform float scales%1[%2], warpScales%1[%2]; uniform int warps%1;")
-                    .arg(edits)
-                    .arg(edit.model->lobes(edit.fitted).size());
-    functions += QString(lobesStage).arg(name, stage, model, model.toUpper()).arg(edits).replace('\n', ' ');
+    const QString name = nextStage();
+    uniforms += lobeUniforms(edit, edits);
+    functions += lobeStage(name, stage, edit, edits);
     stage = name;
     ++lobeEdits;
   }
@@ -114,21 +78,6 @@ struct ChainText {
   }
 };
 
-/// Of each part of the model what LobeChange scales by, 0 where it does not change; and those at which the base is
-/// looked up once more.
-void setScales(QOpenGLShaderProgram& program, const QString& suffix, const DifferentialEdit& edit) {
-  std::vector<float> scales, warps;
-  for (const double scale : editing::lobeScales(edit)) {
-    scales.push_back(float(scale));
-    const bool isKnown = std::ranges::find(warps, scales.back()) != warps.end();
-    if (scale > 0 && scale != 1 && !isKnown) warps.push_back(scales.back());
-  }
-  program.setUniformValue(("warps" + suffix).toUtf8().constData(), int(warps.size()));
-  warps.resize(scales.size());
-  program.setUniformValueArray(("scales" + suffix).toUtf8().constData(), scales.data(), int(scales.size()), 1);
-  program.setUniformValueArray(("warpScales" + suffix).toUtf8().constData(), warps.data(), int(warps.size()), 1);
-}
-
 QMatrix3x3 matrixOf(const glm::dmat3& columns) {
   QMatrix3x3 matrix;
   for (int column = 0; column < 3; ++column)
@@ -138,7 +87,9 @@ QMatrix3x3 matrixOf(const glm::dmat3& columns) {
 
 }  // namespace
 
-QString modelFunction(const models::Model& model) { return "evaluate_" + modelId(model).replace('-', '_'); }
+QString modelName(const models::Model& model) { return modelId(model).replace('-', '_'); }
+
+QString modelFunction(const models::Model& model) { return "evaluate_" + modelName(model); }
 
 QString modelFile(const models::Model& model) { return "models/" + modelId(model) + ".glsl"; }
 
@@ -178,7 +129,7 @@ void EditChain::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& progra
       program.setUniformValue(("colours" + suffix).toUtf8().constData(), matrixOf(differential->colours()));
       setModelParameters(program, "edited" + suffix, *differential->model, differential->target());
       setModelParameters(program, "fitted" + suffix, *differential->model, differential->fitted);
-      if (differential->composition == editing::Composition::lobes) setScales(program, suffix, *differential);
+      if (differential->composition == editing::Composition::lobes) setLobeUniforms(program, suffix, *differential);
     } else {
       factors.push_back(std::get<FactorEdit>(edit.content));
     }

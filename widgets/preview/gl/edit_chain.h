@@ -26,6 +26,8 @@ class EditChain {
   FactorTexture factors_;
 };
 
+/// "ggx_anisotropic": its name in the shaders.
+QString modelName(const models::Model& model);
 /// "evaluate_ggx": the function of shaders/models that evaluates a model.
 QString modelFunction(const models::Model& model);
 /// "models/ggx.glsl": the file that it is in.
