@@ -7,6 +7,6 @@ set -eu
 . "$(dirname "$0")/setup.sh"
 install_packages
 configure package
-cmake --build "$root/build/package" --target gonio goniotool || fail "the build failed (see above)"
+cmake --build "$root/build/package" --target gonio goniotool gonio_python || fail "the build failed (see above)"
 (cd "$root/build/package" && cpack -G DEB >cpack.log) || fail "the package could not be made (see build/package/cpack.log)"
 printf '%s\n' "$root"/build/package/gonio_*.deb
