@@ -67,8 +67,8 @@ class ReconstructionTest : public QObject {
     }
   }
 
-  /// Hard case 25. Fewer samples than components, without a ridge: the least coefficients that agree with every sample;
-  /// an endless ridge: the mean of the training set.
+  /// Fewer samples than components: without a ridge the coefficients of least norm that agree with every sample; an
+  /// infinite ridge gives the mean of the training set.
   void limitsOfTheRidge() {
     const SamplingPlan few = everyCell(basis_, 97);
     QVERIFY(few.samples.size() < 6);
@@ -169,7 +169,7 @@ class ReconstructionTest : public QObject {
     for (const Eigen::VectorXf& channel : one.code.channels) QCOMPARE((channel.array() != 0).count(), Eigen::Index(1));
   }
 
-  /// One sample, samples that stand twice, a training set in which nothing varies (hard case 14).
+  /// One sample, repeated samples, a training set of one constant material, in which nothing varies.
   void degenerate() {
     SamplingPlan one;
     one.samples = {plan_.samples[0]};
@@ -210,7 +210,7 @@ class ReconstructionTest : public QObject {
     }
   }
 
-  /// Hard case 42 and the others: told by the index of the sample.
+  /// Values that are negative, NaN or infinite, and wrong options: the error names the sample by its index.
   void refusals() {
     const auto errorOf = [&](const MeasuredValues& values, const ReconstructionOptions& options = {}) {
       return test::errorOf([&] { reconstruct(basis_, plan_, values, options); });

@@ -25,7 +25,7 @@ class PairwiseBrdfTest : public QObject {
     QCOMPARE(brdf->evaluate(below, above), Rgb(0));
     QCOMPARE(brdf->evaluate(above, below), Rgb(0));
     QCOMPARE(calls.load(), 1);
-    QCOMPARE(brdf->evaluate(grazing, other).x, 1.0);  // hard case 2: the tolerance of the horizon
+    QCOMPARE(brdf->evaluate(grazing, other).x, 1.0);  // z = -1e-13 counts as the horizon
     const DirectionPair pairs[] = {{above, other}, {below, other}, {other, above}};
     Rgb values[3];
     brdf->evaluate(pairs, values);

@@ -72,7 +72,7 @@ class PdvFactorsTest : public QObject {
     QCOMPARE(brdf->evaluate({0, 0, 1}, fromSpherical(2, 0)), Rgb(0));
   }
 
-  /// hardCase06: with the viewer along the normal the azimuth of the light does not matter, but for F3.
+  /// With the viewer along the normal the azimuth of the light does not matter, but for F3.
   void hardCase06IsotropicForTheVerticalViewer() {
     PdvFactors f = someFactors();
     f.form = PdvForm::twoFactors;

@@ -20,7 +20,7 @@ namespace pdv_sampler_test {
 using namespace gonio;
 using namespace gonio::factorization;
 
-/// Angles of the viewer of hard case 41, degrees, and what the printed scheme keeps there of its draws.
+/// Polar angles of the viewer up to grazing, degrees, and the fraction of samples that the printed scheme keeps.
 constexpr double anglesDegrees[] = {0, 30, 60, 75, 85, 89.9};
 constexpr double keptByPrinted[] = {1, 0.869, 0.693, 0.527, 0.428, 0.415};
 
@@ -186,7 +186,7 @@ class PdvSamplerTest : public QObject {
     }
   }
 
-  /// hardCase07: no 0/0 at the mirror direction.
+  /// At the mirror direction, where |Dp| = 0, the density is the limit of its neighbourhood and no 0/0.
   void hardCase07MirrorDirection() {
     const PdvSampler sampler(abcBrdf(), thetas, deviations);
     for (const double angle : anglesDegrees) {
@@ -214,7 +214,7 @@ class PdvSamplerTest : public QObject {
       QVERIFY(std::abs(integral(sampler, radians(angle), deviations) - 1) < 1e-4);
   }
 
-  /// hardCase40: energy in one bin only: drawn from it alone, finite, for the largest numbers too.
+  /// Energy in one bin only: samples come from it alone, with a finite density, for the largest numbers too.
   void hardCase40OneBin() {
     const double low = deviations[20], high = deviations[21];
     const gonio::test::FunctionBrdf ring([=](const Direction& wi, const Direction& wo) {

@@ -182,7 +182,7 @@ class RglBrdfTest : public QObject {
         QVERIFY(z > 0.5e-12 || f == Rgb(0));
       }
     }
-    QVERIFY(brdf->evaluate({1, 0, 0}, {-1, 0, 0}) == Rgb(0));  // hard case 4
+    QVERIFY(brdf->evaluate({1, 0, 0}, {-1, 0, 0}) == Rgb(0));  // opposite: no half vector
     QVERIFY(std::isfinite(brdf->evaluate({0, 0, 1}, {0, 0, 1}).x));
   }
 
@@ -341,7 +341,7 @@ class RglBrdfTest : public QObject {
     const materials::Material near = materials::readMaterial(folder / "vch_golden_yellow.binary");
     const auto table = measured.tabulated();
     QCOMPARE(table->validCount(), std::size_t(1111432));
-    QCOMPARE(near.table->validCount(), std::size_t(1111432));  // hard case 11, by the corner rule
+    QCOMPARE(near.table->validCount(), std::size_t(1111432));  // every cell above the horizon
     std::vector<double> ratios;
     for (std::size_t cell = 0; cell < table->grid().size(); cell += 5) {
       if (!table->valid()[cell] || !table->grid().nodeWithin(cell, radians(75))) continue;

@@ -44,7 +44,7 @@ class RidgeRegressionTest : public QObject {
       }
   }
 
-  /// Hard case 25: without a ridge the solution of least norm, with an endless one nothing.
+  /// Fewer rows than columns, as many, more: without a ridge the solution of least norm, with an infinite one 0.
   void limits() {
     for (const auto& [rows, columns] : shapes) {
       const MatrixXd a = randomMatrix(rows, columns, 3), b = randomMatrix(rows, 3, 4);

@@ -37,7 +37,7 @@ gonio::test::FunctionBrdf separable(FactorAxes axes) {
 class FactorMeasurementTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  /// hardCase20: exact where the material is a product, but for the interpolation; a black channel is flagged.
+  /// Exact where the material is a product, but for the interpolation; a black channel is flagged.
   void hardCase20ProductsArePredicted_data() {
     QTest::addColumn<int>("axes");
     QTest::newRow("projected deviation") << int(FactorAxes::projectedDeviation);
@@ -73,7 +73,7 @@ class FactorMeasurementTest : public QObject {
     QVERIFY(compared > 200);
   }
 
-  /// hardCase20: a mirror direction that is black at the fixed angle cannot scale: the curve is taken as it is.
+  /// A mirror direction that is black at the fixed angle cannot scale: the curve is taken as it is.
   void hardCase20NothingToScaleBy() {
     const gonio::test::FunctionBrdf material([](const Direction& wi, const Direction& wo) {
       return Rgb(toProjectedDeviation(wi, wo).deviation < 0.05 ? 1e-13 : 0.5);
@@ -98,7 +98,7 @@ class FactorMeasurementTest : public QObject {
     }
   }
 
-  /// hardCase20: a curve along the mirror direction that is black but at the fixed angle divides by nothing.
+  /// A curve along the mirror direction that is black but at the fixed angle: no division by 0.
   void hardCase20BlackBesideTheFixedAngle() {
     const gonio::test::FunctionBrdf material([](const Direction& wi, const Direction& wo) {
       const ProjectedDeviation at = toProjectedDeviation(wi, wo);
