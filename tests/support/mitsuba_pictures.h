@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -31,6 +32,21 @@ struct Parity {
   }
 };
 
+/// An environment as Mitsuba reads it: the centres of its first and its last row lie on the poles, in Gonio half a
+/// pixel away from them. Drawn out by rows, which keeps it linear between those of Mitsuba but for an eighth of a row.
+inline std::shared_ptr<const EnvironmentMap> asMitsubaReads(const EnvironmentMap& environment) {
+  constexpr int factor = 4;
+  const Image& own = environment.image();
+  Image rows(own.width, own.height * factor);
+  for (int y = 0; y < rows.height; ++y) {
+    const double place = (y + 0.5) / rows.height * (own.height - 1);
+    const int top = std::min(int(place), own.height - 2);
+    for (int x = 0; x < rows.width; ++x)
+      rows.at(x, y) = glm::mix(own.at(x, top), own.at(x, top + 1), float(place - top));
+  }
+  return std::make_shared<const EnvironmentMap>(std::move(rows), environment.name());
+}
+
 /// Our pictures against Mitsuba's. A pixel of theirs that is no number (chm_mint has one) is left out.
 /// @param samples a pixel of ours, 256 x 256.
 inline Parity parityWithMitsuba(const std::filesystem::path& shared, const std::string& material, int samples,
@@ -38,7 +54,8 @@ inline Parity parityWithMitsuba(const std::filesystem::path& shared, const std::
   const auto brdf =
       io::readRgl(io::FileSource(shared / "data/rgl" / (material + "_rgb.bsdf"))).brdf->withIncident(slot);
   Scene scene = openScene("sphere", 1);
-  scene.environment = openEnvironment((shared / "data/environments/studio.hdr").string());
+  static const auto environment = asMitsubaReads(*openEnvironment((shared / "data/environments/studio.hdr").string()));
+  scene.environment = environment;
   Image theirs[2], ours[2];
   for (const int seed : {1, 2}) {
     const std::string name = material + "." + std::to_string(seed) + ".exr";
