@@ -46,6 +46,8 @@ class Brdf {
 
   /// Whether sample() knows this BRDF better than a cosine does.
   virtual bool hasImportanceSampling() const { return false; }
+  /// The time of a picture's sample with sample() and pdf(), about, in units of one from a lobe of closed form.
+  virtual double samplingCost() const { return 1; }
 
   /// Draws a direction of light wi for the viewer wo (z > 0) from the density pdf(), for importance sampling: about
   /// proportional to the value times cos theta_i. `u` are three numbers in [0, 1): which lobe, then two for the

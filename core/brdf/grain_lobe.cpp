@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/brdf/moment_probes.h"
 #include "core/brdf/tabulated_lobe.h"
 
 namespace gonio {
@@ -22,78 +23,27 @@ constexpr std::array shares{0.2, 0.4, 0.6, 0.75, 0.9};
 /// the light, have no less noise.
 constexpr double leastLobeGain = 0.5;
 
-/// One direction in which a BRDF is looked at for the fit.
-struct Probe {
-  DirectionPair pair;
-  double energy = 0;  ///< (f cos theta_i)^2 times the solid angle, relative to the viewer's squared albedo
-  double cosine = 0, mean = 0;
-};
-
-/// Of one viewer: half vectors on logarithmic rings about the normal, each ring turned against the last.
-std::vector<Probe> probesOf(const Brdf& brdf, const Direction& wo) {
-  constexpr int rings = 40, spokes = 32;
-  constexpr double firstRing = 2e-4, goldenTurn = 0.6180339887498949;
-  const auto edge = [](int ring) {
-    return ring == 0 ? 0.0 : firstRing * std::pow(halfPi / firstRing, double(ring) / rings);
-  };
-  std::vector<DirectionPair> pairs;
-  std::vector<double> solidAngles;
-  for (int ring = 0; ring < rings; ++ring) {
-    const double low = edge(ring), high = edge(ring + 1), middle = (low + high) / 2;
-    const double normalSolidAngle = 2 * std::sin(middle) * std::sin((high - low) / 2) * 2 * pi / spokes;
-    for (int spoke = 0; spoke < spokes; ++spoke) {
-      const Direction half = fromSpherical(middle, 2 * pi * (spoke + ring * goldenTurn) / spokes);
-      const double cosD = glm::dot(half, wo);
-      const Direction wi = 2 * cosD * half - wo;
-      if (cosD <= 0 || wi.z <= 0) continue;
-      pairs.push_back({wi, wo});
-      solidAngles.push_back(normalSolidAngle * 4 * cosD);
-    }
-  }
-  std::vector<Rgb> values(pairs.size());
-  brdf.evaluate(pairs, values);
-  std::vector<Probe> probes;
-  double total = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const double reflected = std::max(0.0, values[i].x + values[i].y + values[i].z) / 3 * pairs[i].wi.z;
-    total += reflected * solidAngles[i];
-    if (reflected > 0) probes.push_back({pairs[i], reflected * reflected * solidAngles[i]});
-  }
-  for (Probe& probe : probes) probe.energy /= total * total;
-  return probes;
-}
-
-/// The second moment of the estimator, up to a factor, as a function of the grain.
+/// The second moment of the estimator as a function of the grain.
 class Moment {
  public:
-  Moment(const Brdf& brdf, const TabulatedLobe& mean, double cosineShare) : cosineShare_(cosineShare) {
-    constexpr std::array viewerDegrees{10.0, 40.0, 65.0};
-    constexpr int azimuths = 5;
-    // Not evenly over the turn: the two sides of a surface mostly look the same.
-    constexpr double azimuthStep = 2 * pi * 0.381966011250105, first = 0.2;
-    for (const double degrees : viewerDegrees)
-      for (int azimuth = 0; azimuth < azimuths; ++azimuth)
-        for (Probe probe : probesOf(brdf, fromSpherical(radians(degrees), first + azimuth * azimuthStep))) {
-          probe.cosine = probe.pair.wi.z / pi;
-          probe.mean = mean.density(probe.pair.wi, probe.pair.wo);
-          probes_.push_back(probe);
-        }
+  Moment(const Brdf& brdf, const TabulatedLobe& mean, double cosineShare)
+      : cosineShare_(cosineShare), probes_(momentProbes(brdf)) {
+    for (const MomentProbe& probe : probes_) means_.push_back(mean.density(probe.pair.wi, probe.pair.wo));
   }
 
   double operator()(const GrainLobe& grain) const {
     const TurnedLobe<VisibleNormalLobe> lobe = grain.lobe();
-    double sum = 0;
-    for (const Probe& probe : probes_) {
+    return secondMoment(probes_, [&, mean = means_.begin()](const MomentProbe& probe) mutable {
       const double along = grain.share > 0 ? lobe.density(probe.pair.wi, probe.pair.wo) : 0;
-      const double rest = (1 - grain.share) * probe.mean + grain.share * along;
-      sum += probe.energy / (cosineShare_ * probe.cosine + (1 - cosineShare_) * rest);
-    }
-    return sum;
+      const double rest = (1 - grain.share) * *mean++ + grain.share * along;
+      return cosineShare_ * probe.pair.wi.z / pi + (1 - cosineShare_) * rest;
+    });
   }
 
  private:
   double cosineShare_;
-  std::vector<Probe> probes_;
+  std::vector<MomentProbe> probes_;
+  std::vector<double> means_;  ///< densities of the azimuths' mean
 };
 
 struct Rated {

@@ -62,6 +62,7 @@ class RglBrdf final : public Brdf {
   /// The file's own importance sampling (section 5.2): its luminance, then its visible normals, both seen by the
   /// viewer, beside a tenth of cosine-weighted directions. The density is that of the viewer's slot in every order.
   bool hasImportanceSampling() const override { return true; }
+  double samplingCost() const override { return 1.9; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override;
   double pdf(const Direction& wi, const Direction& wo) const override;
 

@@ -22,4 +22,7 @@ struct SamplingLobe {
 /// Fits the lobe to a BRDF from its values about the mirror direction at a few angles (some ms).
 SamplingLobe estimateSamplingLobe(const Brdf& brdf);
 
+/// Whether two draw about as well as each other.
+bool areSimilar(const SamplingLobe& a, const SamplingLobe& b);
+
 }  // namespace gonio

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/brdf/lobe_square.h"
+#include "core/brdf/moment_probes.h"
 #include "core/brdf/normal_square.h"
 #include "core/coordinates/azimuth_rotation.h"
 
@@ -71,13 +72,19 @@ SliceStack<float> densities(const Brdf& brdf) {
 TabulatedLobe::TabulatedLobe(const Brdf& brdf)
     : warp_(densities(brdf), "density", MarginalWarp::EmptySlice::uniform),
       grain_(estimateGrainLobe(brdf, *this, cosineShare)),
-      alongGrain_(grain_.lobe()) {}
+      alongGrain_(grain_.lobe()) {
+  const std::vector<MomentProbe> probes = momentProbes(brdf);
+  const SamplingLobe round = estimateSamplingLobe(brdf);
+  if (samplerMoment(probes, round) < samplerMoment(probes, tabulatedMixture(*this)) * cost) round_ = round;
+}
 
 Direction TabulatedLobe::sample(const Direction& wo, const glm::dvec2& u) const {
-  return reflected(wo, fromLobeSquare(warp_.sample(viewersAbout(wo.z), u).point, lobeAxis(wo)));
+  const Direction wi = reflected(wo, fromLobeSquare(warp_.sample(viewersAbout(wo.z), u).point, lobeAxis(wo)));
+  return wi.z > 0 ? wi : Direction(0);
 }
 
 double TabulatedLobe::density(const Direction& w, const Direction& wo) const {
+  if (!(w.z > 0)) return 0;
   const Direction sum = w + wo;
   if (!isHalfVector(sum)) return 0;
   const Direction half = sum / std::sqrt(glm::dot(sum, sum));
@@ -86,7 +93,8 @@ double TabulatedLobe::density(const Direction& w, const Direction& wo) const {
 }
 
 bool areSimilar(const TabulatedLobe& a, const TabulatedLobe& b) {
-  if (!areSimilar(a.grain(), b.grain())) return false;
+  if (a.round().has_value() != b.round().has_value() || !areSimilar(a.grain(), b.grain())) return false;
+  if (a.round()) return areSimilar(*a.round(), *b.round());
   const std::vector<float>&first = a.warp().cellDensity().values, &second = b.warp().cellDensity().values;
   double difference = 0;
   for (std::size_t i = 0; i < first.size(); ++i) difference += std::abs(double(first[i]) - second[i]);

@@ -44,6 +44,11 @@ class WeightedSum final : public Brdf {
   bool hasImportanceSampling() const override {
     return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->hasImportanceSampling(); });
   }
+  double samplingCost() const override {
+    double cost = 0;
+    for (const auto& term : terms_) cost = std::max(cost, term->samplingCost());
+    return cost;
+  }
   bool isReciprocal() const override {
     return std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->isReciprocal(); });
   }

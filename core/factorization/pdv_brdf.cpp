@@ -118,6 +118,7 @@ class PdvBrdf final : public Brdf {
     for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = evaluatePair(pairs[i]);
   }
   bool hasImportanceSampling() const override { return true; }
+  double samplingCost() const override { return 1.6; }
   bool isReciprocal() const override { return false; }
   const std::shared_ptr<const PdvFactors>& factors() const { return factors_; }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return sampler().sample(wo, u); }

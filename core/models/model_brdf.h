@@ -25,6 +25,7 @@ class ModelBrdf final : public Brdf {
   bool isReciprocal() const override { return brdf_->isReciprocal(); }
   bool hasData(const DirectionPair& pair) const override { return brdf_->hasData(pair); }
   bool hasImportanceSampling() const override { return brdf_->hasImportanceSampling(); }
+  double samplingCost() const override { return brdf_->samplingCost(); }
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const override { return brdf_->sample(wo, u); }
   double pdf(const Direction& wi, const Direction& wo) const override { return brdf_->pdf(wi, wo); }
 

@@ -2,20 +2,12 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/rendering/render_material.h"
 
+#include "core/brdf/moment_probes.h"
 #include "core/support/error.h"
 
 namespace gonio {
 
 namespace {
-
-std::optional<SamplingLobe> lobeOf(const Brdf& brdf, std::optional<SamplingLobe> lobe, RenderMaterial::LobeUse use) {
-  if (brdf.hasImportanceSampling() && !(lobe && use == RenderMaterial::LobeUse::always)) return std::nullopt;
-  return lobe;
-}
-
-std::shared_ptr<const TabulatedLobe> tabulatedLobeOf(const Brdf& brdf, const std::optional<SamplingLobe>& lobe) {
-  return lobe || brdf.hasImportanceSampling() ? nullptr : std::make_shared<const TabulatedLobe>(brdf);
-}
 
 class DiffuseBrdf final : public Brdf {
  public:
@@ -33,16 +25,37 @@ class DiffuseBrdf final : public Brdf {
 
 }  // namespace
 
-RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe, LobeUse use)
+/// The one with the least noise at equal time: variance goes with the second moment of the estimator, samples with
+/// time.
+/// @param tabulated null: made where it is needed.
+RenderMaterial::Density RenderMaterial::chosenDensity(const Brdf& brdf,
+                                                      std::shared_ptr<const TabulatedLobe> tabulated) {
+  constexpr double nearTheLeast = 1.1;  // costs are known to a tenth, and no moment is below 1
+  const bool hasOwn = brdf.hasImportanceSampling();
+  const std::vector<MomentProbe> probes = hasOwn ? momentProbes(brdf) : std::vector<MomentProbe>();
+  const double own = samplerMoment(probes, brdf) * brdf.samplingCost();
+  if (hasOwn && own < nearTheLeast) return {};
+  if (!tabulated) tabulated = std::make_shared<const TabulatedLobe>(brdf);
+  const std::optional<SamplingLobe>& round = tabulated->round();
+  if (hasOwn && own < (round ? samplerMoment(probes, *round)
+                             : samplerMoment(probes, tabulatedMixture(*tabulated)) * TabulatedLobe::cost))
+    return {};
+  if (round) return {.lobe = round};
+  return {.tabulated = std::move(tabulated)};
+}
+
+RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, Density density)
     : brdf_(std::move(brdf)),
-      lobe_(lobeOf(*brdf_, lobe, use)),
-      tabulated_(tabulatedLobeOf(*brdf_, lobe_)),
+      density_(std::move(density)),
       bound_(*brdf_, [this](const Direction& wo, const glm::dvec3& u) { return sample(wo, u); }) {}
 
+RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe, LobeUse use)
+    : RenderMaterial(brdf, lobe && (use == LobeUse::always || !brdf->hasImportanceSampling())
+                               ? Density{.lobe = lobe}
+                               : chosenDensity(*brdf, nullptr)) {}
+
 RenderMaterial::RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedLobe> lobe)
-    : brdf_(std::move(brdf)),
-      tabulated_(brdf_->hasImportanceSampling() ? nullptr : std::move(lobe)),
-      bound_(*brdf_, [this](const Direction& wo, const glm::dvec3& u) { return sample(wo, u); }) {}
+    : RenderMaterial(brdf, chosenDensity(*brdf, std::move(lobe))) {}
 
 std::shared_ptr<const RenderMaterial> diffuseMaterial(const Rgb& reflectance) {
   return std::shared_ptr<const RenderMaterial>(new RenderMaterial(std::make_shared<const DiffuseBrdf>(reflectance),

@@ -18,21 +18,23 @@ class RenderMaterial {
   /// Whether a lobe that is given also takes the place of a density of the BRDF's own.
   enum class LobeUse { whereNeeded, always };
 
-  /// Models, factors and RGL files are sampled from their own densities. What has none (tables, codes, edits) is
-  /// sampled from the lobe that is given, else from its own values (TabulatedLobe). Some ms; up to 50 ms for a sparse
-  /// code, some 0.1 s for what is anisotropic.
+  /// Models, factors and RGL files have densities of their own, used where they have less noise at equal time than a
+  /// TabulatedLobe, which serves all others (tables, codes, edits); in its place the lobe that is given. Some ms; up to
+  /// 50 ms for a sparse code, some 0.1 s for what is anisotropic.
   explicit RenderMaterial(std::shared_ptr<const Brdf> brdf, std::optional<SamplingLobe> lobe = std::nullopt,
                           LobeUse use = LobeUse::whereNeeded);
-  /// Sampled from this lobe, unless it has a density of its own.
+  /// The same with its tabulated lobe, which is known.
   RenderMaterial(std::shared_ptr<const Brdf> brdf, std::shared_ptr<const TabulatedLobe> lobe);
 
   const Brdf& brdf() const { return *brdf_; }
   /// Contracts of Brdf::sample() and pdf().
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
-    return lobe_ ? lobe_->sample(wo, u) : tabulated_ ? mixture().sample(wo, u) : brdf_->sample(wo, u);
+    const auto& [lobe, tabulated] = density_;
+    return lobe ? lobe->sample(wo, u) : tabulated ? tabulatedMixture(*tabulated).sample(wo, u) : brdf_->sample(wo, u);
   }
   double pdf(const Direction& wi, const Direction& wo) const {
-    return lobe_ ? lobe_->pdf(wi, wo) : tabulated_ ? mixture().pdf(wi, wo) : brdf_->pdf(wi, wo);
+    const auto& [lobe, tabulated] = density_;
+    return lobe ? lobe->pdf(wi, wo) : tabulated ? tabulatedMixture(*tabulated).pdf(wi, wo) : brdf_->pdf(wi, wo);
   }
   const ReflectionBound& bound() const { return bound_; }
 
@@ -41,11 +43,16 @@ class RenderMaterial {
   RenderMaterial(std::shared_ptr<const Brdf> brdf, const ReflectionBound& bound)
       : brdf_(std::move(brdf)), bound_(bound) {}
 
-  TabulatedMixture mixture() const { return tabulatedMixture(*tabulated_); }
+  /// One of the two, or nothing: the BRDF's own.
+  struct Density {
+    std::optional<SamplingLobe> lobe = {};
+    std::shared_ptr<const TabulatedLobe> tabulated = {};
+  };
+  static Density chosenDensity(const Brdf& brdf, std::shared_ptr<const TabulatedLobe> lobe);
+  RenderMaterial(std::shared_ptr<const Brdf> brdf, Density density);
 
   std::shared_ptr<const Brdf> brdf_;
-  std::optional<SamplingLobe> lobe_;
-  std::shared_ptr<const TabulatedLobe> tabulated_;
+  Density density_;
   ReflectionBound bound_;
 };
 

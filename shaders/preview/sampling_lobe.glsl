@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: The Gonio authors
 // Twin of core/brdf/tabulated_lobe.h: a cosine part, half vectors drawn from the material's own values, tabulated for
-// some viewers, and of an anisotropic material visible normals along its grain (core/brdf/grain_lobe.h).
+// some viewers, and visible normals along the grain of an anisotropic material, or of a round highlight that serves in
+// place of the table (core/brdf/grain_lobe.h).
 #include "preview/marginal_warp.glsl"
 #include "math.glsl"
 #include "grain.glsl"
@@ -12,6 +13,12 @@ uniform sampler2D lobeRows;
 uniform float lobeCosineShare;  // 1 while the lobe is not known
 uniform float lobeGrainShare;   // of all samples; 0 without a grain
 uniform vec4 lobeGrain;         // both widths, cosine and sine of the rotation
+
+// The tabulated part's share of the samples; shares that leave less than rounding have none.
+float lobeTableShare() {
+  float share = 1.0 - lobeCosineShare - lobeGrainShare;
+  return share > 1e-4 ? share : 0.0;
+}
 
 // Between which viewers one lies.
 float lobeViewer(float cosine) {
@@ -91,7 +98,7 @@ vec3 sampleLobe(vec3 wo, vec3 u) {
     return vec3(r * cos(2.0 * pi * u.z), r * sin(2.0 * pi * u.z), sqrt(max(0.0, 1.0 - u.y)));
   }
   float before = lobeCosineShare + lobeGrainShare;
-  if (u.x < before) {
+  if (u.x < before || (lobeTableShare() == 0.0 && lobeGrainShare > 0.0)) {
     vec3 wi = sampleGrain(inGrain(wo, lobeGrain.zw), u.yz);
     // Half vectors seen from nearby the horizon reach below it: they are folded up, as in core/brdf/lobe_mixture.h.
     return inGrain(vec3(wi.xy, abs(wi.z)), vec2(lobeGrain.z, -lobeGrain.w));
@@ -109,9 +116,7 @@ vec3 sampleLobe(vec3 wo, vec3 u) {
   return dot(wo, normal) > 0.0 ? reflect(-wo, normal) : vec3(0.0, 0.0, -1.0);
 }
 
-// Density of sampleLobe at wi, 1/sr.
-float lobeDensity(vec3 wi, vec3 wo) {
-  if (wi.z <= 0.0) return 0.0;
+float tabulatedDensity(vec3 wi, vec3 wo) {
   vec3 normal = normalize(wi + wo);
   vec2 axis = lobeAxis(wo);
   float phi = atan(axis.x * normal.y - axis.y * normal.x, dot(axis, normal.xy));
@@ -122,8 +127,15 @@ float lobeDensity(vec3 wi, vec3 wo) {
   float x4 = x * x * x * x;
   float one = 1.0 + x4 * x4;
   float stretch = 32.0 * pi * x4 * x * x * x / (one * one);
-  float tabulated = cells * (size.x - 1.0) * (size.y - 1.0) / (max(stretch, 1e-20) * 4.0 * max(dot(normal, wo), 1e-6));
-  float density = (1.0 - lobeCosineShare - lobeGrainShare) * tabulated + lobeCosineShare * wi.z / pi;
+  return cells * (size.x - 1.0) * (size.y - 1.0) / (max(stretch, 1e-20) * 4.0 * max(dot(normal, wo), 1e-6));
+}
+
+// Density of sampleLobe at wi, 1/sr.
+float lobeDensity(vec3 wi, vec3 wo) {
+  if (wi.z <= 0.0) return 0.0;
+  float tableShare = lobeTableShare();
+  float density = lobeCosineShare * wi.z / pi;
+  if (tableShare > 0.0) density += tableShare * tabulatedDensity(wi, wo);
   if (lobeGrainShare > 0.0) {
     vec3 light = inGrain(wi, lobeGrain.zw), viewer = inGrain(wo, lobeGrain.zw);
     density += lobeGrainShare * (grainDensity(light, viewer) + grainDensity(vec3(light.xy, -light.z), viewer));

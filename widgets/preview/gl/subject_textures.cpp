@@ -71,9 +71,14 @@ void SubjectTextures::bindLobe(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgr
                                const std::shared_ptr<const TabulatedLobe>& lobe) {
   program.setUniformValue("lobeCells", lobeCellUnit);
   program.setUniformValue("lobeRows", lobeRowUnit);
-  program.setUniformValue("lobeCosineShare", lobe ? float(TabulatedLobe::cosineShare) : 1.f);
-  const GrainLobe grain = lobe ? lobe->grain() : GrainLobe{};
-  program.setUniformValue("lobeGrainShare", float((1 - TabulatedLobe::cosineShare) * grain.share));
+  double cosineShare = lobe ? TabulatedLobe::cosineShare : 1;
+  GrainLobe grain = lobe ? lobe->grain() : GrainLobe{};
+  if (lobe && lobe->round()) {
+    cosineShare = 1 - lobe->round()->specularShare;
+    grain = {.alphaX = lobe->round()->roughness, .alphaY = lobe->round()->roughness, .share = 1};
+  }
+  program.setUniformValue("lobeCosineShare", float(cosineShare));
+  program.setUniformValue("lobeGrainShare", float((1 - cosineShare) * grain.share));
   program.setUniformValue("lobeGrain", QVector4D(float(grain.alphaX), float(grain.alphaY),
                                                  float(std::cos(grain.rotation)), float(std::sin(grain.rotation))));
   if (!lobeTextures_) lobeTextures_ = std::make_unique<TextureSet>();
