@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/brdf/normal_square.h"
+#include "core/math/quadrature.h"
 
 namespace gonio::exports {
 
@@ -32,6 +33,12 @@ class Rings {
   double solidAngle(std::size_t ring) const {
     const double dx = (ring == 0 || ring + 1 == columns_ ? 0.5 : 1) / double(columns_ - 1);
     return std::sin(x(ring) * x(ring) * halfPi) * pi * x(ring) * dx * 2 * pi / double(azimuths_);
+  }
+
+  /// Calls visit(node, direction) for all directions, those that share a node too.
+  void forEachDirection(const auto& visit) const {
+    for (std::size_t i = 0; i < directions_.size(); ++i)
+      visit(i / azimuths_ * distinct_ + i % azimuths_ % distinct_, directions_[i]);
   }
 
   /// Integral of density max(0, w . m) dm.
@@ -89,19 +96,68 @@ SliceStack<float> asField(const Rings& rings, const DensitySize& size, const Val
   return field;
 }
 
-/// Half of the density goes to what rises above the rest of it: a highlight over a bright body otherwise has few nodes
-/// where the viewer sees it at a slant, beside the many normals that turn to the viewer.
-void emphasisePeak(const Rings& rings, std::vector<double>& density) {
-  constexpr double peakShare = 0.5, leastMass = 1e-3, restCosine = 0.5;
-  double rest = density.front();
-  for (std::size_t node = 0; node < rings.size(); ++node)
-    if (rings.direction(node).z > restCosine) rest = std::min(rest, density[node]);
-  std::vector<double> peak(density);
-  for (double& value : peak) value = value > rest ? (value - rest) * (value - rest) / value : 0;  // without a kink
-  if (rings.project(peak, {0, 0, 1}) < leastMass) return;
-  normalise(rings, peak);
-  for (std::size_t node = 0; node < rings.size(); ++node)
-    density[node] = (1 - peakShare) * density[node] + peakShare * peak[node];
+/// Of each density node the BRDF's luminance at the pair that it mirrors for a viewer: the mean over the azimuths that
+/// share the node, of those where both directions are above the surface; -1 where none is.
+std::vector<double> mirrored(const Brdf& material, const Rings& rings, const Direction& viewer) {
+  std::vector<DirectionPair> pairs;
+  std::vector<std::size_t> nodes;
+  rings.forEachDirection([&](std::size_t node, const Direction& normal) {
+    const Direction light = reflected(viewer, normal);
+    if (!(light.z > horizonTolerance)) return;
+    pairs.push_back({glm::normalize(light), viewer});
+    nodes.push_back(node);
+  });
+  std::vector<Rgb> values(pairs.size());
+  material.evaluate(pairs, values);
+  std::vector<double> sums(rings.size()), counts(rings.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    sums[nodes[i]] += std::max(0.0, luminance(values[i]));
+    ++counts[nodes[i]];
+  }
+  for (std::size_t node = 0; node < sums.size(); ++node) sums[node] = counts[node] > 0 ? sums[node] / counts[node] : -1;
+  return sums;
+}
+
+/// What rises above the rest of what a viewer sees mirrored, normalised; how much of a highlight it is, from 0 for less
+/// than twice the rest to 1.
+double toHighlight(const Rings& rings, std::vector<double>& values) {
+  constexpr double leastMass = 1e-3, restCosine = 0.75;
+  const auto isNear = [&](std::size_t node) { return rings.direction(node).z > restCosine && values[node] >= 0; };
+  double rest = values.front(), largest = 0;
+  for (std::size_t node = 0; node < rings.size(); ++node) {
+    if (!isNear(node)) continue;
+    rest = std::min(rest, values[node]);
+    largest = std::max(largest, values[node]);
+  }
+  for (std::size_t node = 0; node < rings.size(); ++node) {
+    double& value = values[node];
+    value = isNear(node) && value > rest ? (value - rest) * (value - rest) / value : 0;  // without a kink
+  }
+  if (!(largest > 2 * rest) || rings.project(values, {0, 0, 1}) < leastMass * rest) return 0;
+  normalise(rings, values);
+  return 1 - 2 * rest / largest;
+}
+
+/// Half of the density goes to the highlights that viewers at several angles see. Retro-reflection does not show how
+/// wide they are: coats are seen at a slant alone, and many highlights widen there. A highlight over a bright body
+/// would have few nodes beside the many normals that turn to the viewer.
+void emphasiseHighlights(const Brdf& material, const Rings& rings, std::vector<double>& density) {
+  constexpr double highlightShare = 0.5, largestSquaredSine = 0.95;
+  constexpr int polarViewers = 6;
+  const std::size_t azimuths = material.isIsotropic() ? 1 : 5;  // odd: a grain looks the same from both sides
+  const double share = highlightShare / double(polarViewers * azimuths);
+  std::vector<double> highlights(rings.size());
+  double rest = 1;
+  for (const double squaredSine : gaussLegendre(polarViewers, 0, largestSquaredSine).nodes)
+    for (std::size_t i = 0; i < azimuths; ++i) {
+      const double phi = 2 * pi * double(i) / double(azimuths);
+      std::vector<double> seen = mirrored(material, rings, fromSpherical(std::asin(std::sqrt(squaredSine)), phi));
+      const double weight = share * toHighlight(rings, seen);
+      if (weight == 0) continue;
+      for (std::size_t node = 0; node < seen.size(); ++node) highlights[node] += weight * seen[node];
+      rest -= weight;
+    }
+  for (std::size_t node = 0; node < rings.size(); ++node) density[node] = rest * density[node] + highlights[node];
 }
 
 }  // namespace
@@ -118,7 +174,7 @@ NormalDensity normalDensity(const Brdf& material, const DensitySize& size, doubl
     density = std::move(next);
     normalise(rings, density);
   }
-  emphasisePeak(rings, density);
+  emphasiseHighlights(material, rings, density);
   for (double& value : density) value = (1 - floor) * value + floor / pi;
   normalise(rings, density);
   const auto areaOf = [&](std::size_t node) { return rings.project(density, rings.direction(node)); };

@@ -22,10 +22,11 @@ struct DensitySize {
 
 /// The distribution from which the material's own retro-reflection would come if it were one bounce of mirrors: the
 /// dominant eigenvector of Dupuy et al. 2015, "Extracting Microfacet-based BRDF Parameters from Arbitrary Materials
-/// with Power Iterations", by four iterations, normalised to the integral 1 of D cos theta. Half of it is replaced by
-/// what rises above its smallest value within 60 degrees, then `floor` of the uniform distribution 1/pi is mixed in. A
-/// parameterisation, no claim about the material: any positive D is right. Where the material sends nothing back it is
-/// uniform. (columns rows)^2 steps: 2 ms isotropic, some 0.1 s anisotropic.
+/// with Power Iterations", by four iterations, normalised to the integral 1 of D cos theta. Up to half of it is
+/// replaced by the highlights that viewers at six polar angles see (what rises above the smallest value within 41
+/// degrees of the normal), then `floor` of the uniform distribution 1/pi is mixed in. A parameterisation, no claim
+/// about the material: any positive D is right. Where the material sends nothing back it is uniform. (columns rows)^2
+/// steps: some ms isotropic, some 0.1 s anisotropic.
 NormalDensity normalDensity(const Brdf& material, const DensitySize& size, double floor);
 
 /// The field `vndf` for one polar angle of the incident direction and all its azimuths, a slice each:

@@ -13,6 +13,9 @@ namespace gonio::exports {
 namespace {
 
 constexpr double densityFloor = 0.02;
+/// After three sizes of the ladder in a row, which have more angles and more nodes, something else limits the SNR.
+constexpr int mostWithoutGain = 3;
+constexpr double leastGain = 0.1;  // dB
 
 /// From small to large, then of one size with ever more nodes. What a mirror-like material lacks is angles, what a
 /// highlight over a body lacks is nodes.
@@ -61,7 +64,8 @@ std::uint64_t rglBytes(const RglLayout& layout, const RglSize& size) {
 }
 
 RglParameterisation parameterise(const Brdf& material, const RglOptions& options, const TaskControl& control) {
-  const RglLayout layout = rglLayout(material, options.azimuths, densityFloor);
+  RglLayout layout = rglLayout(material, options.azimuths, densityFloor);
+  layout.mirrorSymmetric = !options.bothSides;
   const std::vector<RglSize> sizes = candidates(layout, options);
   const std::size_t mostAngles = std::ranges::max(sizes, {}, &RglSize::thetaCount).thetaCount;
   const std::vector<double> angles = placeAngles(material, layout, mostAngles, control.between(0, 0.3));
@@ -71,14 +75,16 @@ RglParameterisation parameterise(const Brdf& material, const RglOptions& options
   pictures.samples = options.samples;
   const RenderedComparison comparison(material, pictures, control.between(0.3, 0.4));
   std::optional<RglParameterisation> best;
+  int sizesWithoutGain = 0;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const TaskControl part =
         control.between(0.4 + 0.6 * double(i) / double(sizes.size()), 0.4 + 0.6 * double(i + 1) / double(sizes.size()));
     RglParameterisation next =
         sampled(material, layout, std::span(angles).first(sizes[i].thetaCount), sizes[i].size, part.between(0, 0.5));
     next.snr = comparison.signalToNoiseRatio(comparison.render(RglBrdf(next.data), part.between(0.5, 1)));
+    sizesWithoutGain = best && next.snr < best->snr + leastGain ? sizesWithoutGain + 1 : 0;
     if (!best || next.snr > best->snr) best = std::move(next);
-    if (best->snr >= options.snr) break;
+    if (best->snr >= options.snr || sizesWithoutGain == mostWithoutGain) break;
   }
   return std::move(*best);
 }

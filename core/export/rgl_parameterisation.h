@@ -16,10 +16,13 @@ struct RglSize {
 };
 
 struct RglOptions {
-  double snr = 40;                       ///< dB in comparisonScene() that the file must reach
-  std::optional<RglSize> fixed;          ///< this size instead
-  std::uint64_t maxBytes = 5'000'000;    ///< of the RGB file
-  std::size_t azimuths = 12;             ///< intervals of the circle, of anisotropic materials
+  double snr = 40;                     ///< dB in comparisonScene() that the file must reach
+  std::optional<RglSize> fixed;        ///< this size instead
+  std::uint64_t maxBytes = 5'000'000;  ///< of the RGB file
+  std::size_t azimuths = 12;           ///< intervals of the circle, of anisotropic materials
+  /// Whether the slices of isotropic materials keep the difference between left and right of the plane of incidence.
+  /// Mitsuba 3 leaves to chance how it folds the azimuth of such files: they are symmetric for it.
+  bool bothSides = false;
   int pictureSize = 128, samples = 128;  ///< of the pictures by which the SNR is measured
 };
 
@@ -34,8 +37,8 @@ struct RglParameterisation {
 std::uint64_t rglBytes(const RglLayout& layout, const RglSize& size);
 
 /// Any material in a parameterisation of its own as RGL files have it: the smallest of some sizes that reaches the SNR,
-/// or the best within `maxBytes`. Directions as renderers take them, the viewer in the slot of the incident direction.
-/// Some seconds: one rendering a size. @throws Cancelled.
+/// or the best within `maxBytes`; larger ones that gain nothing are not tried. Directions as renderers take them, the
+/// viewer in the slot of the incident direction. Some seconds: one rendering a size. @throws Cancelled.
 RglParameterisation parameterise(const Brdf& material, const RglOptions& options = {}, const TaskControl& control = {});
 
 }  // namespace gonio::exports

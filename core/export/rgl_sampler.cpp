@@ -74,7 +74,7 @@ RglSlice sampleSlice(const Brdf& material, const RglLayout& layout, double theta
     for (int channel = 0; channel < 3; ++channel) slice.clipped += value[channel] < 0;
     slice.rgb.values.push_back(glm::vec3(glm::max(value, Rgb(0))));
   }
-  if (layout.isotropic) makeSymmetric(slice.rgb);
+  if (layout.isotropic && layout.mirrorSymmetric) makeSymmetric(slice.rgb);
   return slice;
 }
 

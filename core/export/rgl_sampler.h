@@ -13,6 +13,7 @@ struct RglLayout {
   NormalDensity density;
   std::size_t vndfRows = 32;
   bool isotropic = true;
+  bool mirrorSymmetric = true;  ///< isotropic slices are the mean of both sides of the plane of incidence
 };
 
 /// The layout for a material: one azimuth for an isotropic one, else `azimuths` intervals over the whole circle, which
@@ -32,7 +33,7 @@ struct RglSlice {
 
 /// Samples a material at the nodes of a layout; the viewer takes the slot of the incident direction. The field
 /// `rgb` is f cos theta_o 4 sigma / D: the integral of f cos theta_o over the light is its mean over the unit square,
-/// where all of the square is seen. Isotropic slices are made mirror-symmetric. size^2 evaluations an azimuth.
+/// where all of the square is seen. size^2 evaluations an azimuth.
 RglSlice sampleSlice(const Brdf& material, const RglLayout& layout, double theta, std::size_t size);
 
 /// Slices of ascending polar angles as what an RGL file holds, the luminance with a floor of 1/1000 of its largest

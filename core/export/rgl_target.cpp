@@ -12,8 +12,10 @@ namespace {
 
 constexpr std::string_view rgbSuffix = "_rgb.bsdf", spectralSuffix = "_spec.bsdf";
 
+template <bool bothSides>
 MadeExport makeBsdf(const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
   RglOptions rgl;
+  rgl.bothSides = bothSides;
   rgl.snr = options.snr;
   rgl.fixed = options.size;
   rgl.pictureSize = options.pictureSize;
@@ -44,8 +46,7 @@ ExportTarget target(std::string_view id, std::string_view label, std::string_vie
               "file keeps its own. No transmission.",
           .suffixes = {rgbSuffix, spectralSuffix},
           .choosesSize = true,
-          .choosesSnr = true,
-          .make = makeBsdf};
+          .choosesSnr = true};
 }
 
 }  // namespace
@@ -54,16 +55,18 @@ ExportTarget mitsubaTarget() {
   ExportTarget mitsuba =
       target("mitsuba", "Mitsuba 3",
              "Two files for the BSDF plugin \"measured\": NAME_rgb.bsdf for the RGB variants, NAME_spec.bsdf for "
-             "the spectral ones.");
+             "the spectral ones. Isotropic materials are the mean of both sides of the plane of incidence.");
+  mitsuba.make = makeBsdf<false>;
   mitsuba.scene = &mitsubaSceneFormat();
   return mitsuba;
 }
 
 ExportTarget pbrtTarget() {
-  ExportTarget pbrt =
-      target("pbrt", "pbrt-v4",
-             "Two files: NAME_spec.bsdf for the material \"measured\", and NAME_rgb.bsdf, which Mitsuba's RGB "
-             "variants read.");
+  ExportTarget pbrt = target("pbrt", "pbrt-v4",
+                             "Two files: NAME_spec.bsdf for the material \"measured\", and NAME_rgb.bsdf with the same "
+                             "material. Isotropic materials keep both sides of the plane of incidence: for Mitsuba, "
+                             "export for Mitsuba 3.");
+  pbrt.make = makeBsdf<true>;
   pbrt.scene = &pbrtSceneFormat();
   return pbrt;
 }

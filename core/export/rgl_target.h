@@ -6,7 +6,7 @@
 
 namespace gonio::exports {
 
-/// NAME_rgb.bsdf and NAME_spec.bsdf by exportRgl(): the same files for both renderers.
+/// NAME_rgb.bsdf and NAME_spec.bsdf by exportRgl(); for pbrt with RglOptions::bothSides.
 ExportTarget mitsubaTarget();
 ExportTarget pbrtTarget();
 

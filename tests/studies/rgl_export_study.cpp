@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 // gonio_studies rgl_export [THETA_COUNT SIZE] [MATERIAL ...]: the rendered SNR of RGL files that are made of the
-// library's near-measured copies, and the size that reaches 40 dB.
+// library's near-measured copies, and the size that reaches 40 dB; where none does, the same of files that keep both
+// sides of the plane of incidence.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -31,8 +32,15 @@ int study(int argumentCount, char** arguments) {
     const auto start = std::chrono::steady_clock::now();
     const auto file = exports::parameterise(*material.brdf, options);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::printf("%-44s %6.1f dB %3zu x %zu^2 %5.1f s\n", name.c_str(), file.snr, file.size.thetaCount, file.size.size,
+    std::printf("%-44s %6.1f dB %3zu x %zu^2 %5.1f s", name.c_str(), file.snr, file.size.thetaCount, file.size.size,
                 seconds.count());
+    if (file.snr < options.snr) {
+      exports::RglOptions bothSides = options;
+      bothSides.bothSides = true;
+      const auto other = exports::parameterise(*material.brdf, bothSides);
+      std::printf(", both sides %.1f dB %3zu x %zu^2", other.snr, other.size.thetaCount, other.size.size);
+    }
+    std::printf("\n");
     std::fflush(stdout);
     ratios.push_back(file.snr);
   }

@@ -108,6 +108,34 @@ class RglExportTest : public QObject {
           QVERIFY(*rgb.node(slice, row, column) == *rgb.node(slice, 15 - row, column));
   }
 
+  /// A material that differs left and right of the plane of incidence: each side, or their mean for Mitsuba.
+  void sidesOfThePlaneOfIncidence() {
+    const auto tinted = [](double left) {
+      return std::make_shared<test::FunctionBrdf>(
+          [left](const Direction& wi, const Direction& wo) { return Rgb(0.2 + left * (wo.x * wi.y - wo.y * wi.x)); });
+    };
+    for (const bool bothSides : {false, true}) {
+      exports::RglOptions options = small(12, 32);
+      options.bothSides = bothSides;
+      const RglExport made = exports::exportRgl(sourceOf(tinted(0.1)), options);
+      const test::PublishedReader file(made.rgb);
+      const double found =
+          ratio(*tinted(bothSides ? 0.1 : 0), [&](const DirectionPair& p) { return file.value(p.wo, p.wi); });
+      QVERIFY2(found > 35, qPrintable(QString::number(found)));
+    }
+  }
+
+  /// A coat that is seen at a slant alone, of which retro-reflection shows nothing, has nodes in a small file.
+  void highlightsAtASlant() {
+    const auto coat = test::ggx(Rgb(0), Rgb(1), 0.1, 1);
+    const auto material = std::make_shared<test::FunctionBrdf>([&coat](const Direction& wi, const Direction& wo) {
+      const double fresnel = std::pow(1 - glm::dot(wi, glm::normalize(wi + wo)), 5);
+      return Rgb(0.3, 0.25, 0.2) + fresnel * coat->evaluate(wi, wo);
+    });
+    const double snr = exports::exportRgl(sourceOf(material), small(16, 32)).snr;
+    QVERIFY2(snr > 38, qPrintable(QString::number(snr)));
+  }
+
   /// The published formula and our reader agree to the rounding of floats.
   void readersAgree() {
     const RglExport made = exports::exportRgl(sourceOf(glossy()), small(24, 32));
