@@ -21,19 +21,9 @@ void checkTargets(std::span<const fs::path> paths, std::span<const fs::path> sou
 }
 
 void writeExport(std::span<const ExportFile> files) {
-  std::vector<fs::path> added;
-  try {
-    for (const ExportFile& file : files) {
-      std::error_code ignored;
-      const bool isNew = !fs::exists(file.path, ignored);
-      io::writeFileAtomically(file.path, file.bytes);
-      if (isNew) added.push_back(file.path);
-    }
-  } catch (...) {
-    std::error_code ignored;
-    for (const fs::path& path : added) fs::remove(path, ignored);
-    throw;
-  }
+  std::vector<io::FileContent> contents;
+  for (const ExportFile& file : files) contents.push_back({file.path, file.bytes});
+  io::writeFilesAtomically(contents);
 }
 
 }  // namespace gonio::exports

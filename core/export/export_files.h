@@ -27,8 +27,7 @@ struct ExportFile {
 void checkTargets(std::span<const std::filesystem::path> paths, std::span<const std::filesystem::path> sources,
                   bool overwrite);
 
-/// Writes all of them, each atomically, or none: where one fails, those that are new are removed again.
-/// @throws Error naming the file.
+/// Writes all of them or none (io::writeFilesAtomically()). @throws Error naming the file.
 void writeExport(std::span<const ExportFile> files);
 
 }  // namespace gonio::exports

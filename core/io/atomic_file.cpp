@@ -5,10 +5,12 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <list>
+#include <vector>
 
 #include "core/support/error.h"
 
@@ -41,11 +43,15 @@ class TemporaryFile {
     }
   }
 
-  void replaceTarget() {
+  void flush() {
     if (::fchmod(descriptor_, targetMode()) != 0 || ::fsync(descriptor_) != 0) fail();
     const int closed = ::close(descriptor_);
     descriptor_ = -1;
-    if (closed != 0 || ::rename(name_.c_str(), target_.c_str()) != 0) fail();
+    if (closed != 0) fail();
+  }
+
+  void replaceTarget() {
+    if (::rename(name_.c_str(), target_.c_str()) != 0) fail();
     renamed_ = true;
   }
 
@@ -94,11 +100,32 @@ bool isOneOf(const fs::path& path, std::span<const fs::path> files) {
 }
 
 void writeFileAtomically(const fs::path& path, std::span<const std::byte> content) {
-  const fs::path target = targetOf(path);
-  TemporaryFile file(target);
-  file.write(content);
-  file.replaceTarget();
-  flushFolder(target.parent_path());
+  const FileContent file{path, content};
+  writeFilesAtomically(std::span(&file, 1));
+}
+
+void writeFilesAtomically(std::span<const FileContent> files) {
+  std::list<TemporaryFile> written;
+  std::vector<fs::path> targets, added;
+  for (const FileContent& file : files) {
+    targets.push_back(targetOf(file.path));
+    written.emplace_back(targets.back());
+    written.back().write(file.content);
+    written.back().flush();
+  }
+  try {
+    for (std::size_t i = 0; i < targets.size(); ++i, written.pop_front()) {
+      std::error_code ignored;
+      const bool isNew = !fs::exists(targets[i], ignored);
+      written.front().replaceTarget();
+      if (isNew) added.push_back(targets[i]);
+    }
+  } catch (...) {
+    std::error_code ignored;
+    for (const fs::path& path : added) fs::remove(path, ignored);
+    throw;
+  }
+  for (const fs::path& target : targets) flushFolder(target.parent_path());
 }
 
 void writeFileAtomically(const fs::path& path, const std::string& text) {

@@ -15,6 +15,17 @@ namespace gonio::io {
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> content);
 void writeFileAtomically(const std::filesystem::path& path, const std::string& text);
 
+/// One of several files that belong together.
+struct FileContent {
+  std::filesystem::path path;
+  std::span<const std::byte> content;
+};
+
+/// All of them or none: every one is written to its temporary neighbour before the first is renamed. Where a rename
+/// fails, those files that are new are removed again.
+/// @throws Error likewise.
+void writeFilesAtomically(std::span<const FileContent> files);
+
 /// For work whose result is written much later: whether writeFileAtomically() would find a folder in which it can make
 /// its temporary file. Leaves nothing behind. @throws Error likewise.
 void checkWritable(const std::filesystem::path& path);

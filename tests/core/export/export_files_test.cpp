@@ -2,9 +2,13 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/export/export_files.h"
 
+#include <sys/resource.h>
+
 #include <QTemporaryDir>
 #include <QTest>
+#include <csignal>
 
+#include "core/io/byte_source.h"
 #include "core/support/error.h"
 #include "tests/support/test_program.h"
 
@@ -20,6 +24,26 @@ std::string messageOf(const std::function<void()>& work) {
   }
   return {};
 }
+
+/// While it lives, no file of this process grows beyond so many bytes.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
 
 class ExportFilesTest : public QObject {
   Q_OBJECT
@@ -41,6 +65,23 @@ class ExportFilesTest : public QObject {
     const std::vector<exports::ExportFile> files{{first, {std::byte{1}}}, {second, {std::byte{2}}}};
     QVERIFY(messageOf([&] { exports::writeExport(files); }).find("second") != std::string::npos);
     QVERIFY(!fs::exists(first));
+  }
+
+  /// A limit on the size of files stands for a full disk: the large second file fails when it is written, and the
+  /// first, which is replaced, stays as it was.
+  void aFullDiskChangesNothing() {
+    const QTemporaryDir folder;
+    const fs::path one = fs::path(folder.path().toStdString()) / "one", two = one.parent_path() / "two";
+    const std::vector<std::byte> old{std::byte{1}};
+    exports::writeExport(std::vector<exports::ExportFile>{{one, old}});
+    const std::vector<exports::ExportFile> files{{one, {std::byte{2}}}, {two, std::vector<std::byte>(100'000)}};
+    const std::string message = [&] {
+      const FileSizeLimit limit(50'000);
+      return messageOf([&] { exports::writeExport(files); });
+    }();
+    QVERIFY2(message.starts_with(two.string() + ": cannot be written: "), message.c_str());
+    QVERIFY(io::FileSource(one).readAll(10) == old);
+    QCOMPARE(std::distance(fs::directory_iterator(one.parent_path()), fs::directory_iterator()), std::ptrdiff_t(1));
   }
 
  private:

@@ -56,6 +56,22 @@ class ExportTargetTest : public QObject {
     }
   }
 
+  /// All files but those of formats without a place for it: MERL's and UTIA's.
+  void filesCarryTheirOrigin() {
+    const exports::ExportSource source{.name = "test",
+                                       .brdf = test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(0.5), 0.4, 0.05),
+                                       .origin = "car, SHA-256 0badcafe. Edits: none"};
+    for (const exports::ExportTarget& target : exports::exportTargets()) {
+      if (target.id == "merl" || target.id == "merl-360" || target.id == "utia") continue;
+      for (const exports::ExportPart& part : exports::makeExport(target, source, small()).parts) {
+        const std::string_view text(reinterpret_cast<const char*>(part.bytes.data()), part.bytes.size());
+        QVERIFY2(text.find(source.origin) != std::string_view::npos, part.suffix.c_str());
+        const bool approximates = target.id != "csv" && target.id != "slices";
+        QVERIFY2(!approximates || text.find(" dB") != std::string_view::npos, part.suffix.c_str());
+      }
+    }
+  }
+
   void energyAboveOneIsAWarning() {
     const exports::ExportSource source{.name = "test", .brdf = test::ggx(Rgb(1.2), Rgb(0), 0.4, 0.05)};
     const exports::MadeExport made = exports::makeExport(*exports::findExportTarget("blender"), source, small());
