@@ -9,6 +9,7 @@
 #include "core/documents/edit_migration.h"
 #include "core/io/atomic_file.h"
 #include "core/io/byte_source.h"
+#include "core/io/json_text.h"
 #include "core/models/parameters_json.h"
 #include "core/support/lower_case.h"
 #include "core/support/naming_file.h"
@@ -21,7 +22,6 @@ constexpr std::string_view formatName = "gonio document";
 constexpr std::string_view differentialType = "differential", factorsType = "factors";
 constexpr std::string_view libraryScheme = "library:";
 constexpr std::uint64_t maxDocumentBytes = std::uint64_t(1) << 26;
-constexpr int maxDepth = 64;
 
 bool isLibraryPath(std::string_view path) { return path.starts_with(libraryScheme); }
 
@@ -190,18 +190,7 @@ EditDocument documentFromJson(const nlohmann::json& json) {
   return document;
 }
 
-EditDocument documentFromText(std::string_view text) {
-  // Copies and comparisons of JSON recurse: without a limit a few megabytes of brackets exhaust the stack.
-  const auto limitDepth = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-    if (depth > maxDepth) throw Error("found values nested deeper than " + std::to_string(maxDepth));
-    return true;
-  };
-  try {
-    return documentFromJson(nlohmann::json::parse(text, limitDepth));
-  } catch (const nlohmann::json::exception& exception) {
-    throw Error(std::string("found text that is not JSON (") + exception.what() + "), expected a gonio document");
-  }
-}
+EditDocument documentFromText(std::string_view text) { return documentFromJson(io::parseJson(text)); }
 
 bool isDocumentName(const std::filesystem::path& path) {
   return lowerCase(path.extension().string()) == documentSuffix;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/format_mismatch.h"
+#include "core/io/json_text.h"
 
 namespace gonio::io {
 
@@ -63,10 +64,11 @@ nlohmann::json ContainerReader::description() {
     fail("the description has " + std::to_string(length) + " bytes, expected at most " +
          std::to_string(std::min<std::size_t>(maxDescription, left_.size())));
   const auto bytes = take(length);
-  nlohmann::json json = nlohmann::json::parse(reinterpret_cast<const char*>(bytes.data()),
-                                              reinterpret_cast<const char*>(bytes.data() + length), nullptr, false);
-  if (json.is_discarded()) fail("the description is not JSON");
-  return json;
+  try {
+    return parseJson({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  } catch (const Error& error) {
+    fail(std::string("in the description ") + error.what());
+  }
 }
 
 void ContainerReader::expectLeft(std::uint64_t bytes) const {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/io/gltf_parts.h"
+#include "core/io/json_text.h"
 #include "core/support/error.h"
 #include "core/support/json_object.h"
 #include "core/support/naming_file.h"
@@ -241,13 +242,7 @@ class GltfReader {
 TriangleMesh readGltf(const ByteSource& source, const std::optional<std::filesystem::path>& folder) {
   const std::vector<std::byte> bytes = source.readAll(mostGltfBytes);
   const GltfParts parts = gltfParts(bytes);
-  json root;
-  try {
-    const auto* text = reinterpret_cast<const char*>(parts.text.data());
-    root = json::parse(text, text + parts.text.size());
-  } catch (const json::exception& error) {
-    throw Error(std::string("a glTF file: its JSON text cannot be read: ") + error.what());
-  }
+  const json root = parseJson({reinterpret_cast<const char*>(parts.text.data()), parts.text.size()});
   return TriangleMesh(GltfReader(root, parts.binary, folder).read());
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/geometry/bundled_meshes.h"
 #include "core/io/byte_source.h"
+#include "core/io/json_text.h"
 #include "core/io/mesh_file.h"
 #include "core/rendering/bundled_scenes.h"
 #include "core/rendering/environment_file.h"
@@ -253,12 +254,7 @@ const std::vector<std::string>& bundledSceneNames() {
 }
 
 Scene parseScene(const std::string& text, int materials, const std::optional<std::filesystem::path>& folder) {
-  nlohmann::json json;
-  try {
-    json = nlohmann::json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(std::string("found no JSON (") + error.what() + "), expected a scene");
-  }
+  const nlohmann::json json = io::parseJson(text);
   return SceneReader(JsonObject(json, ""), materials, folder).read();
 }
 

@@ -113,6 +113,15 @@ class GoniotoolErrorsTest : public QObject {
     io::writeExr(image, broken.toStdString());
     QTest::newRow("negative environment")
         << QStringList{"render", plastic_, "--environment", broken, "--out", folder_.path("x.png")} << "broken.exr";
+    const QByteArray nested = QByteArray(250'000, '[') + QByteArray(250'000, ']');
+    folder_.writeText("nested.json", nested);
+    folder_.writeText("nested.gonio", "{\"format\": \"gonio document\", \"view\": " + nested + "}");
+    QTest::newRow("nested scene") << QStringList{"render",  plastic_,
+                                                 "--scene", folder_.path("nested.json"),
+                                                 "--out",   folder_.path("x.png")}
+                                  << "nested.json: found JSON nested deeper than 64 levels";
+    QTest::newRow("nested document") << QStringList{"info", folder_.path("nested.gonio")}
+                                     << "nested.gonio: found JSON nested deeper than 64 levels";
   }
   void failuresAreOneLine() {
     QFETCH(QStringList, arguments);

@@ -101,7 +101,10 @@ class ContainerTest : public QObject {
     };
     QCOMPARE(errorOfFile(with(8, 9u)), std::string("test file: the version is 9, expected 3"));
     QVERIFY(contains(errorOfFile(with(12, 0xffffffffu)), "the description has 4294967295 bytes, expected at most"));
-    QCOMPARE(errorOfFile(with(16, '?')), std::string("test file: the description is not JSON"));
+    QVERIFY(contains(errorOfFile(with(16, '?')), "test file: in the description found text that is not JSON"));
+    io::ContainerWriter deep(format);
+    deep.description(nlohmann::json::parse(std::string(65, '[') + std::string(65, ']')));
+    QVERIFY(contains(errorOfFile(deep.bytes()), "test file: in the description found JSON nested deeper than 64"));
     const float infinite = std::numeric_limits<float>::infinity();
     QVERIFY(contains(errorOfFile(with(16 + 17 + 2 + 4, infinite)), "a value that is not finite (number 1)"));
     const double none = std::numeric_limits<double>::quiet_NaN();

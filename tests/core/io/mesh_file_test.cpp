@@ -130,7 +130,7 @@ class MeshFileTest : public QObject {
     QVERIFY(test::contains(refusal(replaced(ply, "4 0 1 3 2", "4 0 1 3 9"), ".ply"), "face 0: found vertex 9"));
     QVERIFY(test::contains(refusal(replaced(ply, "4 0 1 3 2", "2 0 1 3 9"), ".ply"), "found 2 corners"));
     QVERIFY(test::contains(refusal(replaced(ply, "-1 -1 -1", "-1 nan -1"), ".ply"), "vertex 0: found 'nan'"));
-    QVERIFY(test::contains(refusal("ply\n", ".glb"), "its JSON text cannot be read"));
+    QVERIFY(test::contains(refusal("ply\n", ".glb"), "not JSON"));
     QVERIFY(test::contains(refusal(glb.substr(0, glb.size() / 2), ".glb"), "bytes of a chunk, expected"));
     const auto refused = [&](std::string_view what, std::string_view by) {
       return refusal(replaced(glb, what, by), ".glb");

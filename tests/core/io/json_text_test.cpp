@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/io/json_text.h"
+
+#include <QTest>
+
+#include "tests/core/io/test_files.h"
+#include "tests/support/test_program.h"
+
+namespace json_text_test {
+using namespace gonio;
+using test::contains;
+
+/// A value in so many lists, or in so many objects.
+std::string nested(bool objects, int levels) {
+  std::string text;
+  for (int i = 0; i < levels; ++i) text += objects ? "{\"a\":" : "[";
+  return text + "1" + std::string(std::size_t(levels), objects ? '}' : ']');
+}
+
+class JsonTextTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void valuesAreRead() {
+    const nlohmann::json json = io::parseJson(R"({"a": [1, 2.5, "x"], "b": {"c": null}})");
+    QVERIFY(json == (nlohmann::json{{"a", {1, 2.5, "x"}}, {"b", {{"c", nullptr}}}}));
+  }
+
+  void depthIsLimited_data() {
+    QTest::addColumn<bool>("objects");
+    QTest::newRow("lists") << false;
+    QTest::newRow("objects") << true;
+  }
+  void depthIsLimited() {
+    QFETCH(bool, objects);
+    const std::string limit = nested(objects, io::maxJsonDepth);
+    QCOMPARE(io::parseJson(limit).dump(), limit);
+    for (const int levels : {io::maxJsonDepth + 1, 250'000}) {
+      const std::string error = test::errorOf([&] { io::parseJson(nested(objects, levels)); });
+      QCOMPARE(error, std::string("found JSON nested deeper than 64 levels, the limit"));
+    }
+    // Without an end, beside values that are fine, and where the depth is in one of many members.
+    QVERIFY(contains(test::errorOf([&] { io::parseJson(std::string(250'000, '[')); }), "nested"));
+    QVERIFY(contains(test::errorOf([&] { io::parseJson("[1, {}, " + nested(objects, 64) + "]"); }), "nested"));
+    QVERIFY(io::parseJson("[1, [], " + nested(objects, 63) + ", {}]").size() == 4);
+  }
+
+  void otherTextIsRefused() {
+    for (const char* text : {"", "nul", "{\"a\": 1e999}", "[1,]", "\xff"})
+      QVERIFY2(contains(test::errorOf([&] { io::parseJson(text); }), "found text that is not JSON"), text);
+  }
+};
+
+GONIO_TEST(JsonTextTest)
+
+}  // namespace json_text_test
+
+#include "json_text_test.moc"
