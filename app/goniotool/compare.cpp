@@ -64,7 +64,7 @@ void addCompare(CLI::App& app, Tool& tool) {
   command->add_option("B", options->test, "What is compared with it")->required();
   command->add_option("--image", options->image, "PNG to write: both side by side, and the map of the error");
   command->add_option("--size", options->picture.size, "Of the pictures, pixels (256)");
-  command->add_option("--samples", options->picture.samples, "Samples a pixel (64)")->check(CLI::Range(1, 1 << 20));
+  command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")->check(CLI::Range(1, 1 << 20));
   command->callback([options, &tool] { tool.run = [options, &tool] { return compare(*options, tool); }; });
 }
 

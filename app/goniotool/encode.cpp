@@ -84,7 +84,7 @@ int encode(const EncodeArguments& options, const Tool& tool) {
   if (renderedSnr) json["renderedSnr"] = decibelsJson(*renderedSnr);
   if (!options.out.empty()) json["out"] = options.out;
   print(tool, json,
-        std::to_string(encoded.code.coefficients()) + " coefficients a channel, " + std::to_string(bytes.size()) +
+        std::to_string(encoded.code.coefficients()) + " coefficients per channel, " + std::to_string(bytes.size()) +
             " bytes, transform " + nameOf(encoded.code.transform) + ", dictionaries " + dictionaries.dump() +
             ", BRDF SNR " + number(snr) + " dB" +
             (renderedSnr ? ", rendered SNR " + number(*renderedSnr) + " dB" : "") + ", " + number(encoded.seconds) +
@@ -100,7 +100,7 @@ int decode(const EncodeArguments& options, const Tool& tool) {
   materials::writeMaterial(*dictionary::decode(dictionary->ensemble, file.code), options.out);
   print(tool,
         {{"coefficients", file.code.coefficients()}, {"transform", nameOf(file.code.transform)}, {"out", options.out}},
-        "wrote " + options.out + ", of " + std::to_string(file.code.coefficients()) + " coefficients a channel\n");
+        "wrote " + options.out + ", of " + std::to_string(file.code.coefficients()) + " coefficients per channel\n");
   return 0;
 }
 

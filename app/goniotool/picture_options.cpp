@@ -64,7 +64,7 @@ void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>&
   command.add_flag("--show-environment", options->showEnvironment, "Draw the environment behind the sphere");
   command.add_flag("--blur-background", options->blurBackground, "Draw it out of focus");
   command.add_option("--size", options->size, "Pixels: a number or WIDTHxHEIGHT (256)");
-  command.add_option("--samples", options->samples, "Samples a pixel (64)")->check(CLI::Range(1, 1 << 20));
+  command.add_option("--samples", options->samples, "Samples per pixel (64)")->check(CLI::Range(1, 1 << 20));
   command.add_option("--seed", options->seed, "Of the random numbers (1)");
   command.add_option("--exposure", options->exposure, "Of PNG pictures, stops (0)")->check(CLI::Range(-30.0, 30.0));
   command.add_option("--tone-map", options->toneMap, "Of PNG pictures (clamp)")

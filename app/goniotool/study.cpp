@@ -197,7 +197,7 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
   command->add_option("--size", options->size, "Of the pictures, pixels (128)")->check(CLI::Range(1, 8192));
-  command->add_option("--samples", options->samples, "Samples a pixel (32)")->check(CLI::Range(1, 1 << 20));
+  command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
   command->add_option("--max-frame-ms", options->budget.frameMilliseconds, "Names the best with at most this frame");
   command->add_option("--min-snr", options->budget.renderedSnr, "Names the best with at least this rendered SNR, dB");
   command->add_option("--max-bytes", options->budget.bytes, "Names the best with at most so many bytes");

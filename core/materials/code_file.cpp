@@ -93,7 +93,7 @@ void setCode(const CodeFile& file, Material& material) {
   material.table = dictionary::decode(dictionary->ensemble, code);
   material.brdf = material.table;
   material.source.grid = {code.grid.thetaHCount, code.grid.thetaDCount, code.grid.phiDCount};
-  material.source.description = std::to_string(code.coefficients()) + " coefficients a channel, transform " +
+  material.source.description = std::to_string(code.coefficients()) + " coefficients per channel, transform " +
                                 std::string(dataTransformNames[std::size_t(code.transform)]);
 }
 

@@ -38,7 +38,7 @@ struct Box {
 
 std::string numbersText(const StudyRecord& record) {
   return record.representation.fullLabel() + ": " + shortNumber(record.renderedSnr) + " dB, " +
-         shortNumber(record.evaluation.median) + " ns, " + shortNumber(record.frameMilliseconds) + " ms a frame, " +
+         shortNumber(record.evaluation.median) + " ns, " + shortNumber(record.frameMilliseconds) + " ms per frame, " +
          shortNumber(double(record.bytes)) + "B, encoded in " + shortNumber(record.encodeSeconds) + " s";
 }
 

@@ -76,7 +76,7 @@ class AnisotropicPreviewTest : public QObject {
     subject.lobe = std::make_shared<const TabulatedLobe>(*bakeTable(*brdf));
     QCOMPARE(subject.lobe->grain().share, 0.0);
     const double mean = metrics::signalToNoiseRatio(converged, spheres_->drawn(subject, studio(), 64));
-    qInfo("64 samples a pixel: %.1f dB along the grain, %.1f dB by the mean over the azimuths", along, mean);
+    qInfo("64 samples per pixel: %.1f dB along the grain, %.1f dB by the mean over the azimuths", along, mean);
     QVERIFY(along > mean + 2);
   }
 

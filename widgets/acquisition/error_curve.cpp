@@ -25,7 +25,7 @@ ErrorCurve::ErrorCurve(QWidget* parent) : QWidget(parent), m_chart(new QCustomPl
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_chart);
-  setAccessibleName(tr("Error over the number of samples"));
+  setAccessibleName(tr("Error vs. number of samples"));
   m_chart->setObjectName(QStringLiteral("chart"));
   m_chart->installEventFilter(this);
   m_chart->axisRect()->setupFullAxesBox(true);

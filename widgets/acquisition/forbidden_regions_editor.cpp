@@ -41,12 +41,11 @@ ForbiddenRegionsEditor::ForbiddenRegionsEditor(QWidget* parent)
   m_table->setSelectionMode(QAbstractItemView::SingleSelection);
   m_table->setAccessibleName(tr("Directions that the rig cannot reach, degrees"));
   m_table->setToolTip(
-      tr("Pairs whose three angles all lie in the ranges of a row are not chosen.\n"
-         "θi: polar angle of the light, θo: of the viewer, Δφ: between their azimuths (180° is the mirror's side); "
-         "degrees"));
+      tr("Direction pairs with all three angles in the ranges of a row are not chosen.\nθi: polar angle of the light, "
+         "θo: of the viewer, Δφ: between their azimuths (180° is the mirror's side); degrees"));
   m_table->setFixedHeight((visibleRows + 1) * fontMetrics().height() * 3 / 2 + 8);
-  m_add->setToolTip(tr("A row that forbids light beyond 80°, to be changed"));
-  m_remove->setToolTip(tr("Takes the chosen row away"));
+  m_add->setToolTip(tr("Adds a row that excludes light beyond 80°; change its ranges as needed"));
+  m_remove->setToolTip(tr("Removes the selected row"));
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(m_add);
   buttons->addWidget(m_remove);

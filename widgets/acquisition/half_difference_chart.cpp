@@ -24,7 +24,8 @@ constexpr plots::ThetaHSpacing spacing = plots::ThetaHSpacing::squareRoot;
 
 HalfDifferenceChart::HalfDifferenceChart(QWidget* parent) : SampleChart(parent) {
   setAccessibleName(tr("Samples in half-difference space"));
-  setAccessibleDescription(tr("Half angle over difference angle; left and right go through the samples."));
+  setAccessibleDescription(
+      tr("Half angle vs. difference angle; the left and right arrow keys step through the samples."));
 }
 
 QSize HalfDifferenceChart::sizeHint() const { return QSize(23, 20) * fontMetrics().height(); }
@@ -254,7 +255,7 @@ void HalfDifferenceChart::drawLegend(QPainter& painter) const {
 
 QString HalfDifferenceChart::toolTipOf(int sample) const {
   return SampleChart::toolTipOf(sample) + '\n' +
-         (isInSlice(sample) ? tr("in the slice that is shown") : tr("at another φd than the slice that is shown"));
+         (isInSlice(sample) ? tr("in the slice shown") : tr("outside the slice shown"));
 }
 
 bool HalfDifferenceChart::event(QEvent* event) {

@@ -31,7 +31,8 @@ void drawViewer(QPainter& painter, const QPointF& at, double radius) {
 
 HemisphereChart::HemisphereChart(QWidget* parent) : SampleChart(parent) {
   setAccessibleName(tr("Directions on the hemisphere"));
-  setAccessibleDescription(tr("Light and viewer of each sample; left and right go through them in their order."));
+  setAccessibleDescription(
+      tr("Light and viewer of each sample; the left and right arrow keys step through them in order."));
 }
 
 QSize HemisphereChart::sizeHint() const { return QSize(20, 20) * fontMetrics().height(); }

@@ -20,8 +20,8 @@ constexpr double gapEms = 0.8, captionEms = 1.3, legendEms = 2.2;
 ReconstructionView::ReconstructionView(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Reconstruction beside its reference"));
   setToolTip(
-      tr("The material that is measured, what its samples give, and the difference of the two pictures: |L1 - L2| of "
-         "their luminances, in the scene's unit of radiance"));
+      tr("The measured material, its reconstruction from the samples, and the difference of the two pictures: |L1 - "
+         "L2| of their luminances, in the scene's unit of radiance"));
 }
 
 QSize ReconstructionView::sizeHint() const { return QSize(26, 13) * fontMetrics().height(); }

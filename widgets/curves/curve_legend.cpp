@@ -17,8 +17,8 @@ CurveLegend::CurveLegend(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setAccessibleName(tr("Legend: %1").arg(names().join(QStringLiteral(", "))));
   setToolTip(
-      tr("Red is a whole line, green long dashes, blue short ones. The thin line is the mean of the three, on which\n"
-         "the points lie while all channels are moved together. Faint: the curves as the measurement gave them."));
+      tr("Solid: red; long dashes: green; short dashes: blue. The thin line is the mean of the three; its points "
+         "move\nall channels together. Faint: curves of the measurement."));
 }
 
 QStringList CurveLegend::names() const { return {tr("red"), tr("green"), tr("blue"), tr("mean"), tr("as measured")}; }

@@ -24,10 +24,9 @@ QString percent(double share) {
 ResidualStrip::ResidualStrip(const CurveEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Unexplained"));
-  setToolTip(
-      tr("What the curves as the measurement gave them leave unexplained at each place above: the share of the\n"
-         "transformed reflectance there, in the norm of the factorisation. More terms explain more; with the measured\n"
-         "detail kept it stays part of the material."));
+  setToolTip(tr(
+      "Residual of the unedited curves at each position above, as a fraction of the transformed BRDF value there,\nin "
+      "the norm of the factorisation. More terms lower it; with measured detail kept it stays part of the material."));
 }
 
 QSize ResidualStrip::sizeHint() const { return {200, int(2.9 * fontMetrics().height())}; }

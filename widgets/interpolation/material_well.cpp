@@ -27,8 +27,8 @@ MaterialWell::MaterialWell(QChar letter, QWidget* parent)
       m_picture(new QWidget),
       m_name(new QLabel),
       m_note(new QLabel),
-      m_current(addButton(tr("Current"), tr("Takes the open material as it is now, with its edits"))),
-      m_file(addButton(tr("File..."), tr("Takes a measured file or a document"))),
+      m_current(addButton(tr("Current"), tr("Uses the open material with its present edits"))),
+      m_file(addButton(tr("File..."), tr("Opens a measured file or a document"))),
       m_clear(addButton({}, {})) {
   m_clear->setIcon(glyphIcon(Glyph::close));
   m_clear->setAutoRaise(true);
@@ -77,11 +77,11 @@ void MaterialWell::setContent(const WellContent& content) {
              : content.name.isEmpty() ? tr("Drop a material of the library or a file here")
                                       : tr("%1\nDrop another one here to replace it").arg(content.toolTip));
   m_clear->setVisible(!content.name.isEmpty() || content.failed || content.removable);
-  m_clear->setToolTip(content.removable ? tr("Takes this place away") : tr("Empties this place"));
+  m_clear->setToolTip(content.removable ? tr("Removes this place") : tr("Empties this place"));
   const QString what = content.name.isEmpty() ? tr("empty") : content.name;
   setAccessibleName(tr("Material %1: %2").arg(m_letter).arg(what));
   setAccessibleDescription(content.note);
-  m_current->setAccessibleName(tr("Material %1: take the current one").arg(m_letter));
+  m_current->setAccessibleName(tr("Material %1: use the open one").arg(m_letter));
   m_file->setAccessibleName(tr("Material %1: from a file").arg(m_letter));
   m_clear->setAccessibleName(tr("Material %1: empty it").arg(m_letter));
   showTexts();
@@ -121,7 +121,7 @@ void MaterialWell::keyPressEvent(QKeyEvent* event) {
 void MaterialWell::dragEnterEvent(QDragEnterEvent* event) {
   if (draggedMaterial(event->mimeData()).isEmpty()) return;
   m_dropping = true;
-  m_note->setText(tr("Take it as %1").arg(m_letter));
+  m_note->setText(tr("Use it as %1").arg(m_letter));
   update();
   event->acceptProposedAction();
 }

@@ -103,8 +103,8 @@ QString spaceExplanation(InterpolationSpace space) {
   switch (space) {
     case InterpolationSpace::linear:
       return InterpolationSpaceText::tr(
-          "The reflectances themselves are mixed. Half of a sharp and half of a wide highlight are both highlights "
-          "on top of each other, like two coats: nothing in between. All measured detail stays.");
+          "The BRDF values are mixed. Half of a sharp and half of a wide highlight shows both highlights on top of "
+          "each other, like two coats, and none of medium width. All measured detail stays.");
     case InterpolationSpace::parameters:
       return InterpolationSpaceText::tr(
           "A model is fitted to each material and its parameters are mixed: a highlight of medium width lies "
@@ -119,8 +119,8 @@ QString spaceExplanation(InterpolationSpace space) {
           "from one to the other. What the curves do not explain is lost between the materials.");
     default:
       return InterpolationSpaceText::tr(
-          "Each material is a sum of learned patterns with few coefficients; the coefficients are mixed, so the "
-          "logarithm-like transformed reflectances are. What the codes leave out is lost between the materials.");
+          "Each material is a sum of learned patterns with few coefficients; the coefficients, and with them the "
+          "transformed BRDF values, are mixed. What the codes leave out is lost between the materials.");
   }
 }
 

@@ -40,11 +40,14 @@ void LibraryChips::rebuild() {
   keep(m_filter.badges, badges);
   keep(m_filter.kinds, kinds);
   keep(m_filter.tags, m_tags);
-  addChip(tr("Favourites"), tr("Only materials that are marked as favourites"), m_filter.favourites);
-  addChip(tr("Recent"), tr("Only materials that were opened in the last week"), m_filter.recent);
-  for (const QString& badge : badges) addMember(badge, tr("Only what is \"%1\"").arg(badge), m_filter.badges);
-  for (const QString& kind : kinds) addMember(kind, tr("Only materials of the kind \"%1\"").arg(kind), m_filter.kinds);
-  for (const QString& tag : m_tags) addMember(tag, tr("Only materials with the tag \"%1\"").arg(tag), m_filter.tags);
+  addChip(tr("Favourites"), tr("Shows only favourites"), m_filter.favourites);
+  addChip(tr("Recent"), tr("Shows only materials opened in the last week"), m_filter.recent);
+  for (const QString& badge : badges)
+    addMember(badge, tr("Shows only materials with \"%1\"").arg(badge), m_filter.badges);
+  for (const QString& kind : kinds)
+    addMember(kind, tr("Shows only materials of the kind \"%1\"").arg(kind), m_filter.kinds);
+  for (const QString& tag : m_tags)
+    addMember(tag, tr("Shows only materials with the tag \"%1\"").arg(tag), m_filter.tags);
   Q_EMIT filterChanged();
 }
 

@@ -77,7 +77,7 @@ void LibraryView::buildControls() {
     updateEmptyState();
     m_visibleTimer.start();
   });
-  m_search->setToolTip(tr("Words in any order: of the name, the kind, the source"));
+  m_search->setToolTip(tr("Searches for words of the name, kind or source in any order"));
   m_filter->setText(tr("Filter"));
   m_filter->setCheckable(true);
   m_filter->setFocusPolicy(Qt::StrongFocus);
@@ -87,19 +87,19 @@ void LibraryView::buildControls() {
   m_chips->hide();
   m_group->addItems({tr("No groups"), tr("By source"), tr("By kind")});
   m_group->setAccessibleName(tr("Group by"));
-  m_group->setToolTip(tr("Groups the materials by where they come from, or by what they are"));
+  m_group->setToolTip(tr("Groups the materials by source or by kind"));
   connect(m_group, &QComboBox::currentIndexChanged, this, &LibraryView::setGrouping);
   m_sort->addItems(
       {tr("Name"), tr("Hue"), tr("Roughness"), tr("Lightness"), tr("Likeness"), tr("Rating"), tr("Last opened")});
   m_sort->setAccessibleName(tr("Sort by"));
   m_sort->setToolTip(tr("The order of the materials"));
-  m_sort->setItemData(likenessMode, tr("To the open material: mean colour and roughness of the thumbnails"),
+  m_sort->setItemData(likenessMode, tr("Likeness to the open material in mean colour and roughness of the thumbnails"),
                       Qt::ToolTipRole);
   connect(m_sort, &QComboBox::currentIndexChanged, this, &LibraryView::setSortMode);
 
   m_size->setRange(smallestTile, largestTile);
-  m_size->setAccessibleName(tr("Size of the pictures"));
-  m_size->setToolTip(tr("Size of the pictures"));
+  m_size->setAccessibleName(tr("Thumbnail size"));
+  m_size->setToolTip(tr("Thumbnail size"));
   m_size->setFixedWidth(fontMetrics().height() * 6);
   connect(m_size, &QSlider::valueChanged, this, &LibraryView::setTileSize);
   m_title->setForegroundRole(QPalette::PlaceholderText);

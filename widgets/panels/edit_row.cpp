@@ -86,8 +86,8 @@ void EditRow::show(const EditEntry& entry) {
   m_name->setEnabled(entry.enabled);
   m_eye->setChecked(entry.enabled);
   m_eye->setIcon(glyphIcon(entry.enabled ? Glyph::shown : Glyph::hidden));
-  m_eye->setToolTip(entry.enabled ? tr("Leave this edit out of the picture, the checks and exports")
-                                  : tr("Let this edit count again"));
+  m_eye->setToolTip(entry.enabled ? tr("Excludes this edit from the picture, the checks and exports")
+                                  : tr("Includes this edit again"));
   m_eye->setAccessibleName(tr("%1 is shown").arg(entry.name));
   m_slider->setNumber(entry.strength);
   m_slider->setModified(entry.strength != 1);

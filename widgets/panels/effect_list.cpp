@@ -25,15 +25,15 @@ constexpr EffectText texts[effectCount] = {
     {QT_TRANSLATE_NOOP("EffectList", "Environment light"),
      QT_TRANSLATE_NOOP("EffectList", "Light of the environment after one reflection")},
     {QT_TRANSLATE_NOOP("EffectList", "Cast shadows"),
-     QT_TRANSLATE_NOOP("EffectList", "One object in the light of another")},
+     QT_TRANSLATE_NOOP("EffectList", "Shadows that one object casts on another")},
     {QT_TRANSLATE_NOOP("EffectList", "Self-shadowing"),
-     QT_TRANSLATE_NOOP("EffectList", "An object in its own light: only where it is not convex")},
+     QT_TRANSLATE_NOOP("EffectList", "Shadows that an object casts on itself; only where it is not convex")},
     {QT_TRANSLATE_NOOP("EffectList", "Interreflection"),
-     QT_TRANSLATE_NOOP("EffectList", "Light after two reflections and more")},
+     QT_TRANSLATE_NOOP("EffectList", "Light after two or more reflections")},
     {QT_TRANSLATE_NOOP("EffectList", "Anisotropic frames"),
-     QT_TRANSLATE_NOOP("EffectList", "Directions along the surface, which anisotropic materials ask for")},
+     QT_TRANSLATE_NOOP("EffectList", "Tangent directions on the surface, which anisotropic materials need")},
     {QT_TRANSLATE_NOOP("EffectList", "Area light sampling"),
-     QT_TRANSLATE_NOOP("EffectList", "Rays are sent to places on lamps that have a size: less noise")},
+     QT_TRANSLATE_NOOP("EffectList", "Samples points on lamps that have a size, which lowers the noise")},
 };
 
 QString costText(const EffectCosts& costs, const EffectCost& cost) {
@@ -44,8 +44,8 @@ QString costText(const EffectCosts& costs, const EffectCost& cost) {
 
 QString costToolTip(const EffectCost& cost) {
   return EffectList::tr(
-             "CPU time of the picture with the effect less that without it: %1 ms, uncertain by %2 ms. The effect "
-             "changes the picture by %3 %; noise alone changes it by %4 %.")
+             "CPU time that the effect adds to the picture: %1 ms, uncertain by %2 ms. The effect changes the picture "
+             "by %3 %; noise alone changes it by %4 %.")
       .arg(1000 * cost.seconds, 0, 'f', 1)
       .arg(1000 * cost.secondsNoise, 0, 'f', 1)
       .arg(100 * cost.difference, 0, 'g', 2)
@@ -60,7 +60,7 @@ EffectList::EffectList(QWidget* parent) : QWidget(parent) {
   layout->setVerticalSpacing(2);
   layout->setHorizontalSpacing(fontMetrics().averageCharWidth() * 2);
   int column = 0;
-  for (const QString& title : {tr("Effect"), tr("Simulated"), tr("Switch"), tr("Cost"), tr("Why")}) {
+  for (const QString& title : {tr("Effect"), tr("Simulated"), tr("Switch"), tr("Cost"), tr("Reason")}) {
     auto* label = new QLabel(title);
     label->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(label, 0, column++);
@@ -79,7 +79,8 @@ void EffectList::addRow(Effect effect) {
   row.name->setToolTip(QCoreApplication::translate("EffectList", text.toolTip));
   row.choice->addItems({tr("auto"), tr("on"), tr("off")});
   row.choice->setAccessibleName(tr("%1: auto, on or off").arg(name));
-  row.choice->setToolTip(tr("Forces the effect: on, to see that the picture stays as it is; off, to see what it does"));
+  row.choice->setToolTip(
+      tr("Forces the effect on, to verify that the picture stays the same, or off, to see what it contributes"));
   row.choice->setFocusPolicy(Qt::StrongFocus);
   row.cost->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row.reason->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -36,7 +36,7 @@ void PlausibilityBadge::setState(State state) {
   m_state = state;
   const QString told = state == State::passed ? tr("passed") : state == State::failed ? tr("failed") : tr("checking");
   setAccessibleName(tr("%1: %2").arg(text(), told));
-  setToolTip(tr("%1: %2. Press for what it means.").arg(text(), told));
+  setToolTip(tr("%1: %2. Press for an explanation.").arg(text(), told));
   update();
 }
 

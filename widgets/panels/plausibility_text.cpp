@@ -32,33 +32,33 @@ QString where(const metrics::PlausibilityCheck& check) {
 
 Text textOf(const metrics::PlausibilityCheck& check) {
   if (check.name == "energy")
-    return {
-        PlausibilityText::tr("Energy"),
-        PlausibilityText::tr("No surface sends back more light than it receives: the directional albedo is at most 1."),
-        PlausibilityText::tr("Largest albedo: %1 (limit %2)").arg(number(check.worst), number(check.limit)),
-        PlausibilityText::tr(
-            "Lower the specular scale or the diffuse colour, or raise the roughness at grazing angles.")};
-  if (check.name == "reciprocity")
-    return {PlausibilityText::tr("Reciprocity"),
-            PlausibilityText::tr("Light takes the same way back: exchanging light and viewer changes nothing."),
-            PlausibilityText::tr("Largest difference: %1 of the value (limit %2)")
-                .arg(percent(check.worst), percent(check.limit)),
+    return {PlausibilityText::tr("Energy"),
             PlausibilityText::tr(
-                "Models that are not reciprocal by construction say so in their tooltips; choose another one.")};
+                "A surface reflects at most the light that it receives: the directional albedo is at most 1."),
+            PlausibilityText::tr("Largest albedo: %1 (limit %2)").arg(number(check.worst), number(check.limit)),
+            PlausibilityText::tr(
+                "Lower the specular scale or the diffuse colour, or raise the roughness at grazing angles.")};
+  if (check.name == "reciprocity")
+    return {
+        PlausibilityText::tr("Reciprocity"),
+        PlausibilityText::tr("Exchanging light and viewer does not change the BRDF value."),
+        PlausibilityText::tr("Largest difference: %1 of the value (limit %2)")
+            .arg(percent(check.worst), percent(check.limit)),
+        PlausibilityText::tr("Choose a reciprocal model; the tooltip of each model states whether it is reciprocal.")};
   if (check.name == "negative")
     return {PlausibilityText::tr("Negative"),
             PlausibilityText::tr(
-                "The edit takes away more than was measured there. The picture shows 0 instead: black patches."),
+                "The edit subtracts more than was measured there. The picture shows 0 instead, as black patches."),
             PlausibilityText::tr("Lowest value: %1 1/sr, at %2 of the directions")
                 .arg(number(-check.worst), percent(check.share)),
-            PlausibilityText::tr("Take back part of the edit, or fit a model that explains the measurement better.")};
+            PlausibilityText::tr("Reduce the edit, or fit a model that explains the measurement better.")};
   if (check.name == "non-finite")
     return {PlausibilityText::tr("Finite"), PlausibilityText::tr("Every value is a number."),
-            PlausibilityText::tr("Values that are no numbers: %1").arg(check.worst),
-            PlausibilityText::tr("Take back the last change and report it: this is a fault of the program.")};
+            PlausibilityText::tr("Values that are not numbers: %1").arg(check.worst),
+            PlausibilityText::tr("Undo the last change and report it: this is an error in the program.")};
   return {PlausibilityText::tr("Measured"),
           PlausibilityText::tr(
-              "Where the table has no data, the picture is black or takes the values of the cells around."),
+              "Where the table has no data, the picture is black or uses the values of neighbouring cells."),
           PlausibilityText::tr("Visible fraction without data: %1 (limit %2)")
               .arg(percent(check.worst), percent(check.limit)),
           PlausibilityText::tr("Judge those angles with care: nothing was measured there.")};

@@ -32,8 +32,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   connect(m_cancel, &QToolButton::clicked, this, &ProgressStrip::cancelRequested);
   m_pause->setAutoRaise(true);
   m_pause->setCheckable(true);
-  m_pause->setToolTip(
-      tr("Give the processor to other work until it is pressed again; exports that wait go on waiting"));
+  m_pause->setToolTip(tr("Pauses this work so that other work gets the processor; press again to continue"));
   connect(m_pause, &QToolButton::clicked, this, &ProgressStrip::pauseRequested);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 0, 0, 0);

@@ -80,8 +80,8 @@ QWidget* ComparisonBar::buildSides() {
   for (int side = 0; side < 2; ++side) {
     auto* list = m_sides[std::size_t(side)] = new QComboBox(row);
     list->setAccessibleName(side == 0 ? tr("First side") : tr("Second side"));
-    list->setToolTip(side == 0 ? tr("What is judged: left, or shown while no key is held")
-                               : tr("What it is judged against: right, or shown while \\ is held"));
+    list->setToolTip(side == 0 ? tr("First side: shown left, or while no key is held")
+                               : tr("Second side, the reference: shown right, or while \\ is held"));
     list->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     list->setMinimumContentsLength(8);
     for (int i = 0; i <= otherMaterialEntry; ++i) list->addItem({});
@@ -113,21 +113,21 @@ QWidget* ComparisonBar::buildDifference() {
   m_kind->setAccessibleName(tr("Kind of difference"));
   m_kind->addItems({tr("Absolute"), tr("Signed"), tr("Relative")});
   for (int i = 0; i < m_kind->count(); ++i) m_kind->setItemData(i, differenceTitle(DifferenceKind(i)), Qt::ToolTipRole);
-  m_kind->setToolTip(tr("Which difference of the luminances is shown"));
+  m_kind->setToolTip(tr("Kind of luminance difference that is shown"));
   connect(m_kind, &QComboBox::activated, this, [this](int kind) {
     m_comparison.difference = DifferenceKind(kind);
     m_comparison.range = 0;
     tell();
   });
   m_automatic = new QCheckBox(tr("Automatic range to"), row);
-  m_automatic->setToolTip(tr("The last colour is the round number above 99.5 % of the differences"));
+  m_automatic->setToolTip(tr("Sets the scale to the next round number above 99.5 % of the differences"));
   connect(m_automatic, &QCheckBox::clicked, this, [this](bool automatic) {
     m_comparison.range = automatic ? 0 : m_range->value();
     tell();
   });
   m_range = new NumberField(row);
-  m_range->setAccessibleName(tr("Difference that has the last colour"));
-  m_range->setToolTip(tr("The difference that has the last colour"));
+  m_range->setAccessibleName(tr("Scale maximum"));
+  m_range->setToolTip(tr("Difference that the last colour shows; lower it to see small differences"));
   m_range->setRange(smallestRange, largestRange);
   connect(m_range, &NumberField::valueEdited, this, [this](double range) {
     m_comparison.range = range;

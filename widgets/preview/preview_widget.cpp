@@ -192,7 +192,7 @@ void PreviewWidget::showStatus(double milliseconds) {
                            .arg(m_settings.exposure, 0, 'f', 1)
                            .arg(curve)
                            .arg(milliseconds, 0, 'f', 1)
-                           .arg(shown.isTraced ? tr(" a sample, on the CPU") : QString())
+                           .arg(shown.isTraced ? tr(" per sample, on the CPU") : QString())
                            .arg(samplesText(shown.samples), shown.isFiltered ? tr(", noise filtered") : QString(),
                                 effectsText(m_content.plan(), followed)));
 }

@@ -20,7 +20,7 @@ SplitBar::SplitBar(QWidget* parent) : QWidget(parent) {
   setCursor(Qt::SplitHCursor);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Split bar"));
-  setToolTip(tr("Drag to move the split; double-click puts it into the middle"));
+  setToolTip(tr("Drag to move the split; double-click to centre it"));
   parent->installEventFilter(this);
   place();
 }

@@ -63,8 +63,9 @@ StudyScatter::StudyScatter(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_chart);
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(tr("Accuracy against cost"));
-  setAccessibleDescription(tr("A point for each representation; left and right go through them by their cost."));
+  setAccessibleName(tr("Accuracy vs. cost"));
+  setAccessibleDescription(
+      tr("One point for each representation; the left and right arrow keys step through them by cost."));
   m_chart->setObjectName(QStringLiteral("chart"));
   m_chart->setFocusProxy(this);
   m_chart->setMouseTracking(true);

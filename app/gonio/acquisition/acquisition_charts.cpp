@@ -36,13 +36,14 @@ AcquisitionCharts::AcquisitionCharts(const AcquisitionSession& session, const Ac
 
 void AcquisitionCharts::build() {
   m_slice->setAccessibleName(tr("φd of the slice"));
-  m_slice->setToolTip(tr("Which slice of half-difference space the chart shows; a click on a sample goes to its own"));
+  m_slice->setToolTip(
+      tr("Azimuth φd of the slice of half-difference space that the chart shows; click a sample to go to its slice"));
   m_sliceText->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("180°")) + 2);
   m_sliceText->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_uncertainty->setChecked(true);
   m_uncertainty->setToolTip(
-      tr("How uncertain the reconstruction is at each cell, in false colour: the standard deviation of ln ρ that the "
-         "samples leave (0.1 is about 10 %)."));
+      tr("Shows the uncertainty of the reconstruction in false colour: the standard deviation of ln ρ in each cell, "
+         "given the samples (0.1 is about 10 %)."));
   m_slice->setRange(0, HalfDifferenceGrid().phiDCount - 1);
   m_slice->setValue(HalfDifferenceGrid().phiDCount / 2);
   auto* label = new QLabel(tr("Slice φd"));

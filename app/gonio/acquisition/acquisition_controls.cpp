@@ -25,20 +25,21 @@ AcquisitionControls::AcquisitionControls(QWidget* parent) : QWidget(parent) {
 
 void AcquisitionControls::buildReconstruction(QFormLayout& form) {
   form.addRow(rowHeading(tr("Reconstruction")));
-  m_reconstruction = rowBox(tr("How the material follows from its values"));
+  m_reconstruction =
+      rowBox(tr("Method that computes the whole material from the measured values; only ridge gives an uncertainty"));
   const std::pair<QString, QString> methods[] = {
-      {tr("Ridge, chosen η"), tr("Tikhonov regularisation over up to %1 components, with the η that predicts each "
-                                 "sample best from all others (leave-one-out)")
-                                  .arg(mostComponents)},
+      {tr("Ridge, automatic η"), tr("Tikhonov regularisation over up to %1 components, with the η that predicts each "
+                                    "sample best from all others (leave-one-out)")
+                                     .arg(mostComponents)},
       {tr("Ridge, published η = %1").arg(acquisition::publishedRidge),
-       tr("With the η of the publications, over as many components. It was found for some 400 training signals; with "
-          "fewer it flattens too much.")},
-      {tr("Sparse"), tr("Few components, chosen by orthogonal matching pursuit; without uncertainty")}};
+       tr("Ridge with the published η, over the same number of components. It was found for about 400 training signals "
+          "and smooths too much with fewer.")},
+      {tr("Sparse"), tr("Few components, chosen by orthogonal matching pursuit; it gives no uncertainty")}};
   for (const auto& [name, explanation] : methods) {
     m_reconstruction->addItem(name);
     m_reconstruction->setItemData(m_reconstruction->count() - 1, explanation, Qt::ToolTipRole);
   }
-  form.addRow(tr("&By"), m_reconstruction);
+  form.addRow(tr("Reconstruct &by"), m_reconstruction);
 }
 
 void AcquisitionControls::connectRows() {

@@ -60,7 +60,7 @@ void AcquisitionFiles::paste(const QString& text) {
     if (text.trimmed().isEmpty()) throw Error(tr("There is no text on the clipboard.").toStdString());
     m_session.setValues(materials::parseValues(text.toStdString(), m_session.planner().samplingPlan()), tr("pasted"));
   } catch (const Error& error) {
-    Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
+    Q_EMIT failed(tr("Cannot use the values"), QString::fromUtf8(error.what()));
   }
 }
 
@@ -69,7 +69,7 @@ void AcquisitionFiles::readValues(const QString& path) {
     m_session.setValues(materials::readValues(path.toStdString(), m_session.planner().samplingPlan()),
                         path.section('/', -1));
   } catch (const Error& error) {
-    Q_EMIT failed(tr("Cannot take the values"), QString::fromUtf8(error.what()));
+    Q_EMIT failed(tr("Cannot use the values"), QString::fromUtf8(error.what()));
   }
 }
 

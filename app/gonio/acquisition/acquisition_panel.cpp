@@ -41,7 +41,7 @@ AcquisitionPanel::AcquisitionPanel(Document& document, BackgroundTasks& tasks, Q
       m_status(new QLabel) {
   m_pages->addTab(m_samples, tr("Samples"));
   m_pages->addTab(m_reconstruction, tr("&Reconstruction"));
-  m_pages->addTab(m_curve, tr("Error over m"));
+  m_pages->addTab(m_curve, tr("Error vs. m"));
   m_pages->setDocumentMode(true);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
@@ -64,7 +64,7 @@ QWidget* AcquisitionPanel::buildControls() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_start->setToolTip(tr("Chooses where to measure, with the settings above; while it works: stops"));
+  m_start->setToolTip(tr("Chooses directions to measure with the settings above; press again to stop"));
   m_start->setDefault(true);
   m_progress->setRange(0, 1000);
   m_progress->setTextVisible(false);

@@ -96,7 +96,7 @@ void AcquisitionPlanner::takeGiven() {
       selection.cells.push_back(acquisition::nearestNode(m_basis->mapping.grid, sample.directions));
     install(selection, *m_given);
   } catch (const Error& error) {
-    Q_EMIT failed(tr("Cannot take the plan"), QString::fromUtf8(error.what()));
+    Q_EMIT failed(tr("Cannot use the plan"), QString::fromUtf8(error.what()));
   }
 }
 

@@ -195,12 +195,12 @@ void AcquisitionSession::startCurve(const AcquisitionInput& input) {
         Qt::QueuedConnection);
   };
   m_tasks.run<bool>(
-      {tr("Measuring the error over the number of samples"), stepKey},
+      {tr("Measuring the error vs. the number of samples"), stepKey},
       [input, reference = m_referenceReader.reference(), tell](const TaskControl& control) {
         measureCurve(input, reference, tell, control);
         return true;
       },
-      [this](bool) { setStep(Step::idle); }, failure(tr("Cannot measure the error over the number of samples")),
+      [this](bool) { setStep(Step::idle); }, failure(tr("Cannot measure the error vs. the number of samples")),
       stopped());
   setStep(Step::measuringCurve);
 }

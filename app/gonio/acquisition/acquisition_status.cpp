@@ -29,19 +29,19 @@ QString acquisitionStatus(const AcquisitionSession& session, const AcquisitionCo
     case Step::reconstructing:
       return Text::tr("Reconstructing...");
     case Step::measuringCurve:
-      return Text::tr("Measuring the error over m...");
+      return Text::tr("Measuring the error vs. m...");
     case Step::idle:
       break;
   }
   if (!planner.hasPlan()) return Text::tr("Press Start to choose directions.");
-  if (planner.settings() != controls.planSettings()) return Text::tr("The settings have changed: start anew.");
+  if (planner.settings() != controls.planSettings()) return Text::tr("The settings have changed. Press Start again.");
   if (!planner.selection().warning.empty()) return QString::fromStdString(planner.selection().warning);
   if (session.referenceReader().isReading()) return Text::tr("Preparing %1...").arg(session.referenceReader().name());
   if (session.values().rgb.empty()) return Text::tr("Save the plan, measure, then paste or open the values.");
   if (session.isReferenceLearned() && session.result())
-    return Text::tr("%1 is in the training set: the error is too small. Start anew to leave it out.")
+    return Text::tr("%1 is in the training set, so its error is too small. Press Start to leave it out.")
         .arg(session.referenceReader().name());
-  if (!session.result()) return Text::tr("Stopped before the material was reconstructed: start anew.");
+  if (!session.result()) return Text::tr("Stopped before the material was reconstructed. Press Start to try again.");
   return Text::tr("Values: %1").arg(session.valuesName());
 }
 

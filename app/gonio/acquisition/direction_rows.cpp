@@ -25,7 +25,7 @@ DirectionRows::DirectionRows(QFormLayout& form) : QObject(&form) {
 
 void DirectionRows::buildSamples(QFormLayout& form) {
   form.addRow(rowHeading(tr("Directions")));
-  const QString toolTip = tr("m: how many pairs of directions are measured, %1 to %2")
+  const QString toolTip = tr("Number m of direction pairs to measure, %1 to %2; more samples lower the error")
                               .arg(AcquisitionSession::fewestSamples)
                               .arg(AcquisitionSession::mostSamples);
   m_samplesSlider = new widgets::ParameterSlider;
@@ -46,41 +46,43 @@ void DirectionRows::buildSamples(QFormLayout& form) {
 }
 
 void DirectionRows::buildMethod(QFormLayout& form) {
-  m_method = rowBox(tr("How the directions are chosen"));
+  m_method = rowBox(tr("Method that chooses the directions"));
   const std::tuple<acquisition::SelectionMethod, QString, QString> methods[] = {
       {acquisition::SelectionMethod::simultaneousPursuit, tr("SOMP, all signals"),
        tr("Simultaneous orthogonal matching pursuit over all training signals (FROST)")},
       {acquisition::SelectionMethod::simultaneousPursuitFirstColumns, tr("SOMP, as released"),
-       tr("The same over the first signals alone, as many as there are samples: what the authors' code does")},
+       tr("SOMP over only the first m training signals, as in the authors' released code")},
       {acquisition::SelectionMethod::conditionNumber, tr("Condition number"),
-       tr("The search of Nielsen et al. 2015: slower by far, the more so the more samples")},
-      {acquisition::SelectionMethod::random, tr("Random"), tr("Every measurable cell as likely as any other")},
-      {acquisition::SelectionMethod::uniform, tr("Uniform"), tr("Spread evenly over the directions")}};
+       tr("Minimises the condition number (Nielsen et al. 2015); much slower, especially for many samples")},
+      {acquisition::SelectionMethod::random, tr("Random"),
+       tr("Chooses measurable cells at random with equal probability")},
+      {acquisition::SelectionMethod::uniform, tr("Uniform"), tr("Spreads the samples evenly over the directions")}};
   for (const auto& [method, name, explanation] : methods) {
     m_method->addItem(name, int(method));
     m_method->setItemData(m_method->count() - 1, explanation, Qt::ToolTipRole);
   }
   form.addRow(tr("Metho&d"), m_method);
-  m_seed = rowField(tr("Seed"), tr("Another number: other random directions, other noise"), 1, 1e6, 1, {});
+  m_seed =
+      rowField(tr("Seed"), tr("Seed of the random directions and of the noise; change it to get other random values"),
+               1, 1e6, 1, {});
   form.addRow(tr("Seed"), m_seed);
   m_seed->setValue(1);
 }
 
 void DirectionRows::buildRig(QFormLayout& form) {
-  form.addRow(rowHeading(tr("What the rig can see")));
+  form.addRow(rowHeading(tr("Limits of the rig")));
   const acquisition::MeasurableDirections usual;
   m_largestAngle = rowField(tr("Max. polar angle"), tr("Maximum polar angle of light and viewer"), radians(10), halfPi,
                             radians(1), QStringLiteral("°"), degrees(1));
   m_largestAngle->setValue(usual.largestPolarAngle);
-  m_separation = rowField(tr("Arms apart"),
-                          tr("The least angle between light and viewer: nearer, one arm stands before "
-                             "the other"),
-                          0, halfPi, radians(1), QStringLiteral("°"), degrees(1));
+  m_separation = rowField(tr("Min. separation"),
+                          tr("Minimum angle between light and viewer; below it, one arm occludes the other"), 0, halfPi,
+                          radians(1), QStringLiteral("°"), degrees(1));
   m_separation->setValue(usual.smallestSeparation);
-  form.addRow(tr("Largest θ"), m_largestAngle);
-  form.addRow(tr("Arms apart"), m_separation);
+  form.addRow(tr("Max. θ"), m_largestAngle);
+  form.addRow(tr("Min. separation"), m_separation);
   m_forbidden = new widgets::ForbiddenRegionsEditor;
-  form.addRow(new QLabel(tr("Out of reach, degrees")));
+  form.addRow(new QLabel(tr("Unreachable directions, degrees")));
   form.addRow(m_forbidden);
 }
 

@@ -13,7 +13,7 @@ namespace gonio::app {
 ErrorCurvePage::ErrorCurvePage(const AcquisitionSession& session)
     : m_session(session), m_quality(new QComboBox), m_curve(new widgets::ErrorCurve) {
   m_quality->addItems({tr("rendered SNR"), tr("log error")});
-  m_quality->setToolTip(tr("Of the material that the first m of the samples give, against the one that is measured"));
+  m_quality->setToolTip(tr("Error of the reconstruction from the first m samples against the measured material"));
   auto* label = new QLabel(tr("Sho&w"));
   label->setBuddy(m_quality);
   auto* row = new QHBoxLayout;
@@ -43,7 +43,7 @@ void ErrorCurvePage::refresh() {
   m_curve->setHint(!m_session.referenceReader().reference()
                        ? tr("The error needs a material to compare with: choose one to measure.")
                    : m_session.isBusy() ? tr("Working...")
-                                        : tr("Start measures the error over ever more of the samples."));
+                                        : tr("Press Start to measure the error for increasing numbers of samples."));
 }
 
 }  // namespace gonio::app

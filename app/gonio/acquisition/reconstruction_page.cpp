@@ -22,8 +22,8 @@ ReconstructionPage::ReconstructionPage(const AcquisitionSession& session, const 
   m_numbers->setWordWrap(true);
   m_numbers->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_open->setToolTip(
-      tr("The reconstruction becomes the open material, to be edited, saved and exported like any other.\n"
-         "Its table is kept as a file in Gonio's data folder. Undo brings back what was open."));
+      tr("Opens the reconstruction as a material that can be edited, saved and exported.\nIts table is stored in "
+         "Gonio's data folder. Undo restores the previous material."));
   auto* row = new QHBoxLayout;
   row->addWidget(m_numbers, 1);
   row->addWidget(m_open, 0, Qt::AlignTop);

@@ -20,18 +20,19 @@ SamplesPage::SamplesPage(const AcquisitionSession& session, const AcquisitionCon
   QPushButton* copy = button(tr("&Copy"), tr("Copies the plan as comma-separated text"),
                              [&files] { QApplication::clipboard()->setText(files.planText()); });
   QPushButton* save =
-      button(tr("Save Plan..."), tr("Writes the plan as CSV: a row for each pair of directions, in degrees"),
+      button(tr("Save Plan..."), tr("Saves the plan as CSV: one row for each pair of directions, in degrees"),
              [&files] { files.askForPlanFile(); });
-  m_openPlan = button(tr("Open Plan..."),
-                      tr("Takes the directions of a plan that was saved before, instead of choosing them; the training "
-                         "set is learned"),
-                      [&files] { files.askForPlan(); });
-  QPushButton* paste =
-      button(tr("Pas&te Values"),
-             tr("Takes measured values from the clipboard, of a spreadsheet or as comma-separated text: a header, then "
-                "rows of index, r, g, b in 1/sr"),
-             [&files] { files.paste(QApplication::clipboard()->text()); });
-  QPushButton* read = button(tr("&Open Values..."), tr("The same from a CSV file"), [&files] { files.askForValues(); });
+  m_openPlan =
+      button(tr("Open Plan..."),
+             tr("Uses the directions of a saved plan instead of choosing new ones; the training set is still learned"),
+             [&files] { files.askForPlan(); });
+  QPushButton* paste = button(tr("Pas&te Values"),
+                              tr("Pastes measured values from a spreadsheet or comma-separated text: a header, then "
+                                 "rows of index, r, g, b in 1/sr"),
+                              [&files] { files.paste(QApplication::clipboard()->text()); });
+  QPushButton* read = button(tr("&Open Values..."),
+                             tr("Reads measured values from a CSV file: a header, then rows of index, r, g, b in 1/sr"),
+                             [&files] { files.askForValues(); });
   m_needPlan = {copy, save, paste, read};
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 4, 0, 0);

@@ -12,8 +12,8 @@ namespace gonio::app {
 
 SubjectRows::SubjectRows(QFormLayout& form)
     : QObject(&form),
-      m_box(rowBox(tr("The material that is measured in simulation, and that the reconstruction is compared with. With "
-                      "values of a rig there may be none."))) {
+      m_box(rowBox(tr("Material that is measured in simulation and compared with the reconstruction; choose None for "
+                      "values measured with a rig"))) {
   build(form);
   connect(m_box, &QComboBox::activated, this, &SubjectRows::activated);
   for (widgets::NumberField* number : {m_noise, m_floor, m_misalignment})
@@ -25,14 +25,14 @@ void SubjectRows::build(QFormLayout& form) {
   m_box->addItems({tr("The open material"), QString(), tr("None (measured values)"), tr("Choose...")});
   hideItem(*m_box, chosenMaterial, true);
   form.addRow(tr("Meas&ure"), m_box);
-  m_noise = rowField(tr("Noise"), tr("Standard deviation of a simulated reading, as a fraction of its value"), 0, 1,
-                     0.01, tr("%"), 100);
-  m_floor = rowField(tr("Noise floor"), tr("Standard deviation of the sensor in the dark, beside its relative noise"),
-                     0, 10, 1e-3, tr("1/sr"));
+  m_noise = rowField(tr("Noise"), tr("Standard deviation of a simulated reading, in percent of its value"), 0, 1, 0.01,
+                     tr("%"), 100);
+  m_floor = rowField(tr("Noise floor"),
+                     tr("Standard deviation of a simulated reading in the dark, in addition to the relative noise"), 0,
+                     10, 1e-3, tr("1/sr"));
   m_misalignment = rowField(tr("Misalignment"),
-                            tr("Standard deviation of the direction of each arm, along each of two "
-                               "axes"),
-                            0, radians(10), radians(0.1), QStringLiteral("°"), degrees(1));
+                            tr("Standard deviation of the direction of each arm about each of two axes, in degrees"), 0,
+                            radians(10), radians(0.1), QStringLiteral("°"), degrees(1));
   form.addRow(tr("&Noise"), m_noise);
   form.addRow(tr("Noise floor"), m_floor);
   form.addRow(tr("Misali&gnment"), m_misalignment);

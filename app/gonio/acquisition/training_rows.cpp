@@ -33,8 +33,8 @@ void TrainingRows::build(QFormLayout& form) {
   hideItem(*m_box, otherSet, true);
   form.addRow(tr("&Learn from"), m_box);
   m_leaveOut->setToolTip(
-      tr("Neither the material that is measured nor another file of the same name is learned from: otherwise its "
-         "reconstruction looks better than that of a new material."));
+      tr("Excludes the measured material, and files of the same name, from the training set; otherwise the error is "
+         "too small for a new material."));
   m_leaveOut->setChecked(true);
   form.addRow(m_leaveOut);
   m_facts->setForegroundRole(QPalette::PlaceholderText);
@@ -80,7 +80,7 @@ TrainingSet TrainingRows::training() const {
     case library:
       return libraryTraining();
     case shownInLibrary:
-      return {tr("what the library shows"), m_shownIds ? m_shownIds() : QStringList()};
+      return {tr("materials shown in the library"), m_shownIds ? m_shownIds() : QStringList()};
     case otherSet:
       return m_otherSet;
     default:

@@ -46,14 +46,14 @@ ComparisonNumbers compareSubjects(const widgets::PreviewSubject& test, const Com
 
 std::vector<ComparisonLine> comparisonLines(const ComparisonNumbers* numbers) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const QString scene = ComparisonNumbersText::tr("Of the rendered pictures, in the scene %1").arg(comparisonSceneName);
+  const QString scene = ComparisonNumbersText::tr("SNR of pictures rendered in the scene %1").arg(comparisonSceneName);
   std::vector<ComparisonLine> lines{
       {ComparisonNumbersText::tr("Rendered SNR"), ComparisonNumbersText::tr("dB"), scene,
        numbers ? numbers->renderedSnr : none},
       {ComparisonNumbersText::tr("Rendered PSNR"), ComparisonNumbersText::tr("dB"), scene,
        numbers ? numbers->renderedPsnr : none},
       {ComparisonNumbersText::tr("BRDF SNR"), ComparisonNumbersText::tr("dB"),
-       ComparisonNumbersText::tr("Of the reflectances times both cosines, over the reference's cells"),
+       ComparisonNumbersText::tr("SNR of BRDF values times both cosines, over the valid cells of the reference"),
        numbers ? numbers->brdfSnr : none}};
   const auto records = metrics::metricRecords();
   for (std::size_t i = 0; i < records.size(); ++i) {

@@ -45,7 +45,7 @@ ComparisonPanel::ComparisonPanel(ComparisonController& comparison, BackgroundTas
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_table->setShowGrid(false);
   m_table->setTabKeyNavigation(false);
-  m_table->setAccessibleName(tr("Numbers of the comparison"));
+  m_table->setAccessibleName(tr("Comparison results"));
   m_copy->setToolTip(tr("Copies every number with its unit, as comma-separated text"));
   auto* top = new QHBoxLayout;
   top->addWidget(m_title, 1);

@@ -161,7 +161,7 @@ void DocumentController::runFit(const models::Model& model, std::function<void(c
         m_proposal = fit;
         const QString error = fit.errors.empty() ? tr("unknown") : widgets::formatNumber(fit.errors.front());
         Q_EMIT proposalOffered(
-            tr("The fit of %1 was stopped. Its best so far has a log error of %2.").arg(name, error));
+            tr("The fit of %1 was stopped. The best parameters so far have a log error of %2.").arg(name, error));
       },
       [this, name](const QString& error) { Q_EMIT failed(tr("Cannot fit %1").arg(name), error); });
 }
@@ -228,7 +228,7 @@ void DocumentController::paste(const editing::EditList& edits) {
       missing.insert(differential->model);
   if (!factors && missing.empty()) return install({edits, {}});
   m_tasks.run<Pasted>(
-      {tr("Carrying the edits over"), pasteKey},
+      {tr("Transferring the edits"), pasteKey},
       [material, edits, missing](const TaskControl& control) {
         Pasted carried{edits, {}};
         for (editing::Edit& edit : carried.edits)

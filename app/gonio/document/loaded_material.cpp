@@ -80,7 +80,7 @@ LoadedMaterialPtr loadSource(const editing::EditDocument& document, const TaskCo
 
 QString sourceKind(const LoadedMaterial& loaded) {
   const auto text = [](const char* kind) { return QCoreApplication::translate("LoadedMaterial", kind); };
-  if (loaded.blend) return text("Kept blend");
+  if (loaded.blend) return text("Saved blend");
   if (loaded.material.source.format == materials::nearMeasuredFormat) return text("Near-measured");
   return loaded.material.source.format == materials::sgdFormat ? text("Published fit") : text("Measured");
 }

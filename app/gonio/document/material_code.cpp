@@ -98,39 +98,36 @@ std::vector<widgets::Fact> codeFacts(const MaterialCode& code) {
   const double tableBytes = double(code.material->bytes());
   const QString snr = std::isfinite(code.snr) ? MaterialCodeText::tr("BRDF SNR %1 dB").arg(code.snr, 0, 'f', 1)
                                               : MaterialCodeText::tr("none: equal values");
-  return {
-      {MaterialCodeText::tr("Error"), MaterialCodeText::tr("%1 log, %2").arg(number(code.logError), snr),
-       MaterialCodeText::tr("Of the decoded code against the measurement: mean of the difference of ln(1 + ρ cos θi), "
-                            "squared, over the\n"
-                            "solid angles, root; and the signal to noise ratio of ρ cos θi cos θo over the cells.\n"
-                            "That of pictures is another one: Analyse > Measure Representations.")},
-      {MaterialCodeText::tr("Size"),
-       MaterialCodeText::tr("%1 kB; the table has %2 MB")
-           .arg(double(code.bytes) * 1e-3, 0, 'f', 1)
-           .arg(tableBytes * 1e-6, 0, 'f', 1),
-       MaterialCodeText::tr(
-           "Of the code's file, with values in half precision. The dictionary comes with Gonio and is not counted.")},
-      {MaterialCodeText::tr("Time"),
-       MaterialCodeText::tr("%1 ns an evaluation, %2 ms to decode, %3 s to encode")
-           .arg(code.nanoseconds, 0, 'f', 0)
-           .arg(1000 * code.decodeSeconds, 0, 'f', 0)
-           .arg(code.encoded.seconds, 0, 'f', 1),
-       MaterialCodeText::tr(
-           "Measured here and now: one evaluation straight from the code on one core; all cells; the encoding")},
-      {MaterialCodeText::tr("Transform"),
-       MaterialCodeText::tr("%1: y = %2")
-           .arg(transformText(code.encoded.code.transform), transformFormula(code.encoded.code.transform)),
-       MaterialCodeText::tr("What the code is of. Both were tried; the one with the least gamma error is kept.")},
-      {MaterialCodeText::tr("Gamma error"), reason(code.encoded),
-       MaterialCodeText::tr(
-           "Mean of (√ρ − √ρ')² over the projected directions to 85°: nearer to what the eye sees than the plain "
-           "error,\n"
-           "which the highlight alone would decide. The transform with the smaller one was chosen.")},
-      {MaterialCodeText::tr("Dictionaries"), dictionaryText(code),
-       MaterialCodeText::tr(
-           "Of %1, for each channel the one whose largest coefficients hold most of the signal.\n"
-           "\"Learned with\": how many coefficients a material was allowed while the dictionary was trained.")
-           .arg(code.dictionary->ensemble.dictionaries.size())}};
+  return {{MaterialCodeText::tr("Error"), MaterialCodeText::tr("%1 log, %2").arg(number(code.logError), snr),
+           MaterialCodeText::tr("Error of the decoded code against the measurement: root mean square difference of "
+                                "ln(1 + ρ cos θi) over\nsolid angle, and signal-to-noise ratio of ρ cos θi cos θo over "
+                                "the cells.\nFor the rendered SNR, use Analyse > Measure Representations.")},
+          {MaterialCodeText::tr("Size"),
+           MaterialCodeText::tr("%1 kB; the table has %2 MB")
+               .arg(double(code.bytes) * 1e-3, 0, 'f', 1)
+               .arg(tableBytes * 1e-6, 0, 'f', 1),
+           MaterialCodeText::tr("Size of the code's file with values in half precision. The dictionary comes with "
+                                "Gonio and is not counted.")},
+          {MaterialCodeText::tr("Time"),
+           MaterialCodeText::tr("%1 ns per evaluation, %2 ms to decode, %3 s to encode")
+               .arg(code.nanoseconds, 0, 'f', 0)
+               .arg(1000 * code.decodeSeconds, 0, 'f', 0)
+               .arg(code.encoded.seconds, 0, 'f', 1),
+           MaterialCodeText::tr("Measured on this machine: one evaluation directly from the code on one core, decoding "
+                                "of all cells, and the encoding")},
+          {MaterialCodeText::tr("Transform"),
+           MaterialCodeText::tr("%1: y = %2")
+               .arg(transformText(code.encoded.code.transform), transformFormula(code.encoded.code.transform)),
+           MaterialCodeText::tr("Transform of the BRDF values that are encoded. Both were tried; the one with the "
+                                "smaller gamma error was chosen.")},
+          {MaterialCodeText::tr("Gamma error"), reason(code.encoded),
+           MaterialCodeText::tr(
+               "Mean of (√ρ − √ρ')² over projected solid angle up to 85°: closer to perception than the plain "
+               "error,\nwhich the highlight dominates. The transform with the smaller gamma error was chosen.")},
+          {MaterialCodeText::tr("Dictionaries"), dictionaryText(code),
+           MaterialCodeText::tr("For each channel, the dictionary out of %1 with the most energy in its largest "
+                                "coefficients.\n\"Learned with\": number of coefficients per material during training.")
+               .arg(code.dictionary->ensemble.dictionaries.size())}};
 }
 
 }  // namespace gonio::app

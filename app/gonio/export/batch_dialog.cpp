@@ -42,7 +42,7 @@ void BatchDialog::build() {
   m_snr = exportSnrField();
   m_folder = new QLineEdit;
   m_folder->setMinimumWidth(fontMetrics().averageCharWidth() * 48);
-  m_replace = new QCheckBox(tr("Re&place files that exist"));
+  m_replace = new QCheckBox(tr("Re&place existing files"));
   for (QLabel** label : {&m_description, &m_files}) {
     *label = exportText();
     (*label)->setMinimumHeight(2 * fontMetrics().lineSpacing());
@@ -86,7 +86,7 @@ void BatchDialog::chooseTarget(std::string_view id) {
 void BatchDialog::setReplacing(bool replacing) { m_replace->setChecked(replacing); }
 
 void BatchDialog::browse() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of the exports"), m_folder->text());
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Export folder"), m_folder->text());
   if (!folder.isEmpty()) m_folder->setText(folder);
 }
 
@@ -115,7 +115,7 @@ void BatchDialog::showFiles() {
   if (m_ids.size() > mostNames) names << tr("and those of %1 more").arg(m_ids.size() - mostNames);
   QString text = names.join(QStringLiteral(", "));
   if (!hasFolder) text = tr("Choose a folder that exists.");
-  if (blocked) text = tr("Already there: %1").arg(there.mid(0, mostNames).join(QStringLiteral(", ")));
+  if (blocked) text = tr("Existing files: %1").arg(there.mid(0, mostNames).join(QStringLiteral(", ")));
   if (blocked && there.size() > mostNames) text += tr(" and %1 more").arg(there.size() - mostNames);
   m_files->setText(text);
 }

@@ -114,9 +114,9 @@ QWidget* ExportDialog::details() {
   m_progress->setSizePolicy(kept);
   m_snr = exportSnrField();
   m_withScene = new QCheckBox(tr("Also write a &scene"));
-  m_withScene->setToolTip(tr(
-      "The preview's shapes, lights, environment and camera with the material, for Mitsuba, pbrt and Blender. Not in "
-      "it: a blurred background."));
+  m_withScene->setToolTip(
+      tr("Adds a scene with the preview's shapes, lights, environment and camera, for Mitsuba, pbrt and Blender; a "
+         "blurred background is not exported."));
   auto* form = new QFormLayout;
   form->addRow(tr("&Rendered SNR >="), m_snr);
   form->addRow(QString(), m_withScene);
@@ -243,11 +243,11 @@ void ExportDialog::showTrial() {
   m_pictures->setPictures(original, shown ? shown->exported : QImage());
   QStringList warnings;
   if (shown) {
-    m_cost->setText(
-        std::isfinite(shown->made.snr)
-            ? tr("Rendered SNR of the export against the material: %1; %2.")
-                  .arg(exportSnrText(shown->made.snr), exportBytesText(shown->made.bytes()))
-            : tr("The export gives the same picture as the material; %1.").arg(exportBytesText(shown->made.bytes())));
+    m_cost->setText(std::isfinite(shown->made.snr)
+                        ? tr("Rendered SNR of the export against the material: %1; %2.")
+                              .arg(exportSnrText(shown->made.snr), exportBytesText(shown->made.bytes()))
+                        : tr("Pictures of the export and of the material are equal; %1.")
+                              .arg(exportBytesText(shown->made.bytes())));
     for (const std::string& warning : shown->made.warnings)
       warnings << tr("Warning: %1.").arg(QString::fromStdString(warning));
   } else {

@@ -16,8 +16,8 @@ QDoubleSpinBox* exportSnrField() {
   field->setSuffix(QCoreApplication::translate("export", " dB"));
   field->setKeyboardTracking(false);
   field->setToolTip(QCoreApplication::translate("export",
-                                                "The rendered SNR that the files should reach: a higher one takes "
-                                                "larger files. Some targets cannot reach it."));
+                                                "Rendered SNR that the files should reach; a higher value gives larger "
+                                                "files, and some targets cannot reach it."));
   return field;
 }
 

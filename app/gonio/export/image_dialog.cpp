@@ -81,14 +81,15 @@ QWidget* ImageDialog::choiceRow() {
   auto* rows = new QVBoxLayout(box);
   rows->setContentsMargins(0, 0, 0, 0);
   auto* render = new QRadioButton(tr("&Render the scene"));
-  render->setToolTip(tr("By path tracing on the processor, with the preview's camera, light and effects"));
+  render->setToolTip(tr("Path-traces the scene on the CPU with the preview's camera, light and effects"));
   const qreal ratio = m_parts.preview.devicePixelRatioF();
-  auto* preview = new QRadioButton(tr("The &preview as it is (%1 x %2 pixels)")
+  auto* preview = new QRadioButton(tr("The &preview as shown (%1 x %2 pixels)")
                                        .arg(int(m_parts.preview.width() * ratio))
                                        .arg(int(m_parts.preview.height() * ratio)));
-  preview->setToolTip(tr("With the samples that it has now, and in a comparison both materials"));
-  m_labels = new QCheckBox(tr("With &names, scale and numbers"));
-  m_labels->setToolTip(tr("Of a comparison: what is shown, the legend of a difference, and the SNR below the picture"));
+  preview->setToolTip(tr("Saves the preview with its present samples; a comparison shows both materials"));
+  m_labels = new QCheckBox(tr("Add &names and numbers"));
+  m_labels->setToolTip(
+      tr("Adds the names of the materials, the colour scale of a difference and the SNR to a comparison picture"));
   auto* indented = new QHBoxLayout;
   indented->addSpacing(2 * fontMetrics().height());
   indented->addWidget(m_labels);
@@ -233,7 +234,7 @@ void ImageDialog::showEstimate() {
   if (stopped) samples = std::max(1, int(limit / m_estimate->secondsOfSample));
   const QString noise = QString::number(100 * m_estimate->noise(samples), 'g', 2);
   const QString time = durationText(m_estimate->seconds(samples));
-  m_cost->setText(stopped ? tr("Time %1, for about %2 samples a pixel; noise about %3 % of the mean radiance.")
+  m_cost->setText(stopped ? tr("Time %1, for about %2 samples per pixel; noise about %3 % of the mean radiance.")
                                 .arg(time)
                                 .arg(samples)
                                 .arg(noise)

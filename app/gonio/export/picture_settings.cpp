@@ -41,7 +41,7 @@ PictureSettings::PictureSettings(const QSize& preview, QWidget* parent) : QWidge
   m_backgrounds->addItems({tr("Environment"), tr("Transparent (alpha)"), tr("Colour")});
   m_colourButton = new QPushButton;
   m_colourButton->setAutoDefault(false);
-  m_colourButton->setAccessibleName(tr("Colour of the background"));
+  m_colourButton->setAccessibleName(tr("Background colour"));
   auto* row = new QHBoxLayout;
   row->addWidget(m_backgrounds, 1);
   row->addWidget(m_colourButton);
@@ -56,7 +56,7 @@ QWidget* PictureSettings::sizeRow() {
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   m_sizes = new QComboBox;
-  m_sizes->addItem(tr("As the preview"));
+  m_sizes->addItem(tr("As in preview"));
   for (const QSize& size : offeredSizes)
     m_sizes->addItem(QStringLiteral("%1 x %2").arg(size.width()).arg(size.height()));
   m_sizes->addItem(tr("Other"));
@@ -76,12 +76,12 @@ QWidget* PictureSettings::qualityRow() {
   auto* box = new QWidget;
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
-  m_samples = countField(mostSamples, tr(" a pixel"));
+  m_samples = countField(mostSamples, tr(" per pixel"));
   m_samples->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   m_limited = new QCheckBox(tr("Stop &after"));
-  m_limited->setToolTip(tr("The picture is written with the samples that it has by then"));
+  m_limited->setToolTip(tr("Stops rendering after this time and saves the picture with the samples rendered so far"));
   m_seconds = countField(mostSeconds, tr(" s"));
-  m_seconds->setAccessibleName(tr("Longest time in seconds"));
+  m_seconds->setAccessibleName(tr("Max. time in seconds"));
   row->addWidget(m_samples, 1);
   row->addWidget(m_limited);
   row->addWidget(m_seconds);
@@ -103,7 +103,7 @@ void PictureSettings::showSize() {
 }
 
 void PictureSettings::chooseColour() {
-  const QColor colour = QColorDialog::getColor(m_colour, this, tr("Colour of the background"));
+  const QColor colour = QColorDialog::getColor(m_colour, this, tr("Background colour"));
   if (!colour.isValid()) return;
   m_colour = colour;
   showChoices();

@@ -50,12 +50,12 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
               .symbol = FactorColumnText::tr("|Δp|"),
               .valueLabel = FactorColumnText::tr("fraction of F1"),
               .help = FactorColumnText::tr(
-                  "Dotted: where the disk of directions ends for the θR that is pointed at in F1, toward the near\n"
-                  "horizon behind the mirror direction and toward the far one; nothing is beyond."),
+                  "Dotted lines: ends of the disk of directions for the θR under the pointer in F1, toward the near "
+                  "horizon\n(behind the mirror direction) and toward the far one."),
               .tick = 0.25,
               .squareRoot = true};
     default:
-      return {.title = FactorColumnText::tr("F3: how round the highlight is"),
+      return {.title = FactorColumnText::tr("F3: azimuthal variation"),
               .label = FactorColumnText::tr("|φ|, azimuth about the mirror direction, degrees: 0 toward the viewer"),
               .symbol = FactorColumnText::tr("|φ|"),
               .suffix = FactorColumnText::tr("°"),
@@ -110,7 +110,7 @@ constexpr Button buttons[] = {
     {FactorOperation::smooth, QT_TRANSLATE_NOOP("FactorColumn", "Smooth"),
      QT_TRANSLATE_NOOP("FactorColumn", "Averages neighbouring nodes of the curves")},
     {FactorOperation::reset, QT_TRANSLATE_NOOP("FactorColumn", "Reset"),
-     QT_TRANSLATE_NOOP("FactorColumn", "The curves as the measurement gave them")}};
+     QT_TRANSLATE_NOOP("FactorColumn", "Restores the curves of the measurement")}};
 
 }  // namespace
 
@@ -170,8 +170,8 @@ FactorColumn::FactorColumn(FactorAxis axis, QWidget* parent)
             [this, operation = one.operation] { Q_EMIT operationChosen(operation); });
   }
   row->addStretch();
-  auto* note = new QLabel(axis == FactorAxis::theta ? FactorColumnText::tr("Take F1 of this material over")
-                                                    : FactorColumnText::tr("Take F2 of this material over"),
+  auto* note = new QLabel(axis == FactorAxis::theta ? FactorColumnText::tr("Use F1 of This Material")
+                                                    : FactorColumnText::tr("Use F2 of This Material"),
                           this);
   note->setAlignment(Qt::AlignCenter);
   note->setAutoFillBackground(true);

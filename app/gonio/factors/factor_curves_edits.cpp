@@ -110,7 +110,7 @@ void FactorCurvesPanel::takeOver(FactorAxis axis, const QString& id) {
   const FactorEdit edit = current();
   if (!edit.edited) return;
   m_tasks.run<PdvFactors>(
-      {tr("Taking F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)), swapKey},
+      {tr("Transferring F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)), swapKey},
       [id, edited = edit.edited](const TaskControl& control) {
         const auto table = materials::readMaterial(id.toStdString(), {control.stop, {}}).tabulated({control.stop, {}});
         factorization::PdvOptions options{.form = edited->form, .transform = edited->transform, .terms = 1};
@@ -121,9 +121,9 @@ void FactorCurvesPanel::takeOver(FactorAxis axis, const QString& id) {
         const FactorEdit now = current();
         if (!now.edited) return;
         change(axis == FactorAxis::theta ? takeF1(*now.edited, other) : takeF2(*now.edited, other),
-               tr("Take F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)));
+               tr("Use F%1 of %2").arg(int(axis) + 1).arg(id.section('/', -1)));
       },
-      [this](const QString& error) { Q_EMIT failed(tr("Cannot take the curve over"), error); });
+      [this](const QString& error) { Q_EMIT failed(tr("Cannot use the curve"), error); });
 }
 
 }  // namespace gonio::app

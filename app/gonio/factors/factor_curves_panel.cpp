@@ -64,20 +64,20 @@ QSize FactorCurvesPanel::sizeHint() const { return QSize(80, 22) * fontMetrics()
 void FactorCurvesPanel::buildControls() {
   m_channel->addItems({tr("All channels together"), tr("Red"), tr("Green"), tr("Blue")});
   m_channel->setAccessibleName(tr("Channel"));
-  m_channel->setToolTip(tr("Which curves the points move: all three in proportion, or one"));
+  m_channel->setToolTip(tr("Channel of the curves that are edited: all three in proportion, or one"));
   m_form->addItems({tr("Two curves: F1 F2"), tr("Three curves: F1 F2 F3")});
   m_form->setAccessibleName(tr("Form of the factors"));
   m_form->setToolTip(
-      tr("Round highlights, or also their change with the azimuth about the mirror direction.\n"
-         "Another form factorises the measurement anew and deletes the edits of its curves."));
-  m_logarithmic->setToolTip(tr("The axis of the values: logarithmic over four decades, or linear from 0"));
+      tr("Two curves describe round highlights; three add the variation with the azimuth about the mirror "
+         "direction.\nA change factorises the measurement again and deletes the edits of its curves."));
+  m_logarithmic->setToolTip(tr("Switches the value axis between logarithmic, over four decades, and linear from 0"));
   m_keepDetail->setToolTip(
-      tr("On: the change of the curves is added to the measurement, so that what they do not explain stays.\n"
-         "Off: the curves alone are the material."));
+      tr("On: adds the change of the curves to the measurement, which retains the detail that they do not "
+         "explain.\nOff: shows the curves alone."));
   m_keepDetail->setChecked(true);
-  m_factorise->setToolTip(tr("Finds the factor curves of the open material"));
-  m_save->setToolTip(tr("The curves as they are now, as a file (.pdv) that opens as a material"));
-  m_resetAll->setToolTip(tr("All curves as the measurement gave them, with its detail"));
+  m_factorise->setToolTip(tr("Computes the factor curves of the open material"));
+  m_save->setToolTip(tr("Saves the present curves as a file (.pdv) that opens as a material"));
+  m_resetAll->setToolTip(tr("Restores all curves of the measurement, with its detail"));
   auto* top = new widgets::FlowLayout;
   for (QWidget* widget :
        std::initializer_list<QWidget*>{m_channel, m_form, m_logarithmic, m_keepDetail, m_resetAll, m_save, m_factorise})
@@ -123,7 +123,7 @@ void FactorCurvesPanel::connectDocument() {
     FactorEdit edit = current();
     if (!edit.original) return;
     edit.keepDetail = keep;
-    apply(edit, keep ? tr("Keep measured detail") : tr("Leave measured detail out"));
+    apply(edit, keep ? tr("Keep measured detail") : tr("Leave out measured detail"));
   });
   connect(&m_document, &Document::materialChanged, this, [this] {
     m_tasks.drop(swapKey);
@@ -238,7 +238,7 @@ void FactorCurvesPanel::refresh() {
     showResiduals(*column);
     editor.setHint(!m_document.material() ? tr("Open a material to see its factor curves.")
                    : m_running            ? tr("The factors are being computed.")
-                                          : tr("Factorise finds the curves of this material."));
+                                          : tr("Press Factorise to compute the curves of this material."));
   }
   if (known) {
     m_form->setCurrentIndex(flat ? 0 : 1);

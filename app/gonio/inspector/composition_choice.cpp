@@ -23,11 +23,11 @@ CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
                         Qt::ToolTipRole);
   m_choice->setItemData(
       int(Composition::lobes),
-      tr("Each lobe carries what the fit does not explain along as it widens (GGX and layered lobes)"),
+      tr("Each lobe carries the ratio of measurement and fit along as it widens (GGX and layered lobes)"),
       Qt::ToolTipRole);
   m_choice->setToolTip(
-      tr("How the change of the model is brought to the measurement.\nLobes keeps the character of a highlight while "
-         "it widens; additive is the published method."));
+      tr("Method that applies the change of the model to the measurement.\nLobes preserves the character of a "
+         "highlight while it widens; additive is the published method."));
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addRow(tr("Co&mposition"), m_choice);

@@ -13,8 +13,8 @@ DirectionOrder::DirectionOrder(Document& document, QWidget* parent)
   m_choice->addItem(tr("Light, as stored in the file"));
   m_choice->addItem(tr("Mean of both (reciprocal)"));
   m_choice->setToolTip(
-      tr("The measurement is not reciprocal: it changes when light and viewer are exchanged.\n"
-         "This is the direction that is read as the file's incident direction."));
+      tr("Direction that is used as the file's incident direction.\nThe measurement is not reciprocal: it changes when "
+         "light and viewer are exchanged."));
   m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

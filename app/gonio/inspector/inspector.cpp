@@ -136,7 +136,7 @@ void Inspector::connectDocument() {
 /// The context menu of both lists of sliders.
 void Inspector::offerArguments(QWidget& panel) {
   auto* copy = new QAction(tr("Copy as goniotool Arguments"), &panel);
-  copy->setToolTip(tr("What this edit changes, as text for goniotool edit"));
+  copy->setToolTip(tr("Copies the changes of this edit as arguments of goniotool edit"));
   panel.addAction(copy);
   panel.setContextMenuPolicy(Qt::ActionsContextMenu);
   connect(copy, &QAction::triggered, this, [this] {
@@ -221,9 +221,9 @@ void Inspector::connectEdits() {
   QMenu& menu = m_edits->addMenu();
   menu.setToolTipsVisible(true);
   menu.addAction(tr("Model"), &m_controller, &DocumentController::addModelEdit)
-      ->setToolTip(tr("Another edit of the model in use, from the same fit"));
+      ->setToolTip(tr("Adds another edit of the model in use, from the same fit"));
   menu.addAction(tr("Factor curves"), this, &Inspector::factorEditWanted)
-      ->setToolTip(tr("Another edit of the factor curves of the measurement"));
+      ->setToolTip(tr("Adds another edit of the factor curves of the measurement"));
   for (QAction* action : menu.actions()) action->setEnabled(false);
 }
 

@@ -47,17 +47,18 @@ RepresentationPanel::RepresentationPanel(Document& document, BackgroundTasks& ta
   m_slider->setRange(0, int(counts.size()) - 1);
   m_slider->setPageStep(1);
   m_slider->setTickPosition(QSlider::TicksBelow);
-  m_slider->setAccessibleName(tr("Coefficients a channel"));
+  m_slider->setAccessibleName(tr("Coefficients per channel"));
   m_slider->setToolTip(
-      tr("How many atoms of a dictionary stand for each colour channel.\nMore: a smaller error, more bytes, more time. "
-         "262: as many bytes as the factors of Bagher et al. 2016."));
+      tr("Number of dictionary atoms that represent each colour channel; more lower the error and need more bytes and "
+         "time.\n262 needs as many bytes as the factors of Bagher et al. 2016."));
   m_count->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("00000")));
   m_count->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   m_show->setToolTip(
-      tr("The preview shows the decoded code in the place of the measurement, with the edits on it.\n"
-         "Files and exports stay those of the measurement."));
-  m_encode->setToolTip(tr("Finds the code of the open material"));
-  m_save->setToolTip(tr("The code of the measurement, without edits, as a file (.code) that opens as a material"));
+      tr("Shows the decoded code instead of the measurement in the preview, with the edits applied to it.\nFiles and "
+         "exports still use the measurement."));
+  m_encode->setToolTip(tr("Encodes the open material as a sparse code"));
+  m_save->setToolTip(
+      tr("Saves the code of the measurement, without edits, as a file (.code) that opens as a material"));
   connect(m_save, &QPushButton::clicked, this, &RepresentationPanel::save);
   m_state->setWordWrap(true);
   m_state->setForegroundRole(QPalette::PlaceholderText);
@@ -165,7 +166,7 @@ void RepresentationPanel::refresh() {
   m_encode->setVisible(!m_refusal.isEmpty());
   m_state->setText(!m_document.material() ? tr("Open a material to encode it.")
                    : !m_refusal.isEmpty() ? m_refusal
-                   : m_requested          ? tr("Encoding with %1 coefficients a channel.").arg(*m_requested)
+                   : m_requested          ? tr("Encoding with %1 coefficients per channel.").arg(*m_requested)
                    : !current             ? tr("Not encoded yet.")
                                           : QString());
   m_state->setVisible(!m_state->text().isEmpty());

@@ -53,21 +53,20 @@ widgets::Fact tableFact(const LoadedMaterial& loaded, std::optional<double> snr,
   const HalfDifferenceGrid grid = own ? own->grid() : HalfDifferenceGrid();
   const QString size = gridText({grid.thetaHCount, grid.thetaDCount, grid.phiDCount});
   const QString gridExplanation = SourceFactsText::tr("Half-difference grid: theta_h, theta_d, phi_d.");
-  const QString errorExplanation =
-      SourceFactsText::tr(
-          "The rendered signal-to-noise ratio of the table against %1 in the scene %2:\nat 30 dB a thirtieth of the "
-          "picture differs.")
-          .arg(sourceText(loaded), QString::fromLatin1(comparisonSceneName));
+  const QString errorExplanation = SourceFactsText::tr(
+                                       "Rendered signal-to-noise ratio of the table against %1 in the scene %2;\nat 30 "
+                                       "dB the difference is about 3 % of the picture.")
+                                       .arg(sourceText(loaded), QString::fromLatin1(comparisonSceneName));
   if (!own)
     return {SourceFactsText::tr("Table for fits"),
             SourceFactsText::tr("%1\n%2").arg(size, errorText(loaded, snr, measuring)),
-            SourceFactsText::tr("Fits, factors and codes are made from a table sampled from the file; the picture and "
-                                "its edits are not.") +
+            SourceFactsText::tr("Fits, factors and codes use a table sampled from the file; the picture and its edits "
+                                "use the file itself.") +
                 '\n' + gridExplanation + '\n' + errorExplanation};
-  widgets::Fact fact{
-      SourceFactsText::tr("Table"),
-      SourceFactsText::tr("%1, %2 MB").arg(size).arg(double(own->bytes()) * 1e-6, 0, 'f', 1),
-      SourceFactsText::tr("What is shown and edited, with its bytes in memory.") + ' ' + gridExplanation};
+  widgets::Fact fact{SourceFactsText::tr("Table"),
+                     SourceFactsText::tr("%1, %2 MB").arg(size).arg(double(own->bytes()) * 1e-6, 0, 'f', 1),
+                     SourceFactsText::tr("Form in which the material is shown and edited, and its size in memory.") +
+                         ' ' + gridExplanation};
   if (!loaded.isSampled()) {
     fact.toolTip += '\n' + SourceFactsText::tr("The material is this table: nothing was sampled.");
     return fact;

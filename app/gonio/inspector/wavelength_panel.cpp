@@ -50,7 +50,7 @@ WavelengthPanel::WavelengthPanel(Document& document, BackgroundTasks& tasks, QWi
       m_field(new widgets::NumberField) {
   m_choice->addItems({tr("All (RGB under D65)"), tr("One wavelength")});
   m_choice->setToolTip(
-      tr("One wavelength is shown in grey: its values, not its colour.\nFiles, plots and figures stay those of all "
+      tr("Wavelengths that the preview shows; a single one is shown in grey.\nFiles, plots and figures always use all "
          "wavelengths."));
   m_slider->setAccessibleName(tr("Wavelength"));
   m_field->setUnit(tr(" nm"));

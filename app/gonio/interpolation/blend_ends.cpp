@@ -101,7 +101,7 @@ void BlendEnds::fill(int place, const QString& title, const QString& name,
       [this, key, name](const QString& error) {
         m_places[std::size_t(placeOf(key))].failure = error;
         Q_EMIT stateChanged();
-        Q_EMIT failed(tr("Cannot take %1").arg(name), error);
+        Q_EMIT failed(tr("Cannot use %1").arg(name), error);
       },
       [this] { Q_EMIT stateChanged(); });
   Q_EMIT stateChanged();
@@ -116,7 +116,7 @@ void BlendEnds::takeCurrent(int place) {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   const QString name = m_document.name();
-  fill(place, tr("Taking %1 for interpolation").arg(name), name,
+  fill(place, tr("Preparing %1 for interpolation").arg(name), name,
        [material, name, source = m_document.toEditDocument()](const TaskControl& control) {
          return takeBlendEnd(*material, name, source, control);
        });

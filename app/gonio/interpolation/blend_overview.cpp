@@ -11,14 +11,14 @@
 namespace gonio::app {
 
 BlendOverview::BlendOverview(const BlendSpaces& spaces)
-    : m_spaces(spaces), m_strip(new widgets::BlendStrip), m_draw(new QPushButton(tr("&Draw the Spaces"))) {
-  m_draw->setToolTip(tr("Prepares and draws the spaces that were cancelled"));
+    : m_spaces(spaces), m_strip(new widgets::BlendStrip), m_draw(new QPushButton(tr("Ren&der the Spaces"))) {
+  m_draw->setToolTip(tr("Prepares and renders the spaces that were cancelled"));
   const QStringList steps{"0", "1/6", "1/3", "1/2", "2/3", "5/6", "1"};
   static_assert(BlendSpaces::pictureCount == 7);
   m_strip->setSteps(steps);
   m_strip->setEmptyText(
-      tr("Drop a material of the library on A and one on B: every way of blending them is shown here, "
-         "side by side.\nOr take the open material with Current."));
+      tr("Drop a material from the library on A and another on B to compare all interpolation spaces side by side.\nOr "
+         "press Current to use the open material."));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(m_strip, 1);
@@ -57,7 +57,7 @@ void BlendOverview::showSpace(BlendSpaces::Space space) {
       content.pictures.clear();
       break;
     case State::running:
-      content.note = m_spaces.prepared(space) ? tr("Drawing...") : tr("Preparing...");
+      content.note = m_spaces.prepared(space) ? tr("Rendering...") : tr("Preparing...");
       break;
     default:
       break;

@@ -158,7 +158,7 @@ void BlendSpaces::prepare(Space space) {
 
 void BlendSpaces::draw(Space space) {
   m_tasks.run<std::vector<QImage>>(
-      {tr("Drawing interpolation: %1").arg(widgets::spaceName(space)), blendKey},
+      {tr("Rendering interpolation: %1").arg(widgets::spaceName(space)), blendKey},
       [prepared = entry(space).prepared, order = m_order, strip = m_stripPictures](const TaskControl& control) {
         return drawStrip(*prepared, order, strip, control);
       },

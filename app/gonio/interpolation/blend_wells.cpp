@@ -82,9 +82,9 @@ void BlendWells::build() {
     column->addWidget(m_wells.back());
   }
   m_swap->setText(tr("S&wap A and B"));
-  m_swap->setToolTip(tr("A takes the place of B, and B that of A"));
+  m_swap->setToolTip(tr("Exchanges the materials A and B"));
   m_add->setText(tr("Add a ma&terial"));
-  m_add->setToolTip(tr("A third or a fourth material: a triangle or a square in place of the slider"));
+  m_add->setToolTip(tr("Adds a third or fourth material; the slider becomes a triangle or a square"));
   auto* buttons = new QHBoxLayout;
   for (QToolButton* button : {m_swap, m_add}) {
     button->setFocusPolicy(Qt::StrongFocus);

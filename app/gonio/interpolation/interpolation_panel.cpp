@@ -59,11 +59,11 @@ QWidget* InterpolationPanel::buildChoice() {
     m_spaceBox->setItemData(m_spaceBox->count() - 1, widgets::spaceExplanation(space), Qt::ToolTipRole);
   }
   m_spaceBox->setAccessibleName(tr("Space of interpolation"));
-  m_show->setToolTip(tr("The preview shows the blend and follows the hand; off: the open material"));
+  m_show->setToolTip(tr("Shows the blend in the preview while it changes; off shows the open material"));
   m_show->setChecked(true);
   m_keep->setToolTip(
-      tr("The blend becomes the open material, a table, to be edited further, saved and exported.\n"
-         "Undo brings back what was open."));
+      tr("Opens the blend as a material, a table that can be edited, saved and exported.\nUndo restores the previous "
+         "material."));
   auto* label = new QLabel(tr("Spa&ce"));
   label->setBuddy(m_spaceBox);
   auto* row = new QHBoxLayout;
@@ -159,7 +159,7 @@ void InterpolationPanel::setSpace(Space space) {
 void InterpolationPanel::showExplanation() {
   QString text = widgets::spaceExplanation(m_space);
   if (const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space); blend && widgets::mixesTables(*blend))
-    text += '\n' + tr("In between, the preview mixes tables of materials that have another form.");
+    text += '\n' + tr("Between the ends, the preview blends tables of the materials that have another form.");
   m_placeEditor->setExplanation(text);
 }
 
@@ -233,7 +233,7 @@ void InterpolationPanel::showKeepable() { m_keep->setEnabled(m_spaces.prepared(m
 
 void InterpolationPanel::keep() {
   const widgets::PreparedBlendPtr blend = m_spaces.prepared(m_space);
-  if (!blend) return Q_EMIT failed(tr("There is no blend to save"), tr("Put a material in every place first."));
+  if (!blend) return Q_EMIT failed(tr("There is no blend to save"), tr("Choose a material for every place first."));
   auto source = std::make_shared<editing::BlendSource>();
   source->space = m_space;
   source->model = blend->model;

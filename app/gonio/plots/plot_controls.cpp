@@ -139,7 +139,8 @@ void PlotControls::addSections() {
           [this](int index) { change([index](PlotChoices& choices) { choices.axis = SectionAxis(index); }); });
   m_axisRow = addLabelled({}, m_axis);
   m_spacing = comboBox({tr("θh even"), tr("θh as MERL")}, tr("Spacing of θh"),
-                       tr("Even in degrees, or by the square root as MERL stores it: wide at the highlight"));
+                       tr("Spacing of the θh axis: even in degrees, or by the square root as in MERL files, which "
+                          "magnifies the highlight"));
   connect(m_spacing, &QComboBox::activated, this, [this](int index) {
     change([index](PlotChoices& choices) { choices.spacing = plots::ThetaHSpacing(index); });
   });
@@ -190,8 +191,9 @@ void PlotControls::addValues() {
   connect(m_channel, &QComboBox::activated, this,
           [this](int index) { change([index](PlotChoices& choices) { choices.settings.channel = Channel(index); }); });
   addLabelled({}, m_channel);
-  m_cosine = comboBox(cosines, tr("Cosine"),
-                      tr("The BRDF f alone, or times a cosine: of the light (what is reflected) or of the viewer"));
+  m_cosine =
+      comboBox(cosines, tr("Cosine"),
+               tr("Plots the BRDF f alone, or times the cosine of the light (reflected radiance) or of the viewer"));
   connect(m_cosine, &QComboBox::activated, this, [this](int index) {
     change([index](PlotChoices& choices) { choices.settings.cosine = CosineFactor(index); });
   });

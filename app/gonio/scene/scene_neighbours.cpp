@@ -71,7 +71,7 @@ void SceneNeighbours::fill(int place, const QString& name, std::function<BlendEn
       [this, place, name](const QString& error) {
         m_places[std::size_t(place)].failure = error;
         show(place);
-        Q_EMIT failed(tr("Cannot take %1").arg(name), error);
+        Q_EMIT failed(tr("Cannot use %1").arg(name), error);
       },
       [this, place] { show(place); });
   show(place);

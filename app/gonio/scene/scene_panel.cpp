@@ -78,7 +78,7 @@ QWidget* ScenePanel::buildTop() {
   layout->setContentsMargins(0, 0, 0, 0);
   for (const std::string& name : bundledSceneNames()) m_scenes->addItem(sceneTitle(name), QString::fromStdString(name));
   m_scenes->setAccessibleName(tr("Scene"));
-  m_scenes->setToolTip(tr("What the preview shows"));
+  m_scenes->setToolTip(tr("Scene that the preview shows"));
   auto* label = new QLabel(tr("&Scene"));
   label->setBuddy(m_scenes);
   auto* openFile = new QPushButton(tr("&Open..."));
@@ -98,7 +98,7 @@ QWidget* ScenePanel::buildBottom() {
   layout->setContentsMargins(0, 0, 0, 0);
   m_measure->setToolTip(tr("Renders the scene with and without each effect, %1 x %1 pixels on the CPU").arg(costSide));
   m_compare->setToolTip(
-      tr("The signal-to-noise ratio of the preview's picture against the reference renderer's with %1 samples a pixel")
+      tr("Measures the signal-to-noise ratio of the preview against the reference renderer with %1 samples per pixel")
           .arg(referenceSamples));
   m_result->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   layout->addWidget(m_measure);
@@ -191,7 +191,7 @@ void ScenePanel::compareWithReference() {
         return metrics::signalToNoiseRatio(film.image(), picture);
       },
       [this](double snr) {
-        m_result->setText(tr("The preview: %1 dB against the reference with %2 samples a pixel")
+        m_result->setText(tr("The preview: %1 dB against the reference with %2 samples per pixel")
                               .arg(snr, 0, 'f', 1)
                               .arg(referenceSamples));
       },

@@ -69,16 +69,15 @@ void ViewStrip::build() {
   };
   for (const std::string& name : bundledSceneNames()) m_shapes->addItem(sceneTitle(name), QString::fromStdString(name));
   m_shapes->addItem(tr("Mesh or scene..."), file);
-  m_shapes->setToolTip(tr("What shows the material"));
+  m_shapes->setToolTip(tr("Shape or scene that shows the material"));
   m_lights->setToolTip(
-      tr("What lights it. A choice stays when the scene changes. Shift and a drag with the right button "
-         "turn it."));
+      tr("Light of the scene; a choice stays when the scene changes. Shift + right drag turns the environment."));
   m_lights->setIconSize(iconSize);
   m_backgrounds->addItem(tr("Plain"));
   m_backgrounds->addItem(tr("Checker"));
   m_backgrounds->addItem(tr("Environment"));
   m_backgrounds->addItem(tr("Environment, blurred"));
-  m_backgrounds->setToolTip(tr("What is seen behind it"));
+  m_backgrounds->setToolTip(tr("Background behind the object"));
   m_slider->setRange(-mostStops, mostStops, models::ParameterScale::linear);
   m_slider->setReference(0);
   m_slider->setToolTip(tr("Exposure in stops; double-click for 0 (Ctrl+[, Ctrl+], Ctrl+\\)"));
@@ -148,7 +147,7 @@ void ViewStrip::drawLights() {
   for (const std::string& name : bundledEnvironmentNames()) {
     const QString id = QString::fromStdString(name);
     m_tasks.run<QImage>(
-        {.title = tr("Drawing %1").arg(id), .key = QStringLiteral("environment icon ") + id, .quiet = true},
+        {.title = tr("Rendering %1").arg(id), .key = QStringLiteral("environment icon ") + id, .quiet = true},
         [name](const TaskControl&) { return pictureOf(*openEnvironment(name)); },
         [this, id](const QImage& picture) { setLightIcon(id, picture); });
   }

@@ -71,12 +71,12 @@ void ContactSheetWindow::build() {
   m_count->setValue(firstCount);
   m_maps = new QCheckBox(tr("Error &maps"));
   m_maps->setChecked(true);
-  m_maps->setToolTip(tr("Absolute difference of luminance from the material, all on one scale"));
+  m_maps->setToolTip(tr("Shows the absolute difference of luminance from the material, all on one scale"));
   auto* size = new QSlider(Qt::Horizontal);
   size->setRange(smallestTile, largestTile);
   size->setValue(firstTile);
   size->setFixedWidth(8 * em);
-  size->setAccessibleName(tr("Size of the pictures"));
+  size->setAccessibleName(tr("Picture size"));
   size->setToolTip(size->accessibleName());
   m_compare = new QPushButton(tr("&Compare in the Preview"));
   m_compare->setToolTip(tr("Select two pictures by clicks, or with the arrow keys and Space"));

@@ -205,12 +205,12 @@ QVariant FitRankingModel::headerData(int section, Qt::Orientation orientation, i
   if (role == Qt::ToolTipRole) {
     const QString tips[] = {
         tr("The model, rendered with its fitted parameters"),
-        tr("Ticked fits are drawn in the plots, beside the one in use"),
+        tr("Ticked fits are shown in the plots in addition to the one in use"),
         tr("%1: %2. Smaller is better.").arg(widgets::fromView(record.name), widgets::fromView(record.formula)),
-        tr("Of the picture in the scene %1. Larger is better.").arg(comparisonSceneName),
-        tr("Numbers that the fit finds"),
-        tr("What the fit took"),
-        tr("What the fit had to say about the measurement")};
+        tr("Rendered SNR of the picture in the scene %1. Larger is better.").arg(comparisonSceneName),
+        tr("Number of values that the fit determines"),
+        tr("Time of the fit, seconds"),
+        tr("Warnings of the fit about the measurement")};
     return tips[section];
   }
   return {};

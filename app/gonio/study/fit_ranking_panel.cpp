@@ -43,7 +43,7 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
     m_metric->addItem(widgets::fromView(record.name));
     m_metric->setItemData(m_metric->count() - 1, widgets::fromView(record.formula), Qt::ToolTipRole);
   }
-  m_metric->setToolTip(tr("Which error the table shows. Fits minimise the log error."));
+  m_metric->setToolTip(tr("Metric of the errors in the table; fits minimise the log error"));
   connect(m_metric, &QComboBox::activated, this,
           [this](int at) { m_model.setMetric(metrics::metricRecords()[std::size_t(at)].metric); });
   connect(m_fitAll, &QPushButton::clicked, this, [this] { isRunning() ? m_tasks.cancel(rankingKey) : fitAll(); });
@@ -73,7 +73,7 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
 void FitRankingPanel::buildView() {
   widgets::setUpSortedTable(*m_view, *m_sorted, m_model, *m_empty);
   m_view->sortByColumn(FitRankingModel::ErrorColumn, Qt::AscendingOrder);
-  m_view->setAccessibleName(tr("Models by their fits"));
+  m_view->setAccessibleName(tr("Ranking of fits"));
   const int line = fontMetrics().height();
   m_view->setIconSize({5 * line / 2, 5 * line / 2});
   QHeaderView* header = m_view->header();
@@ -135,17 +135,17 @@ void FitRankingPanel::use(const QModelIndex& index) {
 void FitRankingPanel::refresh() {
   m_fitAll->setText(isRunning() ? tr("Stop") : tr("Fit &All"));
   m_fitAll->setToolTip(
-      isRunning() ? tr("Stops; the fits that are done stay")
+      isRunning() ? tr("Stops fitting; finished fits stay")
                   : tr("Fits each of the %1 models and ranks them (Ctrl+Shift+F5)").arg(models::allModels().size()));
   m_fitAll->setEnabled(m_document.material() != nullptr);
   const auto* edit = m_document.active<editing::DifferentialEdit>();
   m_model.setCurrent(edit ? edit->model : nullptr);
   for (QPushButton* button : {m_sheet, m_copy}) button->setEnabled(m_model.rowCount() > 0);
   m_empty->setVisible(m_model.rowCount() == 0);
-  m_empty->setText(!m_document.material() ? tr("Open a material to rank the models that explain it.")
+  m_empty->setText(!m_document.material() ? tr("Open a material to rank the models by their fits.")
                    : isRunning()          ? tr("The first model is being fitted.")
-                                          : tr("Fit All fits each of the %1 models to this material and ranks them.\n"
-                                                        "A click on a row takes that fit into use; a tick draws it in the plots.")
+                                          : tr("Press Fit All to fit each of the %1 models to this material and rank "
+                                                        "them.\nClick a row to use its fit; tick it to show it in the plots.")
                                        .arg(models::allModels().size()));
 }
 

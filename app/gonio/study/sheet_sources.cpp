@@ -32,7 +32,7 @@ SheetEntry fitEntry(const LoadedMaterial& material, const study::RankedFit& rank
 SheetEntry studyEntry(const StudyModel::Studied& studied) {
   const study::StudyRecord& record = studied->record;
   return {.name = QString::fromStdString(record.representation.fullLabel()),
-          .numbers = sheetText("%1 dB, %2, %3 ms a frame")
+          .numbers = sheetText("%1 dB, %2, %3 ms per frame")
                          .arg(comparisonValue(record.renderedSnr),
                               QLocale().formattedDataSize(qint64(record.bytes), 1, QLocale::DataSizeSIFormat),
                               QString::fromStdString(study::shortNumber(record.frameMilliseconds))),

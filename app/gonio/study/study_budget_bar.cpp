@@ -29,8 +29,8 @@ StudyBudgetBar::StudyBudgetBar(QWidget* parent)
   m_kilobytes = field(tr("Si&ze <="), tr(" kB"), 1e6, tr("Maximum size; any: no limit"));
   m_result->setTextFormat(Qt::PlainText);
   m_take->setToolTip(
-      tr("A fit becomes the model in use; a code is shown with as many coefficients in the Representation section;\n"
-         "anything else is shown in the preview"));
+      tr("Uses the best representation: a fit becomes the model in use, a code is shown in the Representation "
+         "section,\nany other is shown in the preview"));
   layout->addWidget(m_result, 1);
   layout->addWidget(m_take);
   connect(m_take, &QPushButton::clicked, this, &StudyBudgetBar::taken);

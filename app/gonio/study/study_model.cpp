@@ -97,8 +97,8 @@ QString StudyModel::toolTip(int row) const {
   const Row& one = m_rows[std::size_t(row)];
   if (!one.studied) return tr("Not measured yet");
   const study::StudyRecord& record = one.studied->record;
-  return tr("<p>%1</p><p><b>%2</b><br>rendered SNR %3 dB<br>%4 ns an evaluation (%5 to %6)<br>%7 ms a frame<br>%8B<br>"
-            "encoded in %9 s</p>")
+  return tr("<p>%1</p><p><b>%2</b><br>rendered SNR %3 dB<br>%4 ns per evaluation (%5 to %6)<br>%7 ms per "
+            "frame<br>%8B<br>encoded in %9 s</p>")
       .arg(asHtmlImage(one.picture), QString::fromStdString(record.representation.fullLabel()).toHtmlEscaped(),
            comparisonValue(record.renderedSnr), shortText(record.evaluation.median),
            shortText(record.evaluation.lowerQuartile), shortText(record.evaluation.upperQuartile),
@@ -181,12 +181,12 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
   if (role == Qt::ToolTipRole) {
     const QString tips[] = {
         tr("Representation at one budget, with its rendered picture"),
-        tr("Of the picture in the scene %1. Larger is better.").arg(comparisonSceneName),
+        tr("Rendered SNR of the picture in the scene %1. Larger is better.").arg(comparisonSceneName),
         tr("%1: %2. Smaller is better.").arg(widgets::fromView(metric.name), widgets::fromView(metric.formula)),
         tr("Processor time of one evaluation on one thread, in batches: median and quartiles"),
-        tr("A frame of the scene by the reference renderer on the processor, not of the preview"),
-        tr("Of its file; of a table in memory; of a fit its numbers. A dictionary is not counted."),
-        tr("From the table to the representation")};
+        tr("Time of one frame in the reference renderer on the CPU, not in the preview"),
+        tr("Size of the file; for a table in memory, for a fit of its parameters. Dictionaries are not counted."),
+        tr("Time to compute the representation from the table, seconds")};
     return tips[section];
   }
   return {};

@@ -57,14 +57,14 @@ QWidget* StudyPanel::buildChoice() {
     m_quality->addItem(widgets::fromView(record.name));
     m_quality->setItemData(m_quality->count() - 1, widgets::fromView(record.formula), Qt::ToolTipRole);
   }
-  m_quality->setToolTip(tr("What the plot shows upward, and which error the table has"));
+  m_quality->setToolTip(tr("Metric on the vertical axis of the plot and of the errors in the table"));
   for (const study::Cost cost : study::allCosts) m_cost->addItem(QString::fromStdString(study::axisTitle(cost)));
-  m_cost->setToolTip(tr("What the plot shows to the right"));
+  m_cost->setToolTip(tr("Cost on the horizontal axis of the plot"));
   m_sheet->setToolTip(tr("The measured representations as pictures side by side, with maps of their errors"));
-  m_copy->setToolTip(tr("Copies all that is measured, with every error, as comma-separated text"));
-  m_export->setToolTip(tr("The plot as it is chosen, dark on white"));
-  m_back->setToolTip(tr("The preview shows the material again (Escape)"));
-  m_measure->setToolTip(tr("Measures every representation in the background: those that are missing, or all anew"));
+  m_copy->setToolTip(tr("Copies all measured values, with every error, as comma-separated text"));
+  m_export->setToolTip(tr("Saves the plot as shown, dark on white"));
+  m_back->setToolTip(tr("Shows the material in the preview again (Escape)"));
+  m_measure->setToolTip(tr("Measures the missing representations in the background, or all of them again"));
   auto* choice = new QWidget;
   auto* top = new QHBoxLayout(choice);
   top->setContentsMargins(0, 0, 0, 0);
@@ -76,7 +76,7 @@ QWidget* StudyPanel::buildChoice() {
     top->addWidget(box);
   };
   labelled(tr("Met&ric"), m_quality);
-  labelled(tr("o&ver"), m_cost);
+  labelled(tr("&vs."), m_cost);
   top->addStretch();
   for (QPushButton* button : {m_back, m_sheet, m_copy, m_export}) top->addWidget(button);
   return choice;
@@ -187,11 +187,10 @@ void StudyPanel::refresh() {
   m_back->setVisible(m_subject.has_value());
   refreshBudget();
   m_view->setMarks(m_shown, m_best);
-  m_view->setHint(
-      !open     ? tr("Open a material to see what accuracy costs.")
-      : running ? tr("The first representation is being measured.")
-                : tr("Measure takes some minutes in the background: the error and the cost of every representation "
-                     "of this material."));
+  m_view->setHint(!open     ? tr("Open a material to compare accuracy and cost of its representations.")
+                  : running ? tr("The first representation is being measured.")
+                            : tr("Press Measure to measure the error and cost of every representation of this material "
+                                 "in the background (some minutes)."));
   QStringList facts;
   for (const std::string& line : m_run->machine()) facts << QString::fromStdString(line);
   m_footer->setText(facts.join(QStringLiteral(" · ")));

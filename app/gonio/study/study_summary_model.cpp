@@ -126,15 +126,15 @@ QVariant StudySummaryModel::headerData(int section, Qt::Orientation orientation,
   if (role == Qt::ToolTipRole) {
     const QString tips[] = {
         tr("Representation of the materials at one budget"),
-        tr("How many materials were measured with it"),
+        tr("Number of materials measured with this representation"),
         tr("Median of the rendered SNR over the materials. Larger is better."),
         tr("Smallest rendered SNR of all materials. Larger is better."),
         tr("The material with the smallest rendered SNR"),
-        tr("Median over the materials: of the file; of a table in memory; of a fit its numbers. A dictionary is not "
-           "counted."),
+        tr("Median size over the materials: of the file; for a table in memory, for a fit of its parameters. "
+           "Dictionaries are not counted."),
         tr("Median over the materials: processor time of one evaluation on one thread, in batches"),
-        tr("Median over the materials: a frame of the scene by the reference renderer on the processor"),
-        tr("Median over the materials: from the table to the representation")};
+        tr("Median over the materials: time of one frame in the reference renderer on the CPU"),
+        tr("Median over the materials: time to compute the representation from the table, seconds")};
     return tips[section];
   }
   return {};

@@ -97,7 +97,7 @@ QWidget* StudySummaryWindow::buildFamilies() {
   for (const study::RepresentationFamily family : study::RepresentationChoice().families) {
     auto* box = new QCheckBox(widgets::fromView(familyName(family)));
     box->setChecked(true);
-    box->setToolTip(tr("Whether these representations are measured"));
+    box->setToolTip(tr("Measures representations of this kind"));
     connect(box, &QCheckBox::toggled, this, &StudySummaryWindow::planFamilies);
     layout->addWidget(box);
     m_families.push_back(box);
@@ -197,14 +197,14 @@ void StudySummaryWindow::refresh() {
   const bool running = isRunning();
   m_measure->setText(running ? tr("S&top") : m_model.isEmpty() ? tr("&Measure") : tr("&Measure the Rest"));
   m_measure->setEnabled(running || nextMaterial());
-  m_measure->setToolTip(running ? tr("Stops; what is measured stays (Escape)")
+  m_measure->setToolTip(running ? tr("Stops measuring; finished results stay (Escape)")
                                 : tr("Measures the representations that are missing, in the background"));
   m_copy->setEnabled(!m_model.isEmpty());
   for (QCheckBox* box : m_families) box->setEnabled(!running);
   m_empty->setVisible(m_model.rowCount() == 0);
   m_empty->setText(tr("Choose at least one kind of representation."));
   m_status->setText(!running && m_model.isEmpty() && m_model.rowCount() > 0
-                        ? tr("Measure takes about two seconds for each of %1 representations of %2 materials.")
+                        ? tr("Measuring takes about two seconds for each of %1 representations of %2 materials.")
                               .arg(m_model.rowCount())
                               .arg(m_ids.size())
                         : status());

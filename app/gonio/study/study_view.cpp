@@ -34,7 +34,7 @@ StudyView::StudyView(StudyModel& model)
 void StudyView::buildTable() {
   widgets::setUpSortedTable(*m_table, *m_sorted, m_model, *m_empty);
   m_table->sortByColumn(StudyModel::SnrColumn, Qt::AscendingOrder);
-  m_table->setAccessibleName(tr("Representations and what they cost"));
+  m_table->setAccessibleName(tr("Representations and their cost"));
   m_table->installEventFilter(this);
   const int line = fontMetrics().height();
   m_table->setIconSize({2 * line, 2 * line});

@@ -30,7 +30,7 @@ AnalyseMenu::AnalyseMenu(const Document& document, ComparisonController& compari
 void AnalyseMenu::addComparison(ComparisonController& comparison) {
   QAction* compare = addAction(tr("&Compare"), QKeySequence(Qt::Key_C), &comparison, &ComparisonController::toggle);
   compare->setCheckable(true);
-  compare->setToolTip(tr("Two sides against each other in the preview: hold \\ to see the second alone"));
+  compare->setToolTip(tr("Compares two sides in the preview; hold \\ to see the second alone"));
   const auto update = [&comparison, compare] { compare->setChecked(comparison.comparison().mode != CompareMode::off); };
   connect(&comparison, &ComparisonController::comparisonChanged, this, update);
   addModes(addMenu(tr("Compare &As")), comparison);

@@ -105,7 +105,7 @@ void CommandSearch::filter(const QString& text) {
   }
   for (const int entry : byKeywords) add(entry);
   if (m_list->count() == 0) {
-    auto* none = new QListWidgetItem(tr("Nothing is called \"%1\".").arg(text));
+    auto* none = new QListWidgetItem(tr("No entry matches \"%1\".").arg(text));
     none->setFlags(Qt::NoItemFlags);
     m_list->addItem(none);
   }

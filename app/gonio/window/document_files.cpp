@@ -97,7 +97,7 @@ bool DocumentFiles::close() {
 
 bool DocumentFiles::mayStopExports() {
   if (!m_parts.tasks.isWritingFiles()) return true;
-  QMessageBox box(QMessageBox::Question, tr("Exports under way"), tr("Files are still being exported."),
+  QMessageBox box(QMessageBox::Question, tr("Exports in progress"), tr("Files are still being exported."),
                   QMessageBox::Cancel, m_window);
   box.setInformativeText(tr("If you close now, the files that are not complete are not written."));
   QPushButton* stop = box.addButton(tr("Stop the Exports and Close"), QMessageBox::DestructiveRole);
@@ -111,8 +111,7 @@ void DocumentFiles::askAboutChangedSource(const QString& text) {
       new QMessageBox(QMessageBox::Warning, tr("The measured file has changed"), text, QMessageBox::Cancel, m_window);
   box->setTextFormat(Qt::PlainText);
   box->setInformativeText(
-      tr("The edits were made on other values: applied to the file as it is now, they may count "
-         "twice or look different."));
+      tr("The edits were made on other values; applied to the changed file, they may count twice or look different."));
   const QPushButton* with = box->addButton(tr("Apply the &Edits"), QMessageBox::AcceptRole);
   const QPushButton* without = box->addButton(tr("Open &Without Edits"), QMessageBox::AcceptRole);
   box->setDefaultButton(QMessageBox::Cancel);

@@ -35,12 +35,12 @@ QString gestures() {
          row(HelpPagesText::tr("Wheel in the preview"), HelpPagesText::tr("zoom to the pointer")) +
          row(HelpPagesText::tr("Shift + right drag in the preview"), HelpPagesText::tr("turn the environment")) +
          row(HelpPagesText::tr("F, R in the preview"), HelpPagesText::tr("frame the object, reset the view")) +
-         row(HelpPagesText::tr("Shift, Ctrl while dragging a slider"), HelpPagesText::tr("a tenth as far, snap")) +
+         row(HelpPagesText::tr("Shift, Ctrl while dragging a slider"), HelpPagesText::tr("fine steps, snap")) +
          row(HelpPagesText::tr("Double-click on a label or slider"), HelpPagesText::tr("reset the parameter")) +
          row(HelpPagesText::tr("Arrow keys, Page Up, Page Down"), HelpPagesText::tr("step a slider or a number")) +
          row(HelpPagesText::tr("Typing into a number"), HelpPagesText::tr("arithmetic works: 0.3*2")) +
          row(HelpPagesText::tr("Drag a point of a factor curve, Escape"),
-             HelpPagesText::tr("pull the curve, take the drag back")) +
+             HelpPagesText::tr("move the curve, cancel the drag")) +
          row(HelpPagesText::tr("Enter in the library"), HelpPagesText::tr("open the material")) +
          row(HelpPagesText::tr("Ctrl + Enter, Shift + Enter in the library"),
              HelpPagesText::tr("compare, interpolate with the material")) +
@@ -53,16 +53,15 @@ QString factorFormulae() {
   const auto formula = [](const QString& text) { return QStringLiteral("<p><tt>%1</tt></p>").arg(text); };
   return QStringLiteral("<h3>%1</h3><p>%2</p>%3<p>%4</p>%5<p>%6</p>%7<p>%8</p>%9<p><i>%10</i></p>")
       .arg(HelpPagesText::tr("Factor curves (projected deviation)"),
-           HelpPagesText::tr(
-               "In each colour channel the transformed reflectance is a sum of products of curves. θR is the angle of "
-               "the mirror direction R, Δp the way from R to the light on the unit disk, φ its azimuth; the form with "
-               "two curves leaves F3 out."),
+           HelpPagesText::tr("In each colour channel the transformed BRDF value is a sum of products of curves. θR is "
+                             "the angle of the mirror direction R, Δp the vector from R to the light on the unit disk, "
+                             "φ its azimuth; the form with two curves has no F3."),
            formula(HelpPagesText::tr("y = ln(1 + ρ) = Σ F1(θR) F2(|Δp|) F3(|φ|)")),
-           HelpPagesText::tr("The edited curves next to the measurement, with its detail kept:"),
+           HelpPagesText::tr("The edited curves with the measured detail:"),
            formula(HelpPagesText::tr("edited = max(0, measured + strength (ρ(edited curves) − ρ(original curves)))")),
-           HelpPagesText::tr("Without the detail:"),
+           HelpPagesText::tr("Without the measured detail:"),
            formula(HelpPagesText::tr("edited = (1 − strength) measured + strength ρ(edited curves)")),
-           HelpPagesText::tr("The disk of directions ends, behind the mirror direction and at most, at"),
+           HelpPagesText::tr("The disk of directions ends, behind the mirror direction and at its farthest, at"),
            formula(HelpPagesText::tr("|Δp| = 1 − sin θR, |Δp| = 1 + sin θR")))
       .arg(HelpPagesText::tr(
           "Tongbuasirilai, Unger, Kronander and Kurt, Compact and intuitive data-driven BRDF models, 2019"));
@@ -117,19 +116,18 @@ QString aboutPage() {
       {"nlohmann/json", "MIT"},    {"OpenSSL", "Apache-2.0"}, {"stb", "MIT or public domain"},
       {"Embree", "Apache-2.0"},    {"Imath", "BSD-3-Clause"}, {"QCustomPlot", "GPL-3.0-or-later"}};
   for (const auto& [name, licence] : parties) page += row(QString::fromLatin1(name), QString::fromLatin1(licence));
-  page +=
-      QStringLiteral("</table><h3>%1</h3><p>%2</p>")
-          .arg(HelpPagesText::tr("Data"),
-               HelpPagesText::tr(
-                   "The bundled library holds measured materials of the RGL database (Dupuy and Jakob, An Adaptive "
-                   "Parameterization for Efficient Material Acquisition and Rendering, 2018; CC0), near-measured "
-                   "copies of MERL, RGL and DTU materials (Sztrajman, Rainer, Ritschel and Weyrich, Neural BRDF "
-                   "Representation and Importance Sampling, 2021; MIT) and published SGD fits of the MERL "
-                   "materials (Bagher, Soler and Holzschuch, Accurate fitting of measured reflectances using a "
-                   "Shifted Gamma micro-facet distribution, 2012). Copies and fits stand for materials of the MERL "
-                   "database (Matusik, Pfister, Brand and McMillan, A Data-Driven Reflectance Model, 2003), none of "
-                   "whose measurements is contained. The bundled dictionary is learned from the near-measured "
-                   "copies. The scenes and environments are made by the project itself."));
+  page += QStringLiteral("</table><h3>%1</h3><p>%2</p>")
+              .arg(HelpPagesText::tr("Data"),
+                   HelpPagesText::tr(
+                       "The bundled library holds measured materials of the RGL database (Dupuy and Jakob, An Adaptive "
+                       "Parameterization for Efficient Material Acquisition and Rendering, 2018; CC0), near-measured "
+                       "copies of MERL, RGL and DTU materials (Sztrajman, Rainer, Ritschel and Weyrich, Neural BRDF "
+                       "Representation and Importance Sampling, 2021; MIT) and published SGD fits of the MERL "
+                       "materials (Bagher, Soler and Holzschuch, Accurate fitting of measured reflectances using a "
+                       "Shifted Gamma micro-facet distribution, 2012). Copies and fits stand for materials of the MERL "
+                       "database (Matusik, Pfister, Brand and McMillan, A Data-Driven Reflectance Model, 2003), which "
+                       "is not included. The bundled dictionary is learned from the near-measured copies. The scenes "
+                       "and environments are made by the project itself."));
   return page;
 }
 

@@ -37,7 +37,7 @@ void LightMenu::addOwn() {
   QAction* own =
       m_group->addAction(addAction(tr("As the S&cene"), &m_environment, &EnvironmentController::openScenesOwn));
   own->setCheckable(true);
-  own->setToolTip(tr("Every scene has its own light. What is chosen below stays when the scene changes."));
+  own->setToolTip(tr("Uses the light of the scene; the lights below stay when the scene changes."));
   connect(this, &QMenu::aboutToShow, own, [this, own] { own->setChecked(m_environment.isScenesOwn()); });
 }
 

@@ -24,7 +24,7 @@ MaterialMenu::MaterialMenu(const Parts& parts, QWidget* window) : QMenu(tr("&Mat
                                  docks.show(QStringLiteral("acquisition"));
                                  acquisition.startButton().setFocus();
                                });
-  acquire->setToolTip(tr("Where to measure a material, and the whole material from a few measurements"));
+  acquire->setToolTip(tr("Chooses directions to measure and reconstructs a material from few measurements"));
   addCancel(parts);
 }
 
@@ -39,7 +39,7 @@ void MaterialMenu::addFits(const Parts& parts) {
                               });
   fitAll->setToolTip(tr("Fits every model and ranks them"));
   QAction* save = addAction(tr("&Save Fit..."), this, [this, &document = parts.document] { saveFit(document); });
-  save->setToolTip(tr("The fitted model alone, without the measurement, as a table"));
+  save->setToolTip(tr("Saves the fitted model, without the measurement, as a table"));
   const auto update = [&document = parts.document, fit, fitAll, save] {
     for (QAction* action : {fit, fitAll}) action->setEnabled(document.material() != nullptr);
     save->setEnabled(document.active<editing::DifferentialEdit>() != nullptr);
@@ -72,7 +72,7 @@ void MaterialMenu::addBlends(const Parts& parts) {
   interpolate->setToolTip(tr("Blends the open material with others; it becomes A if A is empty"));
   QAction* keep = addAction(tr("&Save Blend as Material"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K),
                             &parts.interpolation, &InterpolationPanel::keep);
-  keep->setToolTip(tr("The blend of the Interpolation dock becomes the open material; undo brings back what was open"));
+  keep->setToolTip(tr("Opens the blend of the Interpolation dock as a material; undo restores the previous one"));
 }
 
 void MaterialMenu::addCancel(const Parts& parts) {
@@ -82,7 +82,7 @@ void MaterialMenu::addCancel(const Parts& parts) {
                                 if (comparison.isReplaced()) return comparison.dismissStandIn();
                                 tasks.cancelTopmost();
                               });
-  cancel->setToolTip(tr("Shows the material again; then stops the newest work in progress"));
+  cancel->setToolTip(tr("Returns to the material, or else stops the newest work in progress"));
   const auto update = [&tasks = parts.tasks, &comparison = parts.comparison, cancel] {
     const auto task = tasks.topmost();
     cancel->setEnabled(comparison.isReplaced() || (task && !task->quiet));

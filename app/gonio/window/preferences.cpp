@@ -77,18 +77,18 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QStri
   m_theme->setCurrentIndex(int(preferences.theme));
   m_roughness->addItems({tr("α, as in the models"), tr("√α, as in Blender and Unreal")});
   m_roughness->setCurrentIndex(int(preferences.roughness));
-  m_roughness->setToolTip(tr("How roughness is shown and typed in All parameters; the materials stay as they are"));
+  m_roughness->setToolTip(tr("Form in which All parameters shows and accepts roughness; it does not change materials"));
   m_history->setRange(1, mostHistoryMegabytes);
   m_history->setSuffix(tr(" MB"));
   m_history->setValue(preferences.historyMegabytes);
-  m_history->setToolTip(tr("Of each window; the oldest steps go first"));
+  m_history->setToolTip(tr("Memory for undo in each window; the oldest steps are deleted first"));
   m_threads->setRange(0, coreCount());
   m_threads->setSpecialValueText(tr("All %1").arg(coreCount()));
   m_threads->setValue(preferences.threads);
-  m_threads->setToolTip(tr("How many threads fits, exports and renderings use"));
+  m_threads->setToolTip(tr("Number of threads for fits, exports and renderings"));
   auto* clear = new QPushButton(tr("&Clear"));
   clear->setAutoDefault(false);
-  clear->setToolTip(tr("They are rendered again when they are needed"));
+  clear->setToolTip(tr("Deletes the stored thumbnails; they are rendered again when needed"));
   connect(clear, &QPushButton::clicked, this, &PreferencesDialog::clearThumbnails);
   auto* opengl = new QLabel(graphics.isEmpty() ? tr("Not started") : graphics);
   opengl->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -130,10 +130,10 @@ void PreferencesDialog::showThumbnailSize() {
   qint64 bytes = 0;
   const QFileInfoList files = QDir(thumbnailCacheFolder()).entryInfoList(QDir::Files);
   for (const QFileInfo& file : files) bytes += file.size();
-  m_thumbnails->setText(
-      files.isEmpty()
-          ? tr("None kept")
-          : tr("%1 kept, %2").arg(files.size()).arg(QLocale().formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat)));
+  m_thumbnails->setText(files.isEmpty() ? tr("None stored")
+                                        : tr("%1 stored, %2")
+                                              .arg(files.size())
+                                              .arg(QLocale().formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat)));
   m_thumbnails->setToolTip(thumbnailCacheFolder());
 }
 

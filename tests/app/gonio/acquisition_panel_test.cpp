@@ -93,7 +93,7 @@ class AcquisitionPanelTest : public QObject {
     QCOMPARE(panel.status(), "Values: simulated from subject");
     panel.controls().directions().setSamples(9);
     Q_EMIT panel.controls().planSettingsEdited();
-    QCOMPARE(panel.status(), "The settings have changed: start anew.");
+    QCOMPARE(panel.status(), "The settings have changed. Press Start again.");
     QVERIFY(editor.button("Start"));
   }
 
@@ -119,7 +119,7 @@ class AcquisitionPanelTest : public QObject {
     panel.startButton().click();
     QVERIFY(editor.settle());
     QVERIFY(panel.session().planner().hasPlan() && !panel.session().result());
-    QCOMPARE(panel.status(), "Stopped before the material was reconstructed: start anew.");
+    QCOMPARE(panel.status(), "Stopped before the material was reconstructed. Press Start to try again.");
     QVERIFY(editor.button("Start") && editor.button("Save Plan...")->isEnabled());
     disconnect(stop);
     panel.startButton().click();

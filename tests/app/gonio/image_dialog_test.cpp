@@ -127,7 +127,7 @@ class ImageDialogTest : public QObject {
     Editor editor;
     {
       const auto dialog = editor.dialog();
-      choose(*dialog, "As the preview");
+      choose(*dialog, "As in preview");
       QCOMPARE(dialog->request().width, 320);
       QCOMPARE(dialog->request().height, 200);
       choose(*dialog, "1920 x 1080");

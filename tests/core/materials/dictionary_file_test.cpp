@@ -153,7 +153,7 @@ class DictionaryFileTest : public QObject {
     materials::writeCode(code, dictionary->id, path);
     const materials::Material material = materials::readMaterial(path);
     QCOMPARE(material.source.format, std::string("sparse code"));
-    QCOMPARE(material.source.description, std::string("2 coefficients a channel, transform log-plus"));
+    QCOMPARE(material.source.description, std::string("2 coefficients per channel, transform log-plus"));
     QCOMPARE(material.name, std::string("bundled"));
     QVERIFY(material.code && material.code->channels[2].coefficients.size() == 2);
     QVERIFY(sameValues(*material.table, *decode(dictionary->ensemble, materials::readCode(path).code)));
