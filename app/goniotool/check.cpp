@@ -31,8 +31,9 @@ int check(const std::string& file, const Tool& tool) {
 
 void addCheck(CLI::App& app, Tool& tool) {
   const auto file = std::make_shared<std::string>();
-  CLI::App* command =
-      app.add_subcommand("check", "Plausibility: reciprocity, energy, negative and non-finite values (1 if one fails)");
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "Checks plausibility: reciprocity, energy, negative and non-finite values (exit code 1 if a check fails)");
   command->add_option("MATERIAL", *file, materialHelp)->required();
   command->callback([file, &tool] { tool.run = [file, &tool] { return check(*file, tool); }; });
 }

@@ -123,7 +123,7 @@ DisplayPicture comparisonPicture(const Image& reference, const Image& test, cons
   }
   canvas.text(gap, 7, referenceName);
   canvas.text(gap + step, 7, testName);
-  canvas.text(gap + 2 * step, 7, "error of luminance");
+  canvas.text(gap + 2 * step, 7, "luminance error");
   drawLegend(canvas, gap + 2 * step, captionHeight + height + gap, width, end);
   return canvas.take();
 }

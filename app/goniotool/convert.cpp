@@ -51,11 +51,12 @@ int convert(const ConvertArguments& options, const Tool& tool) {
 
 void addConvert(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ConvertArguments>();
-  CLI::App* command = app.add_subcommand("convert", "Between formats; an unchanged MERL file stays byte-identical");
+  CLI::App* command =
+      app.add_subcommand("convert", "Converts between formats; an unchanged MERL file stays byte-identical");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("OUT", options->out, ownFormHelp("File to write; its suffix chooses the format"))->required();
+  command->add_option("OUT", options->out, ownFormHelp("File to write; its suffix sets the format"))->required();
   command->add_flag("--whole-circle", options->wholeCircle,
-                    "A table of 90 x 90 x 360 cells, which keeps what is not reciprocal; without it 90 x 90 x 180");
+                    "Write a table of 90 x 90 x 360 cells for non-reciprocal materials (90 x 90 x 180)");
   command->callback([=, &tool] { tool.run = [=, &tool] { return convert(*options, tool); }; });
 }
 

@@ -128,34 +128,42 @@ void addTrain(CLI::App& app, Tool& tool) {
   TrainingOptions& training = options->training;
   CLI::App* command = app.add_subcommand("train", "Learns an ensemble of dictionaries from materials");
   command->add_option("SOURCE", options->sources, editing::trainingHelp())->required();
-  command->add_option("--out", options->out, "The dictionary (.dictionary)")->required();
-  command->add_option("--exclude", options->excluded, "Names of materials to leave out")->delimiter(',');
-  command->add_option("--dictionaries", training.dictionaries, "Of each sparsity (8)")->check(CLI::Range(1, 64));
-  command->add_option("--sparsities", training.sparsities, "One ensemble each (32,64,128,256)")
+  command->add_option("--out", options->out, "File to write (.dictionary)")->required();
+  command->add_option("--exclude", options->excluded, "Names of materials to exclude")->delimiter(',');
+  command->add_option("--dictionaries", training.dictionaries, "Dictionaries per ensemble (8)")
+      ->check(CLI::Range(1, 64));
+  command
+      ->add_option("--sparsities", training.sparsities,
+                   "Coefficients per signal; one ensemble for each number (32,64,128,256)")
       ->delimiter(',')
       ->check(CLI::Range(1, 65535));
-  command->add_option("--iterations", training.iterations, "Rounds of each ensemble at most (12)")
+  command->add_option("--iterations", training.iterations, "Max. rounds per ensemble (12)")
       ->check(CLI::Range(1, 10000));
-  command->add_option("--passes", training.passes, "Over the dictionaries in each round (4)")
+  command->add_option("--passes", training.passes, "Passes over the dictionaries per round (4)")
       ->check(CLI::Range(1, 100));
-  command->add_option("--tolerance", training.tolerance, "Ends an ensemble when a round gains less (0.0005)")
+  command
+      ->add_option("--tolerance", training.tolerance,
+                   "Stop an ensemble when a round lowers its error by less than this fraction (0.0005)")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--subspace-loss", training.subspaceLoss, "Energy left to the last sweep (3e-5)")
+  command
+      ->add_option("--subspace-loss", training.subspaceLoss,
+                   "Max. fraction of the energy that the shared subspace leaves to the last sweep (3e-5)")
       ->check(CLI::Range(0.0, 0.5));
-  command->add_option("--seed", training.seed, "Of the first parts (1)");
-  command->add_option("--checkpoint", options->checkpoint, "Written while it learns; gone on from where it exists");
+  command->add_option("--seed", training.seed, "Seed of the initial partition (1)");
+  command->add_option("--checkpoint", options->checkpoint,
+                      "File for the training state; if it exists, training resumes from it");
   command->callback([options, &tool] { tool.run = [options, &tool] { return train(*options, tool); }; });
 }
 
 }  // namespace
 
 void addDictionary(CLI::App& app, Tool& tool) {
-  CLI::App* command = app.add_subcommand("dictionary", "Learns dictionaries, tells what one holds");
+  CLI::App* command = app.add_subcommand("dictionary", "Learns dictionaries and shows their contents");
   command->require_subcommand(1);
   addTrain(*command, tool);
   const auto path = std::make_shared<std::string>();
-  CLI::App* infoCommand = command->add_subcommand("info", "What a dictionary holds");
-  infoCommand->add_option("DICTIONARY", *path, "A .dictionary file")->required();
+  CLI::App* infoCommand = command->add_subcommand("info", "Shows the contents of a dictionary");
+  infoCommand->add_option("DICTIONARY", *path, "Dictionary file (.dictionary)")->required();
   infoCommand->callback([path, &tool] { tool.run = [path, &tool] { return info(*path, tool); }; });
 }
 

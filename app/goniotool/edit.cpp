@@ -119,7 +119,7 @@ std::string averagedText() {
 int replayDocument(const EditArguments& options, const Tool& tool) {
   if (!options.model.empty() || !options.set.empty() || !options.controls.empty())
     throw UsageError("edit: " + options.material +
-                     " is a document: it is replayed, without --model, --set and --control");
+                     " is a document, which is replayed: leave out --model, --set and --control");
   if (isOwnForm(options.out)) {
     const OpenedSource source = openForExport(options.material, tool.control("replaying"));
     writeOwnForm(source.material, source.base, options.out, tool.control("writing"));
@@ -195,7 +195,7 @@ int edit(const EditArguments& options, const Tool& tool) {
   const bool fromDocument = isDocument(options.material);
   if (!isOwnForm(options.out) && (!writesDocument(options) || fromDocument)) materials::writableFormat(options.out);
   if (fromDocument) return replayDocument(options, tool);
-  if (options.model.empty()) throw UsageError("edit: --model tells what is fitted and edited");
+  if (options.model.empty()) throw UsageError("edit: found no --model, expected the model to fit and edit");
   const models::Model& model = models::findModel(options.model);
   // Wrong assignments are told before the work starts.
   models::ParameterValues probe = models::defaultParameters(model.spec());
@@ -221,19 +221,19 @@ int edit(const EditArguments& options, const Tool& tool) {
 
 void addEdit(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<EditArguments>();
-  CLI::App* command = app.add_subcommand(
-      "edit", "A differential edit: the change of a fitted model is added to the material; or replays a document");
+  CLI::App* command =
+      app.add_subcommand("edit", "Edits a material by the change of a fitted model, or replays a document");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("--model", options->model, "The model that is fitted")->check(CLI::IsMember(modelIds()));
-  command->add_option("--set", options->set, "name=value or name=red,green,blue; several may follow");
+  command->add_option("--model", options->model, "Model to fit and edit")->check(CLI::IsMember(modelIds()));
+  command->add_option("--set", options->set, "Parameters as name=value or name=red,green,blue; repeatable");
   command->add_option(
       "--control", options->controls,
-      "name=value of a control that means the same for every model: " + namesOf(editing::artistControls()));
+      "Controls as name=value, with the same meaning for every model: " + namesOf(editing::artistControls()));
   command
       ->add_option("--compose", options->composition,
-                   "How the change is brought to the material: additive, log-plus or lobes (the default of the model)")
+                   "Composition of the change with the material: additive, log-plus or lobes (default of the model)")
       ->check(CLI::IsMember(std::vector<std::string>(editing::compositionIds.begin(), editing::compositionIds.end())));
-  command->add_option("--strength", options->strength, "Share of the change that is added (1)")
+  command->add_option("--strength", options->strength, "Strength: fraction of the change that is added (1)")
       ->check(CLI::Range(0.0, 1.0));
   command
       ->add_option(

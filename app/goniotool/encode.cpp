@@ -108,34 +108,37 @@ int decode(const EncodeArguments& options, const Tool& tool) {
 
 void addEncode(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<EncodeArguments>();
-  CLI::App* command = app.add_subcommand("encode", "A material as a sparse code over a dictionary");
+  CLI::App* command = app.add_subcommand("encode", "Encodes a material as a sparse code over a dictionary");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("--dictionary", options->dictionary, "A .dictionary file (the bundled one)");
-  command->add_option("--coefficients", options->encoding.coefficients, "Of each channel, at most (262)")
+  command->add_option("--dictionary", options->dictionary, "Dictionary file (bundled dictionary)");
+  command->add_option("--coefficients", options->encoding.coefficients, "Max. coefficients per channel (262)")
       ->check(CLI::Range(0, 65535));
-  command->add_option("--error", options->relativeError, "Fewer where the squared error is at most this share")
+  command
+      ->add_option("--error", options->relativeError,
+                   "Stop when the squared error is at most this fraction of the signal's energy")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--bytes", options->bytes, "Fewer where the file would have more bytes")
-      ->check(CLI::PositiveNumber);
+  command->add_option("--bytes", options->bytes, "Max. size of the file, bytes")->check(CLI::PositiveNumber);
   command
       ->add_option("--rendered-snr", options->renderedSnr,
-                   "As few as give pictures this SNR, dB; at most --coefficients")
+                   "Use the fewest coefficients that reach this rendered SNR, dB; at most --coefficients")
       ->check(CLI::Range(1.0, 200.0));
-  command->add_option("--transform", options->transform, "log-plus or cosine-log (the better one)")
+  command
+      ->add_option("--transform", options->transform,
+                   "Transform: log-plus or cosine-log (the one with the smaller error)")
       ->check(CLI::IsMember({nameOf(DataTransform::logPlus), nameOf(DataTransform::cosineLog)}));
-  command->add_option("--gamma", options->encoding.gamma, "Of the error that chooses the transform (2)")
+  command->add_option("--gamma", options->encoding.gamma, "Gamma of the error that chooses the transform (2)")
       ->check(CLI::Range(1.0, 3.0));
-  command->add_flag("--single", options->single, "Values in single precision, not in half");
-  command->add_option("--out", options->out, "The code (" + suffixOf(materials::FormatId::code) + ")");
+  command->add_flag("--single", options->single, "Store values in single precision (half)");
+  command->add_option("--out", options->out, "Code file to write (" + suffixOf(materials::FormatId::code) + ")");
   command->callback([options, &tool] { tool.run = [options, &tool] { return encode(*options, tool); }; });
 }
 
 void addDecode(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<EncodeArguments>();
-  CLI::App* command = app.add_subcommand("decode", "The material that a sparse code stands for");
+  CLI::App* command = app.add_subcommand("decode", "Decodes a sparse code to a material");
   command->add_option("CODE", options->material, "A " + suffixOf(materials::FormatId::code) + " file")->required();
-  command->add_option("--dictionary", options->dictionary, "The dictionary that it was made with (the bundled one)");
-  command->add_option("--out", options->out, outputHelp("The material"))->required();
+  command->add_option("--dictionary", options->dictionary, "Dictionary file that encoded it (bundled dictionary)");
+  command->add_option("--out", options->out, outputHelp("Material file to write"))->required();
   command->callback([options, &tool] { tool.run = [options, &tool] { return decode(*options, tool); }; });
 }
 

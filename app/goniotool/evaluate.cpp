@@ -31,9 +31,9 @@ int evaluate(const EvaluateArguments& options, const Tool& tool) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   io::writeFileAtomically(options.out, valuesCsv(directions, values));
   const double evaluationNs = seconds * 1e9 / double(values.size());
-  print(tool,
-        {{"evaluated", values.size()}, {"seconds", seconds}, {"evaluationNs", evaluationNs}, {"out", options.out}},
-        options.out + ": " + std::to_string(values.size()) + " values, " + number(evaluationNs) + " ns each\n");
+  print(
+      tool, {{"evaluated", values.size()}, {"seconds", seconds}, {"evaluationNs", evaluationNs}, {"out", options.out}},
+      options.out + ": " + std::to_string(values.size()) + " values, " + number(evaluationNs) + " ns per evaluation\n");
   return 0;
 }
 
@@ -41,15 +41,15 @@ int evaluate(const EvaluateArguments& options, const Tool& tool) {
 
 void addEvaluate(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<EvaluateArguments>();
-  CLI::App* command = app.add_subcommand("evaluate", "The reflectance at any directions");
+  CLI::App* command = app.add_subcommand("evaluate", "Evaluates the BRDF at given directions");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("--directions", options->directions, "CSV of theta_i, phi_i, theta_o, phi_o in degrees")
+  command->add_option("--directions", options->directions, "CSV file of theta_i, phi_i, theta_o, phi_o, degrees")
       ->required();
-  command->add_option("--out", options->out, "CSV to write: the directions, then r, g, b in 1/sr")->required();
+  command->add_option("--out", options->out, "CSV file to write: the directions, then BRDF values r, g, b, 1/sr")
+      ->required();
   command->add_flag(
       "--as-stored", options->asStored,
-      "The light takes the place of an RGL or UTIA file's incident direction, as the file names it; without it the "
-      "viewer does, as in Mitsuba and pbrt");
+      "Use the light as the incident direction of an RGL or UTIA file (the viewer, as in Mitsuba and pbrt)");
   command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
   command->callback([options, &tool] { tool.run = [options, &tool] { return evaluate(*options, tool); }; });
 }

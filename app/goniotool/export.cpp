@@ -115,25 +115,25 @@ std::vector<std::string> targetIds() {
 
 void addExport(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ExportArguments>();
-  CLI::App* command = app.add_subcommand("export", "Writes a material, with its edits, as the files of a renderer");
+  CLI::App* command = app.add_subcommand("export", "Exports a material, with its edits, for a renderer");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("OUT", options->out, "Name of the files, without their suffix")->required();
-  command->add_option("--for", options->target, "What reads the files: " + targetList())
+  command->add_option("--for", options->target, "Target: " + targetList())
       ->required()
       ->check(CLI::IsMember(targetIds()));
-  command->add_option("--snr", options->snr, "Rendered SNR that a file must reach, dB (40)")->check(CLI::Range(0, 100));
+  command->add_option("--snr", options->snr, "Min. rendered SNR of the files, dB (40)")->check(CLI::Range(0, 100));
   command->add_option("--theta-count", options->thetaCount, "Number of incident polar angles, with --size")
       ->check(CLI::Range(4, 1024));
   command->add_option("--size", options->size, "Nodes along each side of a slice, with --theta-count")
       ->check(CLI::Range(4, 512));
   command
       ->add_option("--scene", options->scene,
-                   "Write a scene with the material too, for " + sceneTargetList() +
+                   "Also write a scene with the material, for " + sceneTargetList() +
                        ": a bundled one, a scene file or a mesh (sphere where no name follows)")
       ->expected(0, 1)
       ->default_str(sphereName);
   command->add_option("--environment", options->environment,
-                      "In the place of the scene's own, a bundled one or a picture; implies --scene");
+                      "Environment of the scene, a bundled one or a picture (that of the scene); implies --scene");
   command->callback([options, &tool] { tool.run = [options, &tool] { return exportMaterial(*options, tool); }; });
 }
 

@@ -33,6 +33,6 @@ inline std::string ownFormHelp(const std::string& what) { return what + " (.bina
 std::shared_ptr<const Brdf> openAtWavelength(const std::string& argument, double nanometres,
                                              const TaskControl& control = {});
 inline constexpr const char* wavelengthHelp =
-    "One wavelength of a spectral RGL file, nm, in three equal channels (without it: all, seen under D65)";
+    "Wavelength of a spectral RGL file, nm, in three equal channels (all, under D65)";
 
 }  // namespace gonio::tool

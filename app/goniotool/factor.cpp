@@ -42,7 +42,7 @@ PdvFactorization factorsOf(const FactorArguments& options, const materials::Mate
   if (!materials::isPdv(options.material))
     return factorizePdv(table, options.pdvOptions(), tool.control("factorising " + material.name));
   if (options.formGiven || options.transformGiven)
-    throw UsageError("factor: " + options.material + " holds factors already: --form and --transform are theirs");
+    throw UsageError("factor: " + options.material + " contains factors already: leave out --form and --transform");
   return {.factors = materials::readPdv(options.material).truncated(options.terms),
           .residuals = {},
           .cells = 0,
@@ -105,7 +105,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
   print(tool, json,
         std::to_string(f.terms()) + " terms, " + std::to_string(materials::pdvFileBytes(f)) + " bytes, residual " +
             (result.residuals.empty() ? "not known" : number(result.residuals.back())) + ", BRDF SNR " + number(snr) +
-            " dB, " + number(result.seconds) + " s, " + number(nanoseconds) + " ns a value\n" + errorsText(errors));
+            " dB, " + number(result.seconds) + " s, " + number(nanoseconds) + " ns per value\n" + errorsText(errors));
   return 0;
 }
 
@@ -113,22 +113,25 @@ int factor(const FactorArguments& options, const Tool& tool) {
 
 void addFactor(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<FactorArguments>();
-  CLI::App* command = app.add_subcommand("factor", "Factorises into curves of projected-deviation coordinates (PDV)");
+  CLI::App* command =
+      app.add_subcommand("factor", "Factorises a material into curves in projected-deviation coordinates (PDV)");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("--terms", options->terms, "Products of curves that are summed (10)")
+  command->add_option("--terms", options->terms, "Number of terms, products of curves that are summed (10)")
       ->check(CLI::Range(1, mostPdvTerms));
-  auto* form = command->add_option("--form", options->form, "2d: two curves a term; 3d: three (3d)");
+  auto* form = command->add_option("--form", options->form, "2d: two curves per term; 3d: three (3d)");
   form->check(CLI::IsMember(std::vector<std::string>(formNames.begin(), formNames.end())));
-  auto* transform = command->add_option("--transform", options->transform, "Of the reflectance (log-plus)");
+  auto* transform = command->add_option("--transform", options->transform, "Transform of the BRDF values (log-plus)");
   transform->check(CLI::IsMember(std::vector<std::string>(dataTransformNames.begin(), dataTransformNames.end())));
-  command->add_option(
-      "--out", options->out,
-      "The factors (" + suffixOf(materials::FormatId::pdv) + "), or " + outputHelp("the material that they stand for"));
+  command->add_option("--out", options->out,
+                      "File to write: factors (" + suffixOf(materials::FormatId::pdv) + "), or " +
+                          outputHelp("the material that they represent"));
   command->add_option("--decode", options->decode,
-                      outputHelp("Bakes the material that the factors stand for to this file"));
-  command->add_option("--swap-f1", options->swapF1, "Takes the first term's F1, strength by angle, from this material");
-  command->add_option("--swap-f2", options->swapF2, "Takes the first term's F2, shape of the highlight, from this");
-  command->add_flag("--keep-terms", options->keepFurther, "Swaps keep the terms behind the first");
+                      outputHelp("Bake the material that the factors represent to this file"));
+  command->add_option("--swap-f1", options->swapF1,
+                      "Replace F1 of the first term (specular strength vs. angle) by that of this material");
+  command->add_option("--swap-f2", options->swapF2,
+                      "Replace F2 of the first term (highlight profile) by that of this material");
+  command->add_flag("--keep-terms", options->keepFurther, "Retain the further terms when F1 or F2 is replaced");
   command->callback([options, form, transform, &tool] {
     options->formGiven = form->count() > 0;
     options->transformGiven = transform->count() > 0;

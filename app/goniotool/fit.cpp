@@ -139,21 +139,22 @@ int fit(const FitArguments& options, const Tool& tool) {
 
 void addFit(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<FitArguments>();
-  CLI::App* command = app.add_subcommand("fit", "Fits a model: parameters, errors, time; or ranks all models");
+  CLI::App* command = app.add_subcommand("fit", "Fits a model, or ranks all models by their fits");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("--model", options->model, "The model")->check(CLI::IsMember(modelIds()));
-  command->add_flag("--all", options->all, "All models, ranked");
+  command->add_option("--model", options->model, "Model to fit")->check(CLI::IsMember(modelIds()));
+  command->add_flag("--all", options->all, "Fit and rank all models");
   std::vector<std::string> metricNames, orders;
   for (const metrics::BrdfMetric metric : metrics::minimisableMetrics()) metricNames.emplace_back(metricName(metric));
   for (const metrics::BrdfMetric metric : metrics::allBrdfMetrics()) orders.emplace_back(metricName(metric));
   orders.emplace_back(bySnr);
-  command->add_option("--metric", options->metric, "What is made small (log)")->check(CLI::IsMember(metricNames));
-  command->add_option("--gamma", options->gamma, "Of the metric gamma: 1 to 3 (2), or auto for the best picture");
-  command->add_option("--sort", options->sort, "Order of the ranking: a metric, or snr (what is made small)")
+  command->add_option("--metric", options->metric, "Metric that is minimised (log)")->check(CLI::IsMember(metricNames));
+  command->add_option("--gamma", options->gamma,
+                      "Gamma of the metric gamma: 1 to 3 (2), or auto for the highest rendered SNR");
+  command->add_option("--sort", options->sort, "Order of the ranking: a metric, or snr (the minimised metric)")
       ->check(CLI::IsMember(orders));
-  command->add_option("--max-angle", options->maxAngle, "Cells beyond this polar angle are left out, degrees (85)")
+  command->add_option("--max-angle", options->maxAngle, "Max. polar angle of the cells that are fitted, degrees (85)")
       ->check(CLI::Range(1.0, 90.0));
-  command->add_option("--out", options->out, "Bakes the fitted model to this file");
+  command->add_option("--out", options->out, "Bake the fitted model to this file");
   command->callback([options, &tool] { tool.run = [options, &tool] { return fit(*options, tool); }; });
 }
 

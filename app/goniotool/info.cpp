@@ -81,10 +81,11 @@ int info(const InfoArguments& options, const Tool& tool) {
 
 void addInfo(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<InfoArguments>();
-  CLI::App* command = app.add_subcommand("info", "Format, grid, ranges, invalid share and albedo of a material");
+  CLI::App* command =
+      app.add_subcommand("info", "Shows format, grid, ranges, fraction of invalid cells and albedo of a material");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_flag("--table-error", options->tableError,
-                    "Also the rendered SNR of the material's table against the material (some seconds)");
+                    "Also measure the rendered SNR of the material's table (some seconds)");
   command->callback([options, &tool] { tool.run = [options, &tool] { return info(*options, tool); }; });
 }
 

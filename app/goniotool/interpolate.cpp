@@ -66,10 +66,10 @@ void checkOptions(const InterpolateArguments& options) {
   }
   if (hasSuffixOf(FormatId::pdv, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::factors)
-      throw UsageError("interpolate: " + options.out + " would hold factors: that needs --space factors");
+      throw UsageError("interpolate: " + options.out + " is a file of factors, which needs --space factors");
   } else if (hasSuffixOf(FormatId::code, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::dictionary)
-      throw UsageError("interpolate: " + options.out + " would hold a code: that needs --space dictionary");
+      throw UsageError("interpolate: " + options.out + " is a file of a code, which needs --space dictionary");
   } else {
     materials::writableFormat(options.out);
   }
@@ -176,28 +176,34 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
 
 void addInterpolate(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<InterpolateArguments>();
-  CLI::App* command = app.add_subcommand("interpolate", "A material between two or more materials");
+  CLI::App* command = app.add_subcommand("interpolate", "Interpolates between two or more materials");
   command->add_option("MATERIALS", options->materials, materialHelp)->required()->expected(2, mostMaterials);
-  auto* at = command->add_option("--at,--t", options->at, "Between two materials: 0 is the first, 1 the second (0.5)");
+  auto* at = command->add_option("--at,--t", options->at,
+                                 "Position between two materials: 0 is the first, 1 the second (0.5)");
   at->check(CLI::Range(0.0, 1.0));
-  command->add_option("--weights", options->weights, "One a material, of the sum 1, separated by commas")
+  command->add_option("--weights", options->weights, "Weights, one per material, with the sum 1, separated by commas")
       ->delimiter(',')
       ->expected(1, mostMaterials);
-  command->add_option("--steps", options->steps, "A series from the first to the second: OUT-0, OUT-1, ...")
+  command
+      ->add_option("--steps", options->steps,
+                   "Number of files in a series from the first to the second: OUT-0, OUT-1, ...")
       ->check(CLI::Range(2, mostSteps));
-  command->add_option("--space", options->space, "What is blended (linear)")
+  command->add_option("--space", options->space, "Space of interpolation (linear)")
       ->check(CLI::IsMember(std::vector<std::string>(interpolationSpaceNames.begin(), interpolationSpaceNames.end())));
-  command->add_option("--model", options->model, "Of the spaces parameters and differential (ggx)")
+  command->add_option("--model", options->model, "Model of the spaces parameters and differential (ggx)")
       ->check(CLI::IsMember(modelIds()));
-  command->add_option("--terms", options->terms, "Of the space factors (10)")
+  command->add_option("--terms", options->terms, "Number of terms of the space factors (10)")
       ->check(CLI::Range(1, factorization::mostPdvTerms));
-  command->add_option("--dictionary", options->dictionary, "Of the space dictionary: a .dictionary file (the bundled)");
-  command->add_option("--coefficients", options->coefficients, "A channel, of the space dictionary, at most (1024)")
+  command->add_option("--dictionary", options->dictionary,
+                      "Dictionary file of the space dictionary (bundled dictionary)");
+  command
+      ->add_option("--coefficients", options->coefficients,
+                   "Max. coefficients per channel of the space dictionary (1024)")
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--out", options->out,
-                   outputHelp("The material") + "; of the space factors its curves (" + suffixOf(FormatId::pdv) +
-                       "), of dictionary its code (" + suffixOf(FormatId::code) + ")")
+                   outputHelp("Material file to write") + "; with the space factors also the curves (" +
+                       suffixOf(FormatId::pdv) + "), with dictionary the code (" + suffixOf(FormatId::code) + ")")
       ->required();
   command->callback([options, at, &tool] {
     options->atGiven = at->count() > 0;

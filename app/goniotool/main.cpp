@@ -44,17 +44,16 @@ int work(const tool::Tool& tool, const CLI::App& command) {
 
 int parseAndWork(int argc, char** argv) {
   CLI::App app(
-      "Measured materials (BRDFs) without a window: read, check, convert, fit, edit, factor, encode, blend, plan\n"
-      "measurements and reconstruct from them, export, render, compare, study.",
+      "Command-line tool for measured materials (BRDFs): read, check, convert, fit, edit, factor, encode, blend, "
+      "plan\nmeasurements and reconstruct from them, export, render, compare, study.",
       "goniotool");
   tool::Tool tool;
   app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
   app.require_subcommand(1);
   app.fallthrough();
-  app.add_flag("--json", tool.json, "Results as JSON on standard output");
-  app.add_flag("--progress", tool.showProgress, "Progress on standard error even where that is no terminal");
-  app.add_flag("--force", tool.force,
-               "Let an output replace a file that the command reads, and an export files that exist");
+  app.add_flag("--json", tool.json, "Print results as JSON");
+  app.add_flag("--progress", tool.showProgress, "Show progress on standard error even if it is not a terminal");
+  app.add_flag("--force", tool.force, "Allow outputs to replace input files, and exports to replace existing files");
   app.add_option("--threads", tool.threads, "Number of threads (all cores)")->check(CLI::Range(1, 4096));
   app.footer("A MATERIAL is a file (" + formatsText() + "; found by\ncontent), a " +
              std::string(editing::documentSuffix) +

@@ -31,19 +31,22 @@ int measure(MeasureArguments options, const Tool& tool) {
 
 void addMeasure(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<MeasureArguments>();
-  CLI::App* command = app.add_subcommand("measure", "A material at the directions of a plan, as a goniometer reads it");
+  CLI::App* command = app.add_subcommand(
+      "measure", "Simulates the measurement of a material by a goniometer at the directions of a plan");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("--plan", options->plan, "CSV that goniotool plan has written")->required();
-  command->add_option("--out", options->out, "CSV to write: index, r, g, b in 1/sr")->required();
-  command->add_option("--noise", options->noise.relative, "Standard deviation of a reading, a share of it (0)")
+  command->add_option("--plan", options->plan, "CSV file of a plan (from goniotool plan)")->required();
+  command->add_option("--out", options->out, "CSV file to write: index, r, g, b, 1/sr")->required();
+  command->add_option("--noise", options->noise.relative, "Relative standard deviation of a reading (0)")
       ->check(CLI::Range(0.0, 100.0));
-  command->add_option("--floor", options->noise.absolute, "Standard deviation beside that, 1/sr (0)")
+  command
+      ->add_option("--floor", options->noise.absolute,
+                   "Additional standard deviation of a reading in the dark, 1/sr (0)")
       ->check(CLI::Range(0.0, 1e6));
   command
       ->add_option("--misalignment", options->misalignmentDegrees,
-                   "Standard deviation of each arm along each of two axes, degrees (0)")
+                   "Standard deviation of the direction of each arm about each of two axes, degrees (0)")
       ->check(CLI::Range(0.0, 90.0));
-  command->add_option("--seed", options->noise.seed, "Of the errors (1)");
+  command->add_option("--seed", options->noise.seed, "Seed of the errors (1)");
   command->callback([options, &tool] { tool.run = [options, &tool] { return measure(*options, tool); }; });
 }
 

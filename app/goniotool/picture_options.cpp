@@ -54,20 +54,22 @@ RenderOptions PictureOptions::renderOptions() const {
 
 void addPictureOptions(CLI::App& command, const std::shared_ptr<PictureOptions>& options) {
   auto* environment = command.add_option("--environment", options->environment,
-                                         bundledEnvironmentList() + " or a picture file (that of the scene)");
+                                         bundledEnvironmentList() + " or a picture file (environment of the scene)");
   command
       .add_option("--light", options->light,
-                  "A distant light instead of all others: the direction to it X Y Z (y up, z to the eye)")
+                  "Replace all lights by a distant light in the direction X Y Z (y up, z toward the camera)")
       ->expected(3)
       ->excludes(environment);
-  command.add_option("--rotation", options->rotation, "Of the environment about the vertical axis, degrees (0)");
-  command.add_flag("--show-environment", options->showEnvironment, "Draw the environment behind the sphere");
-  command.add_flag("--blur-background", options->blurBackground, "Draw it out of focus");
-  command.add_option("--size", options->size, "Pixels: a number or WIDTHxHEIGHT (256)");
+  command.add_option("--rotation", options->rotation,
+                     "Rotation of the environment about the vertical axis, degrees (0)");
+  command.add_flag("--show-environment", options->showEnvironment, "Show the environment behind the objects");
+  command.add_flag("--blur-background", options->blurBackground, "Blur the environment behind the objects");
+  command.add_option("--size", options->size, "Size of the picture, pixels: a number or WIDTHxHEIGHT (256)");
   command.add_option("--samples", options->samples, "Samples per pixel (64)")->check(CLI::Range(1, 1 << 20));
-  command.add_option("--seed", options->seed, "Of the random numbers (1)");
-  command.add_option("--exposure", options->exposure, "Of PNG pictures, stops (0)")->check(CLI::Range(-30.0, 30.0));
-  command.add_option("--tone-map", options->toneMap, "Of PNG pictures (clamp)")
+  command.add_option("--seed", options->seed, "Seed of the random numbers (1)");
+  command.add_option("--exposure", options->exposure, "Exposure of PNG pictures, stops (0)")
+      ->check(CLI::Range(-30.0, 30.0));
+  command.add_option("--tone-map", options->toneMap, "Tone map of PNG pictures: clamp or filmic (clamp)")
       ->check(CLI::IsMember({std::string(toneMapName(ToneMap::clamp)), std::string(toneMapName(ToneMap::filmic))}));
 }
 

@@ -53,7 +53,7 @@ ForbiddenRegion forbiddenRegion(const std::string& text) {
     if (range == ranges.end()) throw UsageError("plan: found --forbid " + text + expected);
     if (!seen.insert(name).second)
       throw UsageError("plan: found " + name + " twice in --forbid " + text +
-                       ", expected one range of each; boxes are given by a --forbid each");
+                       ", expected one range of each angle; use one --forbid for each box");
     *range->second = {radians(lowest), radians(highest)};
   }
   return region;
@@ -107,7 +107,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
   const SelectionOptions chosen = selectionOptions(options);
   const std::filesystem::path basisPath = basisBeside(options.out);
   if (basisPath == std::filesystem::path(options.out))
-    throw UsageError("plan: --out " + options.out + " is the name of its basis; name the plan such as PLAN.csv");
+    throw UsageError("plan: --out " + options.out + " is a name for a basis; use a name such as PLAN.csv");
   // Learning takes minutes: what cannot be written is told before.
   io::checkWritable(basisPath);
   io::checkWritable(options.out);
@@ -138,32 +138,43 @@ int plan(const PlanArguments& options, const Tool& tool) {
 void addPlan(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<PlanArguments>();
   SelectionOptions& selection = options->selection;
-  CLI::App* command = app.add_subcommand("plan", "The directions at which to measure a material");
-  command->add_option("--train", options->train, editing::trainingHelp() + " to learn from (the bundled library)");
-  command->add_option("--exclude", options->excluded, "Names of materials to leave out")->delimiter(',');
-  command->add_option("--samples", selection.samples, "How many directions")->required()->check(CLI::Range(1, 4096));
+  CLI::App* command = app.add_subcommand("plan", "Chooses the directions at which to measure a material");
+  command->add_option("--train", options->train, editing::trainingHelp() + " as the training set (bundled library)");
+  command->add_option("--exclude", options->excluded, "Names of materials to exclude")->delimiter(',');
+  command->add_option("--samples", selection.samples, "Number of direction pairs")
+      ->required()
+      ->check(CLI::Range(1, 4096));
   command
-      ->add_option("--out", options->out,
-                   "CSV to write; beside it comes its basis, of the suffix " + std::string(materials::basisSuffix))
+      ->add_option(
+          "--out", options->out,
+          "CSV file to write; its basis is written beside it with the suffix " + std::string(materials::basisSuffix))
       ->required();
-  command->add_option("--method", options->method, "somp, somp-first-columns, condition-number, random, uniform (somp)")
+  command
+      ->add_option("--method", options->method,
+                   "Method: somp, somp-first-columns, condition-number, random or uniform (somp)")
       ->check(CLI::IsMember(std::vector<std::string>(selectionMethods.begin(), selectionMethods.end())));
-  command->add_option("--components", selection.components, "That the choice looks at (as many as samples)")
+  command
+      ->add_option("--components", selection.components,
+                   "Number of components that the choice uses (as many as samples)")
       ->check(CLI::Range(1, 65535));
   command
-      ->add_option("--basis-components", options->basisComponents, "That the basis keeps (all that the choice needs)")
+      ->add_option("--basis-components", options->basisComponents,
+                   "Number of components in the basis file (as many as the choice needs)")
       ->check(CLI::Range(1, 65535));
-  command->add_option("--max-polar", options->largestPolarDegrees, "Largest polar angle of both arms, degrees (85)")
+  command->add_option("--max-polar", options->largestPolarDegrees, "Max. polar angle of light and viewer, degrees (85)")
       ->check(CLI::Range(0.0, 90.0));
-  command->add_option("--min-separation", options->separationDegrees, "Of the two arms, degrees (0)")
+  command
+      ->add_option("--min-separation", options->separationDegrees, "Min. angle between light and viewer, degrees (0)")
       ->check(CLI::Range(0.0, 180.0));
   command
-      ->add_option("--forbid", options->forbidden,
-                   "What the rig cannot reach, such as theta_o=70:90 or theta_i=0:10,phi=0:20; repeatable")
+      ->add_option(
+          "--forbid", options->forbidden,
+          "Directions that the rig cannot reach, such as theta_o=70:90 or theta_i=0:10,phi=0:20, degrees; repeatable")
       ->allow_extra_args(false);
-  command->add_option("--seed", selection.seed, "Of condition-number and random (1)");
-  command->add_option("--restarts", selection.restarts, "Of condition-number")->check(CLI::Range(1, 10000));
-  command->add_flag("--single", options->single, "The basis in single precision, not in half");
+  command->add_option("--seed", selection.seed, "Seed of the methods condition-number and random (1)");
+  command->add_option("--restarts", selection.restarts, "Restarts of the method condition-number")
+      ->check(CLI::Range(1, 10000));
+  command->add_flag("--single", options->single, "Store the basis in single precision (half)");
   command->callback([options, &tool] { tool.run = [options, &tool] { return plan(*options, tool); }; });
 }
 

@@ -36,9 +36,9 @@ ReconstructionOptions reconstructionOptions(const ReconstructArguments& options)
   }
   result.uncertainty = result.method == ReconstructionMethod::ridge;
   if (result.atoms > 0 && result.method != ReconstructionMethod::sparse)
-    throw UsageError("reconstruct: --atoms is of --method sparse alone");
+    throw UsageError("reconstruct: --atoms needs --method sparse");
   if (!options.uncertainty.empty() && !result.uncertainty)
-    throw UsageError("reconstruct: --uncertainty is of --method ridge alone");
+    throw UsageError("reconstruct: --uncertainty needs --method ridge");
   return result;
 }
 
@@ -123,7 +123,7 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
   if (options.method == dictionariesMethod)
     return reconstructWithDictionaries(
         {options.plan, options.values, options.out, options.dictionary, options.train, options.excluded}, tool);
-  if (!options.dictionary.empty()) throw UsageError("reconstruct: --dictionary is of --method dictionaries alone");
+  if (!options.dictionary.empty()) throw UsageError("reconstruct: --dictionary needs --method dictionaries");
   if (!options.uncertainty.empty()) materials::writableFormat(options.uncertainty);
   const ReconstructionOptions chosen = reconstructionOptions(options);
   const SamplingPlan plan = materials::readPlan(options.plan);
@@ -146,34 +146,36 @@ int reconstruct(const ReconstructArguments& options, const Tool& tool) {
 void addReconstruct(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ReconstructArguments>();
   ReconstructionOptions& reconstruction = options->reconstruction;
-  CLI::App* command = app.add_subcommand("reconstruct", "A whole material from the values measured by a plan");
-  command->add_option("--plan", options->plan, "CSV of the directions")->required();
-  command->add_option("--values", options->values, "CSV of what was measured there")->required();
-  command->add_option("--out", options->out, outputHelp("The material"))->required();
-  CLI::Option* basis = command->add_option("--basis", options->basis, "A .basis file (the one beside the plan)");
-  CLI::Option* train = command->add_option("--train", options->train, "Learn from these folders or files instead");
+  CLI::App* command = app.add_subcommand("reconstruct", "Reconstructs a whole material from values measured by a plan");
+  command->add_option("--plan", options->plan, "CSV file of the plan")->required();
+  command->add_option("--values", options->values, "CSV file of the measured values")->required();
+  command->add_option("--out", options->out, outputHelp("Material file to write"))->required();
+  CLI::Option* basis = command->add_option("--basis", options->basis, "Basis file (the one beside the plan)");
+  CLI::Option* train = command->add_option("--train", options->train,
+                                           "Folders or files to use as the training set instead of the basis");
   train->excludes(basis);
-  command->add_option("--exclude", options->excluded, "Names of materials to leave out of that")
+  command->add_option("--exclude", options->excluded, "Names of materials to exclude from the training set")
       ->delimiter(',')
       ->needs(train);
-  command->add_option("--method", options->method, "ridge, sparse or dictionaries (ridge)")
+  command->add_option("--method", options->method, "Method: ridge, sparse or dictionaries (ridge)")
       ->check(CLI::IsMember(reconstructionMethods()));
-  command->add_option("--dictionary", options->dictionary, "Of dictionaries: a .dictionary file (the bundled one)");
+  command->add_option("--dictionary", options->dictionary,
+                      "Dictionary file of the method dictionaries (bundled dictionary)");
   command->add_option("--ridge", options->ridge,
-                      "A number, such as the published 40, or auto: the one by leave-one-out (auto)");
+                      "Ridge parameter: a number, such as the published 40, or auto for leave-one-out (auto)");
   command
       ->add_option("--components", reconstruction.components,
-                   "Of the basis (all that it has; learned by --train: as many as samples)")
+                   "Number of components (all of the basis; with --train as many as samples)")
       ->check(CLI::Range(1, 65535));
-  command->add_option("--atoms", reconstruction.atoms, "Components that sparse takes (by leave-one-out)")
+  command->add_option("--atoms", reconstruction.atoms, "Number of components of the method sparse (by leave-one-out)")
       ->check(CLI::Range(1, 65535));
   command->add_option("--uncertainty", options->uncertainty,
-                      outputHelp("Standard deviations of the mapped values as a table"));
+                      outputHelp("File to write: standard deviations of the mapped values as a table"));
   command->callback([options, command, &tool] {
     tool.run = [options, command, &tool] {
       for (const char* of : {"--basis", "--ridge", "--components", "--atoms", "--uncertainty"})
         if (options->method == dictionariesMethod && command->count(of) > 0)
-          throw UsageError(std::string("reconstruct: ") + of + " is not of --method dictionaries");
+          throw UsageError(std::string("reconstruct: ") + of + " cannot be used with --method dictionaries");
       return reconstruct(*options, tool);
     };
   });

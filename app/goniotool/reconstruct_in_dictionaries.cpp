@@ -23,8 +23,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, const Tool& tool) {
-  if (request.train.empty())
-    throw UsageError("reconstruct: --method dictionaries needs materials to learn from, --train");
+  if (request.train.empty()) throw UsageError("reconstruct: --method dictionaries needs a training set (--train)");
   const acquisition::SamplingPlan plan = materials::readPlan(request.plan);
   const acquisition::MeasuredValues values = materials::readValues(request.values, plan);
   const auto dictionary =

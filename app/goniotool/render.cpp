@@ -87,9 +87,9 @@ void measureStrategies(const PathTracer& tracer, const Materials& materials, con
                     {"error", cost.error},
                     {"equalTimeError", cost.equalTimeError},
                     {"equalErrorTime", cost.equalErrorTime}});
-    text += std::string("  draws from ") + strategyId(cost.strategy) + ": " + number(cost.seconds) + " s, error " +
-            number(100 * cost.error) + " %; in the time of both " + number(100 * cost.equalTimeError) +
-            " %; to the error of both " + number(cost.equalErrorTime) + " s\n";
+    text += std::string("  samples of ") + strategyId(cost.strategy) + ": " + number(cost.seconds) + " s, error " +
+            number(100 * cost.error) + " %; in the time of sampling both " + number(100 * cost.equalTimeError) +
+            " %; time to the error of sampling both " + number(cost.equalErrorTime) + " s\n";
   }
   json["strategies"] = list;
 }
@@ -145,29 +145,32 @@ int render(const RenderArguments& options, const Tool& tool) {
 
 void addRender(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<RenderArguments>();
-  CLI::App* command = app.add_subcommand("render", "A picture of materials in a scene, with the effects it calls for");
-  command->add_option("MATERIAL", options->materials, std::string(materialHelp) + "; several for scenes that take them")
+  CLI::App* command =
+      app.add_subcommand("render", "Renders materials in a scene with the effects that the scene needs");
+  command
+      ->add_option("MATERIAL", options->materials,
+                   std::string(materialHelp) + "; several for scenes with several materials")
       ->required();
-  command->add_option("--scene", options->scene,
-                      "A scene of the project (goniotool scenes lists them), a scene file (.json) or a mesh (" +
-                          io::meshSuffixList() + ")");
+  command->add_option(
+      "--scene", options->scene,
+      "Bundled scene (see goniotool scenes), scene file (.json) or mesh (" + io::meshSuffixList() + ")");
   addPictureOptions(*command, options->picture);
-  command->add_flag("--effects", options->effects, "Tell which effects are simulated, and why");
-  command->add_flag("--effect-costs", options->costs, "Measure each effect: the picture with it and without it");
+  command->add_flag("--effects", options->effects, "Show which effects are simulated, and why");
+  command->add_flag("--effect-costs", options->costs, "Measure the time and contribution of each effect");
   command->add_flag("--strategy-costs", options->strategies,
-                    "Measure what draws from lights, from materials and from both reach in which time");
+                    "Measure time and error of sampling lights, materials or both");
   const CLI::IsMember known(effectIds());
-  command->add_option("--on", options->on, "Effects to simulate whatever the analysis says")
+  command->add_option("--on", options->on, "Effects to simulate even if the analysis leaves them out")
       ->delimiter(',')
       ->check(known);
   command->add_option("--off", options->off, "Effects to leave out")->delimiter(',')->check(known);
-  command->add_flag("--everything", options->everything, "All effects on: to check the plan");
+  command->add_flag("--everything", options->everything, "Simulate all effects, to verify the plan");
   command
       ->add_option("--remainder", options->remainder,
-                   "What reflections that are left out may add, of the brightest (1/512)")
+                   "Max. contribution of omitted reflections, as a fraction of the brightest pixel (1/512)")
       ->check(CLI::Range(1e-9, 1.0));
   command->add_option("--wavelength", options->wavelength, wavelengthHelp)->check(CLI::Range(1.0, 1e6));
-  command->add_option("--out", options->out, "Picture to write: .exr (linear) or .png");
+  command->add_option("--out", options->out, "Picture file to write: .exr (linear) or .png");
   command->callback([options, &tool] { tool.run = [options, &tool] { return render(*options, tool); }; });
 }
 

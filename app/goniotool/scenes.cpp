@@ -40,10 +40,11 @@ int scenes(const ScenesArguments& options, const Tool& tool) {
 
 void addScenes(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<ScenesArguments>();
-  CLI::App* command = app.add_subcommand("scenes", "The scenes of the project, or others, with their plans of effects");
+  CLI::App* command =
+      app.add_subcommand("scenes", "Lists the bundled scenes, or other scenes, with their effect plans");
   command->add_option("SCENE", options->scenes,
-                      "Scenes, scene files (.json) or meshes (" + io::meshSuffixList() + "); none: the project's own");
-  command->add_option("--material", options->materials, "What they show (a grey Lambertian surface)");
+                      "Scenes, scene files (.json) or meshes (" + io::meshSuffixList() + ") (all bundled scenes)");
+  command->add_option("--material", options->materials, "Material of the scenes (a grey Lambertian surface)");
   command->callback([options, &tool] { tool.run = [options, &tool] { return scenes(*options, tool); }; });
 }
 

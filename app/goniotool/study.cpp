@@ -70,7 +70,7 @@ void checkOptions(const StudyArguments& options) {
   std::set<std::string> names{"summary"};
   for (const std::string& material : options.materials)
     if (const std::string name = fs::path(material).stem().string(); !names.insert(name).second)
-      throw UsageError("study: two results would be called " + name + " in " + options.out);
+      throw UsageError("study: two results have the same name " + name + " in " + options.out);
 }
 
 Studied studyOne(const std::string& path, std::span<const Representation> representations, const StudyOptions& study,
@@ -137,7 +137,7 @@ class StudyOutput {
     if (representation) told = {{"representation", representation->id}, {"budget", representation->budget}};
     chosen_.push_back({{"material", studied.name}, {"best", told}});
     text_ += representation ? "best within the limits: " + representation->fullLabel() + "\n"
-                            : "no representation keeps the limits\n";
+                            : "no representation meets the limits\n";
   }
 
   const StudyArguments& options_;
@@ -150,7 +150,7 @@ class StudyOutput {
 void makeFolder(const std::string& path) {
   std::error_code cause;
   fs::create_directories(path, cause);
-  if (!fs::is_directory(path)) throw Error(path + ": cannot be made a folder: " + cause.message());
+  if (!fs::is_directory(path)) throw Error(path + ": the folder cannot be created: " + cause.message());
 }
 
 int study(const StudyArguments& options, const Tool& tool) {
@@ -174,33 +174,37 @@ int study(const StudyArguments& options, const Tool& tool) {
 
 void addStudy(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<StudyArguments>();
-  CLI::App* command = app.add_subcommand("study", "Accuracy against time: every representation of materials, measured");
+  CLI::App* command = app.add_subcommand("study", "Measures accuracy and cost of every representation of materials");
   command->add_option("MATERIAL", options->materials, materialHelp)->required();
-  command->add_option("--out", options->out, "The folder for JSON, CSV and SVG files, made if needed")->required();
+  command->add_option("--out", options->out, "Folder for JSON, CSV and SVG files, created if needed")->required();
   command
-      ->add_option("--representations", options->representations,
-                   "table, fits, factors, codes, components, nonparametric (all but components)")
+      ->add_option(
+          "--representations", options->representations,
+          "Kinds of representations: table, fits, factors, codes, components, nonparametric (all but components)")
       ->delimiter(',');
-  command->add_option("--models", options->models, "Of the fits (all)")->delimiter(',');
-  command->add_option("--terms", options->choice.terms, "Of the factors (1,2,3,5,8,10,14,20)")
+  command->add_option("--models", options->models, "Models of the fits (all)")->delimiter(',');
+  command->add_option("--terms", options->choice.terms, "Numbers of terms of the factors (1,2,3,5,8,10,14,20)")
       ->delimiter(',')
       ->check(CLI::Range(1, factorization::mostPdvTerms));
-  command->add_option("--coefficients", options->choice.coefficients, "Of the codes (32,64,..,2048)")
+  command
+      ->add_option("--coefficients", options->choice.coefficients,
+                   "Coefficients per channel of the codes (32,64,..,2048)")
       ->delimiter(',')
       ->check(CLI::Range(1, mostCoefficients));
-  command->add_option("--dictionary", options->dictionary, "A .dictionary file for the codes (the bundled one)");
+  command->add_option("--dictionary", options->dictionary, "Dictionary file of the codes (bundled dictionary)");
   command
       ->add_option("--components-from", options->componentsFrom,
-                   "Files or folders of materials that teach principal components (none)")
+                   "Training set of principal components, files or folders (none)")
       ->delimiter(',');
-  command->add_option("--components", options->choice.components, "Of the principal components (4,8,..,128)")
+  command->add_option("--components", options->choice.components, "Numbers of principal components (4,8,..,128)")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
-  command->add_option("--size", options->size, "Of the pictures, pixels (128)")->check(CLI::Range(1, 8192));
+  command->add_option("--size", options->size, "Size of the pictures, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
-  command->add_option("--max-frame-ms", options->budget.frameMilliseconds, "Names the best with at most this frame");
-  command->add_option("--min-snr", options->budget.renderedSnr, "Names the best with at least this rendered SNR, dB");
-  command->add_option("--max-bytes", options->budget.bytes, "Names the best with at most so many bytes");
+  command->add_option("--max-frame-ms", options->budget.frameMilliseconds,
+                      "Max. frame time of the best representation, ms");
+  command->add_option("--min-snr", options->budget.renderedSnr, "Min. rendered SNR of the best representation, dB");
+  command->add_option("--max-bytes", options->budget.bytes, "Max. size of the best representation, bytes");
   command->callback([options, &tool] { tool.run = [options, &tool] { return study(*options, tool); }; });
 }
 

@@ -123,7 +123,7 @@ class ParameterPanelTest : public QObject {
           owned.panel.setValues(owned.values, owned.fitted);
           QCOMPARE(owned.panel.row(i)->isEnabled(), int(c) == spec.activeChoice);
           const QString toolTip = line(owned.panel.row(i), 0)->slider()->toolTip();
-          QCOMPARE(toolTip.contains("matters only"), int(c) != spec.activeChoice);
+          QCOMPARE(toolTip.contains("an effect only"), int(c) != spec.activeChoice);
         }
       }
     }

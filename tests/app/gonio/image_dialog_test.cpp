@@ -138,7 +138,7 @@ class ImageDialogTest : public QObject {
       for (QSpinBox* box : dialog->findChildren<QSpinBox*>())
         if (box->suffix().contains("pixel")) box->setValue(3);
       dialog->findChildren<QCheckBox*>().back()->setChecked(true);
-      field(*dialog, "Longest").setValue(7);
+      field(*dialog, "Max. time").setValue(7);
       choose(*dialog, "OpenEXR");
       dialog->accept();
       QVERIFY(wait([&] { return editor.exported.count() == 1; }));

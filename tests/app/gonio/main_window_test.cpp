@@ -162,7 +162,7 @@ class MainWindowTest : public QObject {
     QVERIFY(found("shader ball").contains("Shape > Shader ball"));
     QVERIFY(found("hdri").contains("Light > Sunset"));
     QVERIFY(found("undo").first().startsWith("Edit > "));
-    QCOMPARE(found("xyzzy"), QStringList{"Nothing is called \"xyzzy\"."});
+    QCOMPARE(found("xyzzy"), QStringList{"No entry matches \"xyzzy\"."});
     // What is found is done.
     auto& search = *new CommandSearch(window, searchEntries(window->parts(), window->files(), *window));
     auto* text = search.findChild<QLineEdit*>();
