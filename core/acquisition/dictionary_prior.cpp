@@ -161,7 +161,7 @@ CoefficientPrior priorOf(const Dictionary& dictionary, const ProjectedSignals& s
 
 void checkPriorInput(const Ensemble& ensemble, const TrainingMaterials& materials,
                      const DictionaryPriorOptions& options) {
-  if (materials.names.empty()) throw Error("no material to learn a prior from");
+  if (materials.names.empty()) throw Error("found no training material for the prior, expected at least one");
   if (ensemble.dictionaries.empty()) throw Error("an ensemble without dictionaries");
   if (!(materials.grid == ensemble.grid)) throw Error("the materials' grid is not that of the dictionaries");
   if (options.transform != DataTransform::logPlus && options.transform != DataTransform::cosineLog)

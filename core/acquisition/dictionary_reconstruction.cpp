@@ -150,7 +150,7 @@ void checkDictionaryInput(const Ensemble& ensemble, const DictionaryPrior& prior
                           const DictionaryReconstructionOptions& options) {
   if (!(prior.grid == ensemble.grid) || prior.dictionaries.empty() ||
       prior.dictionaries.size() != ensemble.dictionaries.size())
-    throw Error("the prior is not of this ensemble: found " + std::to_string(prior.dictionaries.size()) +
+    throw Error("the prior belongs to another ensemble: found " + std::to_string(prior.dictionaries.size()) +
                 " dictionaries, expected " + std::to_string(ensemble.dictionaries.size()) + " over the same grid");
   for (const CoefficientPrior& one : prior.dictionaries)
     if (std::ranges::any_of(one.indices, [&](std::uint32_t index) { return index >= ensemble.grid.size(); }))

@@ -55,8 +55,8 @@ bool isIn(const ForbiddenRegion& box, const RigAngles& at) {
 }  // namespace
 
 void MeasurableDirections::check() const {
-  checkAngle(largestPolarAngle, halfPi, "the largest polar angle");
-  checkAngle(smallestSeparation, pi, "the smallest separation of light and viewer");
+  checkAngle(largestPolarAngle, halfPi, "the maximum polar angle");
+  checkAngle(smallestSeparation, pi, "the minimum separation of light and viewer");
   for (std::size_t i = 0; i < forbidden.size(); ++i) {
     const std::string of = " of forbidden region " + std::to_string(i + 1);
     checkRange(forbidden[i].thetaI, halfPi, "polar angle of the light" + of);

@@ -19,7 +19,7 @@ std::size_t positionOf(const dictionary::MappedCells& mapping, const PlannedSamp
   const std::uint32_t cell = nodeOf(mapping.grid, sample);
   const auto found = std::lower_bound(mapping.cells.begin(), mapping.cells.end(), cell);
   if (found == mapping.cells.end() || *found != cell)
-    throw Error(nameOf(sample) + " lies where no value of the training materials is known");
+    throw Error(nameOf(sample) + " lies in a cell without data in the training materials");
   return std::size_t(found - mapping.cells.begin());
 }
 
@@ -33,7 +33,7 @@ double mappedValue(double value, const dictionary::MappedCells& mapping, std::si
                    const PlannedSample& sample) {
   const double mapped = logRelative(value, mapping.weights[position], mapping.reference[position]);
   if (std::isfinite(mapped)) return mapped;
-  throw Error(nameOf(sample) + ": found a value of " + numberText(value) + ", which is too large for any reflectance");
+  throw Error(nameOf(sample) + ": found a value of " + numberText(value) + ", which is too large for a BRDF value");
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ double conditionOf(const PrincipalComponents& basis, const Rows& rows, Eigen::In
 std::string whyFewer(PursuitStop stop, std::size_t chosen, const SelectionOptions& options, Eigen::Index components) {
   if (stop == PursuitStop::enough) return {};
   const std::string counts = std::to_string(chosen) + " of " + std::to_string(options.samples) + " cells were chosen: ";
-  if (stop == PursuitStop::exhausted) return counts + "no other that can be measured tells anything that they do not";
+  if (stop == PursuitStop::exhausted) return counts + "no other measurable cell adds information";
   return counts + "they explain all " + std::to_string(components) + " principal components";
 }
 
@@ -130,7 +130,7 @@ void checkSelection(const PrincipalComponents& basis, const SelectionOptions& op
     throw Error("a selection over " + std::to_string(options.components) + " components: expected 0 or more");
   if (basis.count() == 0 && needsComponents(options.method))
     throw Error(
-        "the training materials have no principal components: they are all the same, so no direction tells more than "
+        "the training materials are all equal, so they have no principal components and no direction is better than "
         "another");
 }
 
@@ -141,7 +141,7 @@ SampleSelection selectSamples(const PrincipalComponents& basis, const SelectionO
   checkSelection(basis, options);
   const Rows rows = measurableRows(basis, options.measurable);
   if (rows.empty())
-    throw Error("no direction pair can be measured: the limits of the rig leave none of the materials' cells");
+    throw Error("no direction pair can be measured: the limits of the rig exclude all cells of the materials");
   return isPursuit(options.method) ? pursue(basis, options, rows, control, chosen)
                                    : selectOtherwise(basis, options, rows, control, chosen);
 }

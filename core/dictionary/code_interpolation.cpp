@@ -19,7 +19,7 @@ namespace gonio::dictionary {
 namespace {
 
 void check(const Ensemble& ensemble, std::span<const SparseCode> codes, std::span<const double> weights) {
-  if (codes.empty()) throw Error("there is no code to interpolate between");
+  if (codes.empty()) throw Error("interpolation: found no code, expected at least one");
   checkWeights(weights, codes.size());
   for (const SparseCode& code : codes) {
     checkCode(ensemble, code);

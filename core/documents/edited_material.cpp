@@ -19,7 +19,7 @@ materials::Material withEdits(const materials::Material& base, std::span<const E
   if (base.table) material.brdf = material.table = bakeEdits(base.table, edits, control);
   if (!base.table || anisotropic) material.brdf = applyEdits(base.brdf, edits);
   if (anisotropic) {
-    material.source.notes.push_back("the edits are anisotropic: tables hold the mean over " +
+    material.source.notes.push_back("the edits are anisotropic: tables contain the mean over " +
                                     std::to_string(bakedAzimuths) + " azimuths");
   }
   return material;

@@ -56,7 +56,8 @@ constexpr ParameterSpec controls[] = {
     ratioControl("contrast", "Contrast", "x", "Brightens the highlights and dims the body so that their ratio changes by this factor.",
                  "k_s' = k_s sqrt x, k_d' = k_d / sqrt x"),
     strengthControl("coat-strength", "Coat strength", "x",
-                    "Strength of the clear coat: 0 takes it away; above 1 a coat with the reflectance of lacquer (0.04) is added to it.",
+                    "Strength of the clear coat: 0 removes it; above 1 a coat with the reflectance of lacquer (0.04) "
+                    "is added to it.",
                     "F_0' = x F_0 + 0.04 max(0, x - 1)"),
     strengthControl("edge-brightness", "Edge brightness", "x",
                     "Brightens or dims the highlights toward grazing angles by this factor; head-on they stay as they are.",
@@ -64,7 +65,8 @@ constexpr ParameterSpec controls[] = {
 };
 
 constexpr ModelSpec controlsSpec = {.id = "artist-controls", .name = "Controls",
-                                    .description = "Changes of a fitted model in terms of what is seen.",
+                                    .description = "Controls of the visible appearance, with the same meaning for "
+                                                   "every model.",
                                     .parameters = controls};
 // clang-format on
 

@@ -147,8 +147,8 @@ ExportTarget blenderTarget() {
   return {.id = "blender",
           .label = "Blender (Cycles)",
           .description =
-              "A Python script that makes a material of a Diffuse and several Glossy nodes, each weighted by "
-              "the angle of the viewer: run it in Blender, or with blender --background --python.",
+              "A Python script that creates a material from a Diffuse and several Glossy nodes, each weighted by the "
+              "viewing angle: run it in Blender, or with blender --background --python.",
           .holds =
               "An approximation by GGX lobes whose colours depend on the viewer alone; isotropic. Blender 3.4 shows "
               "the stated accuracy; later versions have another masking term, which differs near the horizon.",

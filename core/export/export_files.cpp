@@ -13,7 +13,7 @@ void checkTargets(std::span<const fs::path> paths, std::span<const fs::path> sou
   for (const fs::path& path : paths) {
     std::error_code ignored;
     if (io::isOneOf(path, sources))
-      throw Error(path.string() + ": is a measured file that this material is made of, expected another name");
+      throw Error(path.string() + ": is a measured file that this material uses, expected another name");
     if (!overwrite && fs::exists(path, ignored))
       throw Error(path.string() + ": exists already, expected a new name (or --force)");
     io::checkWritable(path);

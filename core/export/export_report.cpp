@@ -42,6 +42,8 @@ ExportPart textPart(std::string_view suffix, std::string_view text) {
   return {std::string(suffix), {bytes, bytes + text.size()}};
 }
 
-std::string meanAzimuthWarning() { return "the material is anisotropic: the export has the mean over all azimuths"; }
+std::string meanAzimuthWarning() {
+  return "the material is anisotropic: the export contains the mean over all azimuths";
+}
 
 }  // namespace gonio::exports

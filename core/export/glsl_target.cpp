@@ -97,16 +97,15 @@ std::string glslFunction(const ReciprocalLobes& fitted, const std::string& origi
 }
 
 ExportTarget glslTarget() {
-  return {
-      .id = "glsl",
-      .label = "GLSL function",
-      .description = "A self-contained function gonioBrdf(wi, wo) for shaders of one's own, GLSL 3.30 or GLSL ES 3.00.",
-      .holds =
-          "An approximation by a diffuse lobe and up to six GGX lobes; isotropic or with one direction of the "
-          "grain; reciprocal. Single scattering.",
-      .suffixes = {glslSuffix},
-      .choosesSnr = true,
-      .make = makeGlsl};
+  return {.id = "glsl",
+          .label = "GLSL function",
+          .description = "A self-contained function gonioBrdf(wi, wo) for your own shaders, GLSL 3.30 or GLSL ES 3.00.",
+          .holds =
+              "An approximation by a diffuse lobe and up to six GGX lobes; isotropic or with one direction of the "
+              "grain; reciprocal. Single scattering.",
+          .suffixes = {glslSuffix},
+          .choosesSnr = true,
+          .make = makeGlsl};
 }
 
 }  // namespace gonio::exports

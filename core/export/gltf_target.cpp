@@ -150,23 +150,24 @@ std::string gltfDocument(const SurfaceValues& values, const std::string& name, c
 }
 
 ExportTarget gltfTarget() {
-  return {.id = "gltf",
-          .label = "glTF 2.0",
-          .description =
-              "A sphere with a metallic-roughness material, for three.js, Babylon.js, game engines and Blender's "
-              "import. Extensions for specular, clearcoat, sheen and anisotropy are in it where they have an effect.",
-          .holds =
-              "An approximation by one highlight, a coat and a sheen; isotropic or with one direction of the grain. "
-              "The prediction is the formula of appendix B; viewers may approximate it.",
-          .suffixes = {".gltf"},
-          .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
-            return makeSurfaceExport(
-                gltfShader(), ".gltf",
-                [](const ExportSource& of, const SurfaceValues& values, const std::string& origin) {
-                  return gltfDocument(values, of.name, origin);
-                },
-                source, options, control);
-          }};
+  return {
+      .id = "gltf",
+      .label = "glTF 2.0",
+      .description =
+          "A sphere with a metallic-roughness material, for three.js, Babylon.js, game engines and Blender's import. "
+          "Extensions for specular, clearcoat, sheen and anisotropy are included where they have an effect.",
+      .holds =
+          "An approximation by one highlight, a coat and a sheen; isotropic or with one direction of the grain. "
+          "The prediction is the formula of appendix B; viewers may approximate it.",
+      .suffixes = {".gltf"},
+      .make = [](const ExportSource& source, const ExportOptions& options, const TaskControl& control) {
+        return makeSurfaceExport(
+            gltfShader(), ".gltf",
+            [](const ExportSource& of, const SurfaceValues& values, const std::string& origin) {
+              return gltfDocument(values, of.name, origin);
+            },
+            source, options, control);
+      }};
 }
 
 }  // namespace gonio::exports

@@ -69,7 +69,7 @@ FormFile encodeTableForm(const ExportSource& source, const HalfDifferenceGrid& g
   result.losses.push_back("the material was sampled at the cells of a table");
   if (!source.brdf->isIsotropic()) result.losses.push_back(azimuthLoss());
   if (grid.reciprocal && !source.brdf->isReciprocal())
-    result.losses.push_back("the material is not reciprocal: the table holds the mean of both orders");
+    result.losses.push_back("the material is not reciprocal: the table contains the mean of both orders of directions");
   return result;
 }
 
@@ -111,7 +111,7 @@ MaterialForm formBySuffix(const std::filesystem::path& path, const Brdf& base, M
 }
 
 std::string azimuthLoss() {
-  return "the material is anisotropic: the table holds its mean over " + std::to_string(editing::bakedAzimuths) +
+  return "the material is anisotropic: the table contains its mean over " + std::to_string(editing::bakedAzimuths) +
          " azimuths";
 }
 

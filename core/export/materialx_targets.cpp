@@ -137,8 +137,8 @@ ExportTarget materialXTarget() {
   return {.id = "materialx",
           .label = "MaterialX (lobes)",
           .description =
-              "A MaterialX 1.39 document with a diffuse lobe and up to four generalized_schlick_bsdf lobes, added: "
-              "the closest that MaterialX comes to a measured material.",
+              "A MaterialX 1.39 document that adds a diffuse lobe and up to four generalized_schlick_bsdf lobes: the "
+              "closest approximation of a measured material in MaterialX.",
           .holds =
               "An approximation by GGX lobes with a colour at 0, 82 and 90 degrees each; isotropic or with one "
               "direction of the grain. Multiple scattering is made up for as in MaterialX.",
@@ -168,7 +168,7 @@ ExportTarget openPbrTarget() {
 ExportTarget standardSurfaceTarget() {
   return {.id = "standard-surface",
           .label = "Standard Surface (MaterialX)",
-          .description = "A MaterialX 1.39 document with one standard_surface, as Arnold, Maya and 3ds Max have it.",
+          .description = "A MaterialX 1.39 document with one standard_surface, for Arnold, Maya and 3ds Max.",
           .holds =
               "An approximation by a diffuse lobe, one highlight and a coat; isotropic or with one direction of the "
               "grain.",

@@ -34,7 +34,7 @@ MadeExport makeMerl(std::string_view suffix, const HalfDifferenceGrid& grid, con
   MadeExport made = tableExport(suffix, io::encodeMerl(*table), table, source, options, control.between(0.5, 1));
   if (!source.brdf->isIsotropic()) made.warnings.push_back(azimuthLoss());
   if (grid.reciprocal && !source.brdf->isReciprocal())
-    made.warnings.push_back("the material is not reciprocal: the table holds the mean of both orders");
+    made.warnings.push_back("the material is not reciprocal: the table contains the mean of both orders of directions");
   return made;
 }
 
@@ -139,15 +139,14 @@ ExportTarget utiaTarget() {
 }
 
 ExportTarget csvTarget() {
-  return {
-      .id = "csv",
-      .label = "Table of values (CSV)",
-      .description = "BRDF values at a grid of directions as text, for spreadsheets, plots and programs of one's own.",
-      .holds =
-          "Values every 15 degrees of the light's polar angle to 75, every 5 of the viewer's to 85 and every 15 "
-          "of azimuth; of anisotropic materials every 30 of the light's azimuth too.",
-      .suffixes = {".csv"},
-      .make = makeCsv};
+  return {.id = "csv",
+          .label = "Table of values (CSV)",
+          .description = "BRDF values at a grid of directions as text, for spreadsheets, plots and your own programs.",
+          .holds =
+              "Values every 15 degrees of the light's polar angle to 75, every 5 of the viewer's to 85 and every 15 "
+              "of azimuth; of anisotropic materials every 30 of the light's azimuth too.",
+          .suffixes = {".csv"},
+          .make = makeCsv};
 }
 
 }  // namespace gonio::exports

@@ -112,7 +112,7 @@ MadeExport makeValues(const ExportSource& source, const ExportOptions& options, 
   worst.facts = std::move(facts);
   if (!source.brdf->isIsotropic())
     worst.warnings.push_back(
-        "the material is anisotropic: the values for Unreal and Unity have the mean over all azimuths");
+        "the material is anisotropic: the values for Unreal and Unity are means over all azimuths");
   worst.parts.push_back(
       textPart(valuesSuffix, commentLines(originText(source, worst.snr), "# ") + "program,input,value,srgb\n" + rows));
   return worst;

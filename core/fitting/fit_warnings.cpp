@@ -52,11 +52,11 @@ std::string namesOf(const Channels& channels, Predicate matches) {
 /// @param used cells; @param negative channels below 0, of `valid` cells.
 std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, std::size_t negative,
                                     std::size_t valid) {
-  if (used == 0) return {"The measurement has no valid cell within the polar angles that count: nothing was fitted."};
+  if (used == 0) return {"The measurement has no valid cell within the maximum polar angle: nothing was fitted."};
   std::vector<std::string> warnings;
   const auto isBlack = [](const ChannelCensus& c) { return !(c.largest > 0); };
   if (const std::string names = namesOf(channels, isBlack); !names.empty())
-    warnings.push_back("No reflectance above 0 in " + names + ": left black.");
+    warnings.push_back("No BRDF value above 0 in " + names + ": left black.");
   // Noise leaves a few; more of them mean that something was subtracted wrongly.
   if (double(negative) > noticeableShare * 3 * double(valid))
     warnings.push_back(std::to_string(negative) + " values below 0 are treated as 0 in the fit.");
@@ -67,7 +67,7 @@ std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, 
   // In a measurement the mirror peak, the heaviest cell, weighs some thousandths.
   const auto isSpike = [&](const ChannelCensus& c) { return c.heaviest > 0.5 * c.total && used > 1; };
   if (const std::string names = namesOf(channels, isSpike); !names.empty())
-    warnings.push_back("One cell holds more than half of what is reflected in " + names +
+    warnings.push_back("One cell contains more than half of the reflected light in " + names +
                        ": the fit may follow an outlier.");
   return warnings;
 }

@@ -221,14 +221,14 @@ TriangleMesh transformed(const TriangleMesh& mesh, const glm::dmat4& matrix) {
   const glm::dmat3 linear(matrix);
   const double determinant = glm::determinant(linear);
   if (!std::isfinite(determinant) || determinant == 0)
-    throw Error("mesh: the matrix of its place has the determinant " + numberText(determinant) +
+    throw Error("mesh: the matrix of its transform has the determinant " + numberText(determinant) +
                 ", expected a finite one that is not 0");
   // The adjugate's transpose: the inverse transpose but for a positive factor, and finite where that overflows.
   const glm::dmat3 normalMatrix = determinant * glm::transpose(glm::inverse(linear)) * (determinant < 0 ? -1.0 : 1.0);
   TriangleMesh result = mesh;
   for (glm::vec3& p : result.positions_) {
     p = glm::vec3(glm::dvec3(matrix * glm::dvec4(p, 1)));
-    if (!isFinite(p)) throw Error("mesh: its place takes a vertex to " + text(p) + ", expected finite numbers");
+    if (!isFinite(p)) throw Error("mesh: its transform moves a vertex to " + text(p) + ", expected finite numbers");
   }
   for (glm::vec3& normal : result.normals_) normal = glm::vec3(glm::normalize(normalMatrix * Direction(normal)));
   if (determinant < 0) result.turnWinding();

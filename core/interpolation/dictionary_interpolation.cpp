@@ -101,7 +101,7 @@ std::shared_ptr<const Interpolation> prepareDictionary(std::span<const Interpola
                                                        const InterpolationOptions& options,
                                                        const TaskControl& control) {
   if (!options.ensemble || options.ensemble->dictionaries.empty())
-    throw Error("interpolation in the space of dictionaries: there is no dictionary");
+    throw Error("interpolation in the space dictionary: found no dictionary, expected one");
   return std::make_shared<const DictionaryInterpolation>(
       ends, options.ensemble, codesOfOneTransform(ends, options, control), options.codeCoefficients);
 }

@@ -10,7 +10,7 @@ namespace gonio::editing {
 
 Interpolation::Interpolation(std::span<const InterpolationEnd> ends)
     : ends_(ends.begin(), ends.end()), tables_(tablesOf(ends)) {
-  if (tables_.empty()) throw Error("there is no material to interpolate between");
+  if (tables_.empty()) throw Error("interpolation: found no material, expected at least one");
 }
 
 std::shared_ptr<const Brdf> Interpolation::brdf(std::span<const double> weights) const {

@@ -85,7 +85,7 @@ class GltfReader {
   void addNode(std::size_t number, const glm::dmat4& parent, int depth) {
     const JsonObject node = item(root_, "nodes", number);
     if (depth > mostDepth || ++nodesSeen_ > root_.array("nodes").size())
-      throw Error(node.place("children") + ": found a node that is within itself, or in two others");
+      throw Error(node.place("children") + ": found a node with two parents or in a cycle");
     const glm::dmat4 placed = parent * transformOf(node);
     if (node.contains("mesh")) addMesh(index(node, "mesh"), placed);
     if (node.contains("children"))
@@ -133,7 +133,7 @@ class GltfReader {
     for (TriangleIndices corners : trianglesOf(primitive, mode, positions.size())) {
       if (isMirrored) std::swap(corners[0], corners[1]);
       if (arrays_.triangles.size() >= mostGltfTriangles)
-        throw Error("found more than " + std::to_string(mostGltfTriangles) + " triangles, which is the most");
+        throw Error("found more than " + std::to_string(mostGltfTriangles) + " triangles, the maximum");
       TriangleIndices& triangle = arrays_.triangles.emplace_back();
       for (int c = 0; c < 3; ++c) {
         triangle[c] = std::uint32_t(first + corners[c]);

@@ -156,7 +156,7 @@ class Reader {
     if (corners_.size() < 3)
       throw Error("found a face of " + std::to_string(corners_.size()) + " corners, expected three or more");
     if (arrays_.triangles.size() + corners_.size() - 2 > mostTriangles)
-      throw Error("found more than " + std::to_string(mostTriangles) + " triangles, which is the most");
+      throw Error("found more than " + std::to_string(mostTriangles) + " triangles, the maximum");
     for (const TriangleIndices& triangle : cutPolygon(places_)) {
       TriangleIndices& added = arrays_.triangles.emplace_back();
       for (int i = 0; i < 3; ++i) {

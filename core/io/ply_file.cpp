@@ -223,7 +223,7 @@ class PlyReader {
     if (count < 3 || count > mostCorners)
       throw Error("found " + std::to_string(count) + " corners, expected 3 to " + std::to_string(mostCorners));
     if (arrays_.triangles.size() + count > mostPlyTriangles)
-      throw Error("found more than " + std::to_string(mostPlyTriangles) + " triangles, which is the most");
+      throw Error("found more than " + std::to_string(mostPlyTriangles) + " triangles, the maximum");
     corners_.clear();
     places_.clear();
     for (std::uint64_t i = 0; i < count; ++i) {

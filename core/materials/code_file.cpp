@@ -80,8 +80,7 @@ void expectCode(const io::ByteSource& source) { io::expectSignature(source, code
 void checkDictionary(const CodeFile& code, const NamedEnsemble& dictionary) {
   if (code.dictionaryId != dictionary.id)
     throw Error(
-        "the code is over another dictionary than the bundled or the given one: decode it with its own (goniotool "
-        "decode --dictionary)");
+        "the code needs another dictionary than the bundled or the given one: name it (goniotool decode --dictionary)");
   dictionary::checkCode(dictionary.ensemble, code.code);
 }
 

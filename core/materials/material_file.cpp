@@ -28,7 +28,7 @@ std::vector<std::byte> materialFile(const MaterialSource& source) {
   if (source.path.native().starts_with(libraryScheme)) return bundledFile(source);
   return namingFile(source.path, [&] {
     std::vector<std::byte> found = io::FileSource(source.path).readAll();
-    if (io::sha256Hex(found) != source.sha256) throw Error("found other content than when it was read; read it again");
+    if (io::sha256Hex(found) != source.sha256) throw Error("the file has changed since it was read; open it again");
     return found;
   });
 }

@@ -42,7 +42,7 @@ void readRglMaterial(const io::ByteSource& source, const TaskControl& control, M
   material.brdf = std::move(rgl.brdf);
   material.source.description = std::move(rgl.description);
   material.source.grid = std::move(rgl.grid);
-  if (rgl.isSpectral) material.source.notes.push_back("spectra are shown under D65, by the CIE 1931 observer");
+  if (rgl.isSpectral) material.source.notes.push_back("spectra are shown under D65 for the CIE 1931 observer");
   if (rgl.negativeCount > 0)
     material.source.notes.push_back(std::to_string(rgl.negativeCount) +
                                     " negative values (colours outside the sRGB gamut)");
@@ -54,7 +54,8 @@ void readUtiaMaterial(const io::ByteSource& source, const TaskControl& control, 
   material.brdf = utia;
   material.source.grid = {int(UtiaBrdf::polarCount), int(UtiaBrdf::azimuthCount), int(UtiaBrdf::polarCount),
                           int(UtiaBrdf::azimuthCount)};
-  material.source.notes.push_back("measured up to 75 degrees from the normal; beyond, the value at 75 degrees is used");
+  material.source.notes.push_back(
+      "measured up to 75 degrees from the normal; beyond that, the value at 75 degrees is used");
   if (utia->negativeCount() > 0)
     material.source.notes.push_back(std::to_string(utia->negativeCount()) + " negative values were set to 0");
 }
@@ -238,14 +239,14 @@ const MaterialFormat& sniffFormat(const io::ByteSource& source) {
       if (!mismatch.verdict().empty()) verdict = mismatch.verdict() + " (" + std::string(format.name) + ")";
     }
   }
-  throw Error((verdict.empty() ? "this file could not be read: no format that Gonio knows fits it" : verdict) +
+  throw Error((verdict.empty() ? "this file could not be read: it matches no format that Gonio supports" : verdict) +
               refusals);
 }
 
 const MaterialFormat& writableFormat(const std::filesystem::path& path) {
   if (const MaterialFormat* format = formatBySuffix(path); format && format->write) return *format;
   throw Error(path.string() + ": found the suffix '" + path.extension().string() + "', expected " +
-              suffixText(isWritable, "or") + ": materials are written as that");
+              suffixText(isWritable, "or") + ": materials can be written with these suffixes");
 }
 
 std::string suffixText(bool (*isWanted)(const MaterialFormat& format), std::string_view conjunction) {

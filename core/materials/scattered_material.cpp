@@ -83,7 +83,7 @@ void addNotes(const io::ScatteredSamples& samples, const GatheredPoints& points,
               const acquisition::Reconstruction& reconstruction, std::vector<std::string>& notes) {
   const auto count = [](std::size_t number) { return std::to_string(number); };
   notes.push_back("measured at single directions: " + count(points.used) + " points at " + count(nodes) +
-                  " nodes are used; all other values are a reconstruction by principal components of the bundled "
+                  " nodes are used; all other values are reconstructed from principal components of the bundled "
                   "materials, isotropic and reciprocal");
   const std::size_t leftOut = samples.values.size() - points.used;
   if (leftOut > 0)
@@ -96,7 +96,7 @@ void addNotes(const io::ScatteredSamples& samples, const GatheredPoints& points,
     notes.push_back("leave-one-out error: a measured value is predicted from the others to a factor of " +
                     factorText(reconstruction.leaveOneOutError) + " (root mean square)");
   else
-    notes.push_back("leave-one-out error: unknown, the points do not predict each other");
+    notes.push_back("leave-one-out error: unknown, because the points do not predict each other");
 }
 
 /// The reconstruction without values that neither a bundled material has at a node nor the measurement anywhere: what
@@ -137,7 +137,7 @@ void setScattered(const io::ScatteredSamples& samples, const TaskControl& contro
   addNotes(samples, points, measured.plan.samples.size(), reconstruction, material.source.notes);
   if (limitedCount > 0)
     material.source.notes.push_back(std::to_string(limitedCount) +
-                                    " reconstructed values were limited to the largest of the bundled materials");
+                                    " reconstructed values were limited to the maximum of the bundled materials");
 }
 
 }  // namespace gonio::materials

@@ -54,7 +54,8 @@ TrainingState stateOf(io::ContainerReader file, const std::string& training) {
   const json description = file.description();
   const JsonObject root(description, "");
   if (root.text("training") != training)
-    throw Error("the checkpoint is of another training; found " + root.text("training") + ", expected " + training);
+    throw Error("the checkpoint belongs to another training; found " + root.text("training") + ", expected " +
+                training);
   TrainingState state;
   state.subspace.bases = take(file, checkpointSizes(file, root.array("sizes")));
   state.subspace.ranks = checkpointSizes(file, root.array("ranks"));

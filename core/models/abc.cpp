@@ -23,7 +23,8 @@ constexpr ParameterSpec parameters[] = {
     abcFalloffParameter(lobeFormula),
     refractiveIndexParameter(abcReference),
     choiceParameter("normalisation", "Normalisation", "N",
-                    "The constant under the highlight: the published fits hold pi, the printed equation 1.",
+                    "Constant N in the denominator of the highlight: pi in the published fits, 1 in the printed "
+                    "equation.",
                     "A ... / (N cos theta_i cos theta_o)", abcReference, normalisations),
     fresnelParameter(FresnelChoice::dielectric),
     edgeTintParameter(),

@@ -36,7 +36,7 @@ constexpr ParameterSpec abcNarrownessParameter(std::string_view formula) {
   return {.id = "b", .label = "Narrowness", .symbol = "B", .unit = "",
           .softMin = 10, .softMax = 1e6, .hardMin = 1e-3, .hardMax = 1e9, .defaultValue = 1000,
           .scale = ParameterScale::logarithmic,
-          .description = "Where the falloff of the highlight begins: large is glossy.",
+          .description = "Where the falloff of the highlight begins: large values are glossy.",
           .formula = formula, .reference = abcReference, .role = ParameterRole::sharpness};
 }
 constexpr ParameterSpec abcFalloffParameter(std::string_view formula) {

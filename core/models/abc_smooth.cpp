@@ -26,8 +26,7 @@ constexpr ParameterSpec parameters[] = {
     fresnelParameter(FresnelChoice::dielectric),
     edgeTintParameter(),
     choiceParameter("fresnel-angle", "Fresnel angle", "theta_d",
-                    "Where the Fresnel term takes its angle from: the published fits hold that of the projected "
-                    "directions.",
+                    "Angle of the Fresnel term: the published fits use that of the projected directions.",
                     "exact: cos theta_d = h . i; projected: cos theta_d = sqrt(1 - |i_p - o_p|^2 / 4)", abcReference,
                     angles),
 };

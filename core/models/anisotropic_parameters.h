@@ -35,7 +35,7 @@ constexpr ParameterSpec exponentXParameter(std::string_view formula, std::string
   spec.symbol = "n_x";
   spec.softMax = 1e5;
   spec.defaultValue = 100;
-  spec.description = "Sharpness of the highlight along the grain: large is glossy.";
+  spec.description = "Sharpness of the highlight along the grain: large values are glossy.";
   return spec;
 }
 constexpr ParameterSpec exponentYParameter(std::string_view formula, std::string_view reference) {

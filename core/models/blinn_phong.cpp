@@ -21,7 +21,7 @@ constexpr ParameterSpec parameters[] = {
     specularParameter(0.1, "k_s N cos^n theta_h", blinn),
     exponentParameter("cos^n theta_h", blinn),
     choiceParameter("normalisation", "Normalisation", "N",
-                    "Whether the brightness of the highlight follows its sharpness, so that its energy stays.",
+                    "Scales the highlight with its sharpness so that its energy stays constant.",
                     "half-vector: (n + 2) / (8 pi); unit-albedo: (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))); none: 1",
                     "Schueler 2011, The Blinn-Phong Normalization Zoo", normalisations),
 };

@@ -51,8 +51,9 @@ constexpr ParameterSpec reflectanceParameter(std::string_view id, std::string_vi
 
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.1),
-    strengthParameter("coat", "Coat", "k_1", 1, ParameterRole::coat, "Strength and tint of the clear coat's mirror image."),
-    widthParameter("coat-roughness", "Coat roughness", "m_1", 0.02, "Blur of the clear coat's mirror image."),
+    strengthParameter("coat", "Coat", "k_1", 1, ParameterRole::coat, "Strength and tint of the clear coat's "
+                                                                     "highlight."),
+    widthParameter("coat-roughness", "Coat roughness", "m_1", 0.02, "Width of the clear coat's highlight."),
     reflectanceParameter("coat-f0", "Coat reflectance", "F_1", 0.04,
                          "How mirror-like the clear coat is when seen head-on; lacquer is near 0.04."),
     strengthParameter("flakes", "Flakes", "k_2", 0.3, ParameterRole::highlight, "Strength and tint of the glow of flakes that lie flat."),
@@ -64,7 +65,7 @@ constexpr ParameterSpec parameters[] = {
     reflectanceParameter("haze-f0", "Haze reflectance", "F_3", 0.5,
                          "How mirror-like the flakes in disorder are when seen head-on."),
     choiceParameter("normalisation", "Normalisation", "N",
-                    "The constant under the highlights, which differs between publications.",
+                    "Constant N in the denominator of the highlights, which differs between publications.",
                     "walter: 4 (conserves energy); rump: pi", guenther, normalisations),
     fresnelParameter(FresnelChoice::schlick),
     edgeTintParameter(),

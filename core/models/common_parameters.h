@@ -14,7 +14,7 @@ constexpr ParameterSpec diffuseParameter(double defaultValue) {
   return {.id = "diffuse", .label = "Diffuse", .symbol = "k_d", .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 10, .defaultValue = defaultValue,
           .group = ParameterGroup::diffuse, .perChannel = true, .linear = true,
-          .description = "Share of the light that the body of the material scatters evenly: its albedo.",
+          .description = "Fraction of the light that the body of the material scatters evenly: its albedo.",
           .formula = "k_d / pi", .reference = "Lambert 1760, Photometria", .role = ParameterRole::body};
 }
 
@@ -81,8 +81,8 @@ constexpr ParameterSpec choiceParameter(std::string_view id, std::string_view la
 /// Which Fresnel term: that of the model's source is the default.
 constexpr ParameterSpec fresnelParameter(FresnelChoice ofSource) {
   return choiceParameter("fresnel", "Fresnel", "F",
-                         "How the reflectance rises toward grazing angles: exactly as of glass and plastic, exactly as of "
-                         "a metal, or by Schlick's approximation.",
+                         "Fresnel term, the rise of the reflectance toward grazing angles: exact for glass and "
+                         "plastic, exact for a metal, or Schlick's approximation.",
                          "dielectric: exact, k = 0; conductor: exact, eta + i k; schlick: F_0 + (1 - F_0)(1 - cos theta_d)^5",
                          "Cook and Torrance 1982; Born and Wolf, Principles of Optics, 14.2; Schlick 1994",
                          fresnelChoices, int(ofSource));

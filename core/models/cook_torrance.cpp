@@ -25,7 +25,8 @@ constexpr ParameterSpec parameters[] = {
                        "D = exp(-tan^2 theta_h / m^2) / (pi m^2 cos^4 theta_h)", cookTorrance1982, 5),
     normalReflectanceParameter(),
     choiceParameter("normalisation", "Normalisation", "N",
-                    "The constant under the highlight, which differs between publications: choose that of the fit.",
+                    "Constant N in the denominator of the highlight, which differs between publications: choose that "
+                    "of the fit.",
                     "walter: 4 (conserves energy); ngan: pi; original-1982: 1 (their D lacks 1/pi, N = pi)",
                     "Walter et al. 2007, eq. 20; Ngan et al. 2005, Experimental Analysis of BRDF Models; Cook and "
                     "Torrance 1982", normalisations),

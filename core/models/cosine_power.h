@@ -17,7 +17,7 @@ constexpr ParameterSpec exponentParameter(std::string_view formula, std::string_
   return {.id = "exponent", .label = "Shininess", .symbol = "n", .unit = "",
           .softMin = 1, .softMax = 1e4, .hardMin = 1e-6, .hardMax = 1e6, .defaultValue = 50,
           .scale = ParameterScale::logarithmic,
-          .description = "Sharpness of the highlight: large is glossy.",
+          .description = "Sharpness of the highlight: large values are glossy.",
           .formula = formula, .reference = reference, .role = ParameterRole::sharpness};
 }
 // clang-format on

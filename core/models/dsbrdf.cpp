@@ -53,25 +53,29 @@ constexpr ParameterSpec gamma(std::string_view id, std::string_view label, std::
 
 constexpr ParameterSpec parameters[] = {
     diffuseParameter(0.2),
-    strength("strength-1", "Lobe 1", "s_1", 1, "Peak and tint of the first lobe when lit head-on."),
+    strength("strength-1", "Lobe 1", "s_1", 1, "Peak and tint of the first lobe at normal incidence."),
     kappa("kappa-1-0", "Lobe 1, head-on", "kappa_1(0)", "Large values give the first lobe a sharp tip and a wide foot."),
-    kappa("kappa-1-45", "Lobe 1, 45 degrees", "kappa_1(45)", "The same half-way; above the head-on value the lobe is brighter there."),
-    kappa("kappa-1-90", "Lobe 1, grazing", "kappa_1(90)", "The same at grazing light: the rise of the first lobe toward the edge."),
-    gamma("gamma-1-0", "Sharpness 1, head-on", "gamma_1(0)", 200, "How narrow the first lobe is when lit head-on."),
+    kappa("kappa-1-45", "Lobe 1, 45 degrees", "kappa_1(45)", "Kappa at 45 degrees of incidence; above the value at "
+                                                             "normal incidence the lobe is brighter there."),
+    kappa("kappa-1-90", "Lobe 1, grazing", "kappa_1(90)", "Kappa of the first lobe at grazing incidence: its rise "
+                                                          "toward the edge."),
+    gamma("gamma-1-0", "Sharpness 1, head-on", "gamma_1(0)", 200, "How narrow the first lobe is at normal incidence."),
     gamma("gamma-1-90", "Sharpness 1, grazing", "gamma_1(90)", 200, "How narrow the first lobe is at grazing light."),
-    strength("strength-2", "Lobe 2", "s_2", 0.05, "Peak and tint of the second lobe when lit head-on."),
+    strength("strength-2", "Lobe 2", "s_2", 0.05, "Peak and tint of the second lobe at normal incidence."),
     kappa("kappa-2-0", "Lobe 2, head-on", "kappa_2(0)", "Large values give the second lobe a sharp tip and a wide foot."),
-    kappa("kappa-2-45", "Lobe 2, 45 degrees", "kappa_2(45)", "The same half-way; above the head-on value the lobe is brighter there."),
-    kappa("kappa-2-90", "Lobe 2, grazing", "kappa_2(90)", "The same at grazing light: the rise of the second lobe toward the edge."),
-    gamma("gamma-2-0", "Sharpness 2, head-on", "gamma_2(0)", 5, "How narrow the second lobe is when lit head-on."),
+    kappa("kappa-2-45", "Lobe 2, 45 degrees", "kappa_2(45)", "Kappa at 45 degrees of incidence; above the value at "
+                                                             "normal incidence the lobe is brighter there."),
+    kappa("kappa-2-90", "Lobe 2, grazing", "kappa_2(90)", "Kappa of the second lobe at grazing incidence: its rise "
+                                                          "toward the edge."),
+    gamma("gamma-2-0", "Sharpness 2, head-on", "gamma_2(0)", 5, "How narrow the second lobe is at normal incidence."),
     gamma("gamma-2-90", "Sharpness 2, grazing", "gamma_2(90)", 5, "How narrow the second lobe is at grazing light."),
 };
 
 constexpr ModelSpec dsbrdfSpec = {
     .id = "dsbrdf", .name = "Directional statistics (DSBRDF)",
-    .description = "Two exponential power lobes about the half vector whose strength and width change with the angle of "
-                   "incidence, over a matte base. Published with three lobes a channel; here the channels share the "
-                   "shapes, and each lobe has a strength. Reciprocal; nothing bounds the energy.",
+    .description = "Two exponential power lobes about the half vector, with strength and width that change with the "
+                   "angle of incidence, over a matte base. Published with three lobes per channel; here the channels "
+                   "share the shapes, and each lobe has a strength. Reciprocal; nothing bounds the energy.",
     .formula = formulaText, .reference = nishino, .parameters = parameters, .family = ModelFamily::series};
 // clang-format on
 

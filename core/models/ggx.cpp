@@ -26,7 +26,7 @@ constexpr ParameterSpec parameters[] = {
                        "D = alpha^2 / (pi (sin^2 theta_h + alpha^2 cos^2 theta_h)^2)", walter),
     normalReflectanceParameter(),
     choiceParameter("masking", "Masking", "G",
-                    "How the shadowing of the light and the masking of the viewer are combined.",
+                    "Combination of the shadowing of the light and the masking of the viewer.",
                     "G1(i) G1(o), or 1 / (1 + Lambda(i) + Lambda(o))",
                     "Heitz 2014, Understanding the Masking-Shadowing Function, eq. 98-99", maskingChoices),
     fresnelParameter(FresnelChoice::dielectric),

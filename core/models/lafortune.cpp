@@ -26,8 +26,8 @@ constexpr ParameterSpec parameters[] = {
     specularParameter(0.1, "k_s N (C_xy (i_x o_x + i_y o_y) + C_z i_z o_z)^n", lafortune1997),
     {.id = "c-xy", .label = "C xy", .symbol = "C_xy", .unit = "",
      .softMin = -1, .softMax = 1, .hardMin = -1, .hardMax = 1, .defaultValue = -0.577,
-     .description = "Where the highlight points: -C_z is the mirror direction, larger amounts lean toward the horizon, "
-                    "positive ones back to the light.",
+     .description = "Direction of the highlight: -C_z is the mirror direction, more negative values lean toward the "
+                    "horizon, positive ones back to the light.",
      .formula = "C_xy (i_x o_x + i_y o_y)", .reference = lafortune1997},
     {.id = "c-z", .label = "C z", .symbol = "C_z", .unit = "",
      .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.577,
@@ -35,7 +35,7 @@ constexpr ParameterSpec parameters[] = {
      .formula = "C_z i_z o_z", .reference = lafortune1997},
     exponentParameter("(C_xy (i_x o_x + i_y o_y) + C_z i_z o_z)^n", lafortune1997),
     choiceParameter("normalisation", "Normalisation", "N",
-                    "Whether the brightness follows the sharpness: then the size of C xy and C z together has no effect.",
+                    "Scales the highlight with its sharpness; the common size of C xy and C z then has no effect.",
                     "ngan: (n + 2) / (2 pi max(|C_xy|, C_z)^n); none: 1",
                     "Ngan et al. 2005, Experimental Analysis of BRDF Models", normalisations),
 };

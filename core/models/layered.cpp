@@ -77,19 +77,19 @@ constexpr ParameterSpec parameters[] = {
     reflectanceParameter("base", "Base", "F_0,1", 0.05, ParameterRole::highlight,
                          "Strength and colour of the widest lobe, seen head-on: the gloss of a matte surface."),
     reflectanceParameter("base-edge", "Base, edge", "F_90,1", 0.05, ParameterRole::edge,
-                         "The same toward grazing angles."),
+                         "Strength and colour of this lobe toward grazing angles."),
     widthParameter("base-roughness", "Base, roughness", "alpha_1", 0.5, "Width of the widest lobe."),
     reflectanceParameter("flakes", "Flakes", "F_0,2", 0.05, ParameterRole::highlight,
                          "Strength and colour of the middle lobe, seen head-on: metal flakes, a brushed metal.",
                          "flakes-lobe"),
     reflectanceParameter("flakes-edge", "Flakes, edge", "F_90,2", 0.05, ParameterRole::edge,
-                         "The same toward grazing angles.", "flakes-lobe"),
+                         "Strength and colour of this lobe toward grazing angles.", "flakes-lobe"),
     widthParameter("flakes-roughness", "Flakes, roughness", "alpha_2", 0.2, "Width of the middle lobe.", "flakes-lobe"),
     reflectanceParameter("coat", "Coat", "F_0,3", 0.05, ParameterRole::coat,
                          "Strength and colour of the sharpest lobe, seen head-on: a clear coat, a polish.",
                          "coat-lobe"),
     reflectanceParameter("coat-edge", "Coat, edge", "F_90,3", 0.5, ParameterRole::coatEdge,
-                         "The same toward grazing angles.", "coat-lobe"),
+                         "Strength and colour of this lobe toward grazing angles.", "coat-lobe"),
     widthParameter("coat-roughness", "Coat, roughness", "alpha_3", 0.05, "Width of the sharpest lobe.", "coat-lobe"),
     ofLobe(reflectanceParameter("sheen", "Sheen", "k_sh", 0, ParameterRole::highlight,
                                 "Strength and colour of the glow of fibres toward the edge.", "sheen-lobe"),
@@ -99,24 +99,24 @@ constexpr ParameterSpec parameters[] = {
                     ParameterRole::other),
            sheenFormula, sheenSources),
     ofLobe(reflectanceParameter("retro", "Retroreflection", "k_r", 0, ParameterRole::highlight,
-                                "Strength and colour of the light that is sent back to where it came from.",
+                                "Strength and colour of the light reflected back toward the light.",
                                 "retro-lobe"),
            retroFormula, retroSources),
     ofLobe(widthParameter("retro-roughness", "Retroreflection, roughness", "alpha_r", 0.3,
                           "Width of the lobe about the direction of the light.", "retro-lobe"),
            retroFormula, retroSources),
-    switchParameter("flakes-lobe", "Flakes lobe", "n_2", true, "Whether there is a middle lobe."),
-    switchParameter("coat-lobe", "Coat lobe", "n_3", true, "Whether there is a sharpest lobe."),
-    switchParameter("sheen-lobe", "Sheen lobe", "n_sh", false, "Whether there is a lobe of fibres."),
-    switchParameter("retro-lobe", "Retroreflective lobe", "n_r", false, "Whether there is a retroreflective lobe."),
+    switchParameter("flakes-lobe", "Flakes lobe", "n_2", true, "Adds the middle lobe."),
+    switchParameter("coat-lobe", "Coat lobe", "n_3", true, "Adds the sharpest lobe."),
+    switchParameter("sheen-lobe", "Sheen lobe", "n_sh", false, "Adds the lobe of fibres."),
+    switchParameter("retro-lobe", "Retroreflective lobe", "n_r", false, "Adds the retroreflective lobe."),
 };
 
 constexpr ModelSpec layeredSpec = {
     .id = "layered", .name = "Layered lobes",
-    .description = "A diffuse body and one to three GGX lobes from wide to sharp, each with a colour of its own head-on "
-                   "and at the edge; a sheen and a retroreflective lobe where they are switched on. A fit takes as many "
-                   "lobes as lower its error. Fits most measured materials closer than one lobe. Reciprocal; keeps to "
-                   "no energy limit.",
+    .description = "A diffuse body and one to three GGX lobes from wide to sharp, each with a colour of its own "
+                   "head-on and at the edge; a sheen and a retroreflective lobe where they are switched on. A fit uses "
+                   "as many lobes as lower its error. Fits most measured materials closer than one lobe. Reciprocal; "
+                   "nothing bounds the energy.",
     .formula = "k_d / pi + the sum over the lobes of (F_0 (1 - s) + F_90 s) D G / (4 cos theta_i cos theta_o)",
     .reference = sources,
     .parameters = parameters};

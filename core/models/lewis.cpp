@@ -22,7 +22,7 @@ constexpr ParameterSpec parameters[] = {
     specularParameter(0.1, "k_s N cos^n, at most k_s of the light is sent back", lewis1994),
     exponentParameter("cos^n alpha or cos^n theta_h", lewis1994),
     choiceParameter("lobe", "Lobe", "N cos^n",
-                    "Whether the highlight stands about the mirror direction (Phong) or the half vector (Blinn).",
+                    "Centre of the highlight: the mirror direction (Phong) or the half vector (Blinn).",
                     "reflection: (n + 2) / (2 pi) cos^n alpha; "
                     "half-vector: (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))) cos^n theta_h",
                     lewis1994, lobeChoices),

@@ -26,7 +26,7 @@ constexpr std::array<ParameterSpec, 4> parametersOf(std::string_view specularFor
           specularParameter(0.1, specularFormula, neumann1999),
           exponentParameter(powerFormula, neumann1999),
           choiceParameter("normalisation", "Normalisation", "N",
-                          "Whether the brightness of the highlight follows its sharpness, so that its energy stays.",
+                          "Scales the highlight with its sharpness so that its energy stays constant.",
                           normalisationFormula, neumann1999, normalisations)};
 }
 

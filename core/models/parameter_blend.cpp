@@ -37,7 +37,7 @@ ParameterValues blended(const ModelSpec& spec, std::span<const ParameterValues> 
     for (int channel = 0; channel < 3; ++channel) {
       for (std::size_t i = 0; i < ends.size(); ++i) values[i] = ends[i].values[p][channel];
       if (!parameter.choices.empty() && !std::equal(values.begin() + 1, values.end(), values.begin()))
-        throw Error("the choices of " + std::string(parameter.id) + " differ; between them there is nothing");
+        throw Error("the choices of " + std::string(parameter.id) + " differ; they cannot be blended");
       result.values[p][channel] = blend(parameter, values, weights);
     }
   }

@@ -46,7 +46,8 @@ constexpr ParameterSpec parameters[] = {
     numerator("p-xx", "Body, far", "p_xx", 1e5, 0, "Value far from the highlight, times q_xx."),
     numerator("p-xy", "Body rise", "p_xy", 1000, 0, "How much the body gains toward grazing light."),
     numerator("p-yy", "Peak rise, grazing", "p_yy", 100, 0, "How much the highlight gains at the most grazing light."),
-    denominator("q-x", "Narrowness", "q_x", 1e6, 100, "Where the falloff of the highlight begins: large is glossy."),
+    denominator("q-x", "Narrowness", "q_x", 1e6, 100, "Where the falloff of the highlight begins: large values are "
+                                                      "glossy."),
     denominator("q-y", "Fall with incidence", "q_y", 10, 0.01, "How much everything loses toward grazing light."),
     denominator("q-xx", "Falloff", "q_xx", 1e10, 0.01, "Where the highlight begins to fall off twice as steeply."),
     denominator("q-xy", "Narrowing", "q_xy", 1e6, 0.01, "How much the highlight narrows toward grazing light."),

@@ -41,7 +41,7 @@ constexpr ParameterSpec parameters[] = {
     {.id = "p", .label = "Tail", .symbol = "p", .unit = "",
      .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 5, .defaultValue = 0.5,
      .perChannel = true,
-     .description = "How fast the core falls off before the exponential tail takes over; 0 is an exponential.",
+     .description = "How fast the core falls off before the exponential tail; 0 is an exponential.",
      .formula = distributionFormula, .reference = bagher},
     {.id = "f0", .label = "Fresnel F0", .symbol = "F_0", .unit = "",
      .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 20, .defaultValue = 0.04,

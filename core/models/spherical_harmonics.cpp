@@ -78,26 +78,25 @@ Specs::Specs() {
                      .formula = formulaText,
                      .reference = westin};
   }
-  parameters[window] = {.id = "window",
-                        .label = "Smoothing",
-                        .symbol = "s",
-                        .unit = "",
-                        .softMin = 0,
-                        .softMax = 1,
-                        .hardMin = 0,
-                        .hardMax = 1,
-                        .defaultValue = 0,
-                        .description =
-                            "Fades the higher bands (a Hann window), which takes away ripples and, with "
-                            "them, sharpness.",
-                        .formula = "w_l = 1 - s (1 - cos(pi l / 5)) / 2",
-                        .reference = "Harris 1978, On the Use of Windows for Harmonic Analysis"};
+  parameters[window] = {
+      .id = "window",
+      .label = "Smoothing",
+      .symbol = "s",
+      .unit = "",
+      .softMin = 0,
+      .softMax = 1,
+      .hardMin = 0,
+      .hardMax = 1,
+      .defaultValue = 0,
+      .description = "Fades the higher bands (a Hann window), which removes ripples and some sharpness.",
+      .formula = "w_l = 1 - s (1 - cos(pi l / 5)) / 2",
+      .reference = "Harris 1978, On the Use of Windows for Harmonic Analysis"};
   model = {.id = "spherical-harmonics",
            .name = "Spherical harmonics",
            .description =
-               "A series of real spherical harmonics of both directions, bands 0 to 4, isotropic. Takes any "
-               "smooth shape, ripples about sharp ones and is cut off at 0 where it would be negative. "
-               "Reciprocal; nothing bounds the energy.",
+               "A series of real spherical harmonics of both directions, bands 0 to 4, isotropic. Represents any "
+               "smooth shape, ripples about sharp ones, and is clamped to 0 where it would be negative. Reciprocal; "
+               "nothing bounds the energy.",
            .formula = formulaText,
            .reference = westin,
            .parameters = parameters,

@@ -31,16 +31,17 @@ constexpr ParameterSpec parameters[] = {
     fresnelParameter(FresnelChoice::conductor),
     edgeTintParameter(),
     choiceParameter("normalisation", "Normalisation", "K",
-                    "Whether the facets cover the surface exactly, so that the energy does not follow the width.",
+                    "Normalises the facets to cover the surface exactly, so that the energy does not depend on the "
+                    "width.",
                     "unit-area: the integral of D cos theta_h over the hemisphere is 1; original-1967: K = 1",
                     torranceSparrow1967, normalisations),
 };
 
 constexpr ModelSpec torranceSparrowSpec = {
     .id = "torrance-sparrow", .name = "Torrance-Sparrow",
-    .description = "Facets whose tilt is Gaussian in the angle, with V-cavity masking: the first microfacet model. "
-                   "Reciprocal; conserves energy with normalisation 'unit-area', with 'original-1967' the strength "
-                   "is free.",
+    .description = "Facets with a Gaussian distribution of tilt angles and V-cavity masking: the first microfacet "
+                   "model. Reciprocal; conserves energy with normalisation 'unit-area', with 'original-1967' the "
+                   "strength is free.",
     .formula = "k_d / pi + k_s D F G / (4 cos theta_i cos theta_o)", .reference = torranceSparrow1967,
     .parameters = parameters, .conservesEnergy = true};
 // clang-format on

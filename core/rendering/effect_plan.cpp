@@ -34,7 +34,7 @@ std::string ordinal(int number) {
 
 /// Light that reaches the eye from its source.
 EffectDecision emittedLightDecision(const Scene& scene) {
-  if (scene.showEnvironment && scene.environment) return {true, true, "the environment is drawn behind the objects"};
+  if (scene.showEnvironment && scene.environment) return {true, true, "the environment is shown behind the objects"};
   const CameraFrame camera = cameraFrame(scene.camera);
   for (const SceneObject& object : scene.objects) {
     if (!object.emits()) continue;
@@ -141,7 +141,7 @@ void Analysis::decideLights() {
 
 void Analysis::decideShadows() {
   std::string cast, self;
-  std::size_t ways = 0;
+  std::size_t occlusions = 0;
   for (std::size_t object = 0; object < scene_.objects.size(); ++object)
     for (std::size_t light = 0; light < plan.lights.size(); ++light)
       for (const std::size_t blocker : plan.blockers[object][light]) {
@@ -149,12 +149,12 @@ void Analysis::decideShadows() {
           if (self.empty()) self = scene_.objects[object].name + " is not convex";
           continue;
         }
-        if (++ways == 1)
-          cast = scene_.objects[blocker].name + " may stand between " + scene_.objects[object].name + " and " +
-                 lightName(scene_, plan.lights[light]);
+        if (++occlusions == 1)
+          cast = scene_.objects[blocker].name + " may occlude " + lightName(scene_, plan.lights[light]) + " from " +
+                 scene_.objects[object].name;
       }
-  if (ways > 1) cast += ", and " + std::to_string(ways - 1) + " more";
-  decide(Effect::castShadows, ways > 0, ways > 0 ? cast : "nothing stands between a surface and a light");
+  if (occlusions > 1) cast += ", and " + std::to_string(occlusions - 1) + " more";
+  decide(Effect::castShadows, occlusions > 0, occlusions > 0 ? cast : "nothing occludes a light from a surface");
   decide(Effect::selfShadowing, !self.empty(), self.empty() ? "every lit shape is convex" : self);
 }
 
@@ -216,8 +216,7 @@ void Analysis::decideInterreflection() {
   const std::string rest = std::isfinite(plan.remainder)
                                ? "all after the " + ordinal(plan.reflections) + " reflection add at most " +
                                      percent(plan.remainder) + " of the brightest"
-                               : "the materials send on so much that no number of reflections bounds the rest; " +
-                                     std::to_string(plan.reflections) + " are followed";
+                               : "reflections do not die out; limited to " + std::to_string(plan.reflections);
   decide(Effect::interreflection, true, pair + "; " + rest);
 }
 

@@ -95,7 +95,7 @@ class PictureThread::Worker : public QObject {
   }
   void makeCurrent() {
     if (!m_context->makeCurrent(const_cast<QOffscreenSurface*>(&m_surface)))
-      throw Error("the graphics driver does not draw without a window");
+      throw Error("the graphics driver cannot render without a window");
   }
   QString graphics() {
     QStringList facts;

@@ -145,7 +145,8 @@ void FitRankingPanel::refresh() {
   m_empty->setText(!m_document.material() ? tr("Open a material to rank the models by their fits.")
                    : isRunning()          ? tr("The first model is being fitted.")
                                           : tr("Press Fit All to fit each of the %1 models to this material and rank "
-                                                        "them.\nClick a row to use its fit; tick it to show it in the plots.")
+                                                        "them.\n"
+                                                        "Click a row to use its fit; tick it to show it in the plots.")
                                        .arg(models::allModels().size()));
 }
 

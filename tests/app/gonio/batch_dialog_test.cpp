@@ -94,7 +94,7 @@ class BatchDialogTest : public QObject {
     const qint64 size = QFileInfo(editor.ids[1]).size();
     over.accept();
     QVERIFY(editor.finish());
-    QVERIFY(editor.failed.count() == 2 && editor.failed[1][1].toString().contains("made of"));
+    QVERIFY(editor.failed.count() == 2 && editor.failed[1][1].toString().contains("material uses"));
     QCOMPARE(QFileInfo(editor.ids[1]).size(), size);
   }
 

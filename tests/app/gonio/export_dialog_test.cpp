@@ -133,7 +133,7 @@ class ExportDialogTest : public QObject {
     const exports::ExportTarget* target = exports::findExportTarget("merl");
     editor.controller.write(ExportSubject(editor.document), {target, {.snr = 10}, editor.path("one")}, nullptr);
     QVERIFY(wait([&] { return failed.count() == 1; }));
-    QVERIFY(failed.front().back().toString().contains("made of"));
+    QVERIFY(failed.front().back().toString().contains("material uses"));
     QCOMPARE(QFile(source).size(), 0);
   }
 

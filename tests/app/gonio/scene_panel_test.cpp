@@ -47,7 +47,7 @@ class ScenePanelTest : public QObject {
     QTRY_COMPARE(content().scene().name, std::string("sphere-point-light"));
     QVERIFY(content().plan().simulates(Effect::castShadows) && content().plan().simulates(Effect::directLight));
     QVERIFY(!content().plan().simulates(Effect::environmentLight));
-    QVERIFY(shows("the sphere may stand between the ground and the point light"));
+    QVERIFY(shows("the sphere may occlude the point light from the ground"));
     choose("bowl");
     QTRY_VERIFY(content().plan().simulates(Effect::selfShadowing));
     QVERIFY(shows("the bowl is not convex"));

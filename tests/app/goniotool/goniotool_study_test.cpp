@@ -96,7 +96,7 @@ class GoniotoolStudyTest : public QObject {
     folder_.writeText("taken.txt", "a file");
     const ToolResult file = runTool({"study", plastic_, "--out", folder_.path("taken.txt")});
     QCOMPARE(file.code, 1);
-    QVERIFY(file.error.contains("taken.txt: cannot be made a folder"));
+    QVERIFY(file.error.contains("taken.txt: the folder cannot be created"));
   }
 
   void zEveryKeyIsDocumented() {

@@ -128,7 +128,7 @@ class DictionaryPriorTest : public QObject {
     TrainingMaterials none = materials, other = materials;
     none.names.clear();
     other.grid.phiDCount = 18;
-    QVERIFY(errorOf(ensemble, none).contains("no material"));
+    QVERIFY(errorOf(ensemble, none).contains("no training material"));
     QVERIFY(errorOf(ensemble, other).contains("grid"));
     QVERIFY(errorOf({.grid = smallGrid, .dictionaries = {}, .learnedFrom = {}}, materials).contains("dictionaries"));
     QVERIFY(errorOf(ensemble, materials, {.transform = DataTransform::root}).contains("found the transform root"));

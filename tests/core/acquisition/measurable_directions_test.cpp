@@ -101,9 +101,9 @@ class MeasurableDirectionsTest : public QObject {
     QVERIFY(errorOf({}).isEmpty());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double angle : {-0.1, 1.6, nan})
-      QVERIFY(errorOf({.largestPolarAngle = angle}).contains("largest polar angle"));
+      QVERIFY(errorOf({.largestPolarAngle = angle}).contains("maximum polar angle"));
     for (const double angle : {-0.1, 3.2, nan}) QVERIFY(errorOf({.smallestSeparation = angle}).contains("separation"));
-    QCOMPARE(errorOf({.largestPolarAngle = radians(95)}), "the largest polar angle is 95 degrees: expected 0 to 90");
+    QCOMPARE(errorOf({.largestPolarAngle = radians(95)}), "the maximum polar angle is 95 degrees: expected 0 to 90");
     const auto withBox = [](const ForbiddenRegion& box) { return errorOf({.forbidden = {{.thetaI = {0, 0.1}}, box}}); };
     QVERIFY(withBox({}).isEmpty());
     QVERIFY(withBox({.thetaI = {1, 0.5}}).contains("light of forbidden region 2"));

@@ -201,7 +201,7 @@ class SelectionHardCasesTest : public QObject {
       QVERIFY(errorOf(basis, {.method = method, .samples = -3}).contains("-3 samples"));
       QVERIFY(errorOf(basis, {.method = method, .components = -1}).contains("-1 components"));
       QVERIFY(
-          errorOf(basis, {.method = method, .measurable = {.largestPolarAngle = 2}}).contains("largest polar angle"));
+          errorOf(basis, {.method = method, .measurable = {.largestPolarAngle = 2}}).contains("maximum polar angle"));
     }
   }
 };

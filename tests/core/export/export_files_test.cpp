@@ -54,7 +54,8 @@ class ExportFilesTest : public QObject {
     const std::vector<fs::path> targets{file}, sources{path("other"), file};
     QVERIFY(messageOf([&] { exports::checkTargets(targets, {}, false); }).find(file.string()) == 0);
     QCOMPARE(messageOf([&] { exports::checkTargets(targets, {}, true); }), std::string());
-    QVERIFY(messageOf([&] { exports::checkTargets(targets, sources, true); }).find("made of") != std::string::npos);
+    QVERIFY(messageOf([&] { exports::checkTargets(targets, sources, true); }).find("material uses") !=
+            std::string::npos);
     const std::vector<fs::path> nowhere{path("no folder") / "a.bsdf"};
     QVERIFY(messageOf([&] { exports::checkTargets(nowhere, {}, false); }).find("a.bsdf") != std::string::npos);
   }

@@ -139,7 +139,7 @@ class MeshFileTest : public QObject {
     QVERIFY(
         test::contains(refused(R"("count":3,"type":"SCALAR")", R"("count":9,"type":"SCALAR")"), "accessors[2].count"));
     QVERIFY(test::contains(refused(R"("nodes":[0,1]}])", R"("nodes":[0,9]}])"), "nodes: there is no number 9"));
-    QVERIFY(test::contains(refused(R"("mesh":0,"scale":[2,2,2])", R"("children":[0,0,0      ])"), "within itself"));
+    QVERIFY(test::contains(refused(R"("mesh":0,"scale":[2,2,2])", R"("children":[0,0,0      ])"), "in a cycle"));
     QVERIFY(test::contains(refused(R"("scene":0,)", R"("scene":6,)"), "scenes: there is no number 6"));
     QVERIFY(test::contains(test::errorOf([] { readMesh("vase.stl"); }), "vase.stl: found the suffix '.stl'"));
     QVERIFY(test::contains(test::errorOf([] { readMesh("/nowhere/vase.ply"); }), "/nowhere/vase.ply"));

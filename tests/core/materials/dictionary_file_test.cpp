@@ -159,7 +159,7 @@ class DictionaryFileTest : public QObject {
     QVERIFY(sameValues(*material.table, *decode(dictionary->ensemble, materials::readCode(path).code)));
     materials::writeCode(code, dictionary->id + 1, path);
     QVERIFY(
-        contains(errorOf([&] { materials::readMaterial(path); }), "bundled.code: the code is over another dictionary"));
+        contains(errorOf([&] { materials::readMaterial(path); }), "bundled.code: the code needs another dictionary"));
   }
 };
 

@@ -169,7 +169,7 @@ class MaterialFormatsTest : public QObject {
                                        " bytes of " + std::to_string(whole) + " (MERL)");
     table.resize(whole + 100);
     const auto longer = writeFile("materials/long.binary", table);
-    QVERIFY(contains(firstLine(longer), "no format that Gonio knows fits it"));
+    QVERIFY(contains(firstLine(longer), "it matches no format that Gonio supports"));
   }
 
   /// Three formats share the suffix .bsdf; training sets take measured files by what they are.

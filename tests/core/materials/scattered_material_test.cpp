@@ -141,7 +141,7 @@ class ScatteredMaterialTest : public QObject {
     const materials::Material material = materialOf(samples);
     for (const glm::vec3& value : material.table->values())
       for (int channel = 0; channel < 3; ++channel) QVERIFY(value[channel] <= largest);
-    QVERIFY(contains(noteWith(material, "limited"), "to the largest of the bundled materials"));
+    QVERIFY(contains(noteWith(material, "limited"), "to the maximum of the bundled materials"));
   }
 
   void nothingToLearnFromIsRefused() {

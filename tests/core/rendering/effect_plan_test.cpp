@@ -82,7 +82,7 @@ std::vector<Case> cases() {
   Scene unlit = with({sphere}, false);
   unlit.pointLights = {{{0, 0.5, 0}, Rgb(1)}};
   return {
-      {Effect::emittedLight, true, shown, "the environment is drawn behind the objects"},
+      {Effect::emittedLight, true, shown, "the environment is shown behind the objects"},
       {Effect::emittedLight, true, with({turned}), "the front of lamp is turned to the camera"},
       {Effect::emittedLight, false, with({behind}), "no source faces the camera"},
       {Effect::emittedLight, false, with({averted}), "no source faces the camera"},
@@ -92,8 +92,8 @@ std::vector<Case> cases() {
       {Effect::environmentLight, true, with({sphere}), "the environment 'furnace' lights sphere"},
       {Effect::environmentLight, false, inDistantLight({sphere}), "there is no environment"},
       {Effect::environmentLight, false, black, "the environment is black, or nothing reflects it"},
-      {Effect::castShadows, true, with({sphere, sphereAt(3)}), "sphere may stand between sphere and the environment"},
-      {Effect::castShadows, false, with({ring}), "nothing stands between a surface and a light"},
+      {Effect::castShadows, true, with({sphere, sphereAt(3)}), "sphere may occlude the environment from sphere"},
+      {Effect::castShadows, false, with({ring}), "nothing occludes a light from a surface"},
       {Effect::selfShadowing, true, with({sphere, ring}), "ring is not convex"},
       {Effect::selfShadowing, false, with({sphere, sphereAt(3)}), "every lit shape is convex"},
       {Effect::interreflection, true, with({ring}), "ring sees itself; all after the 10th reflection add at most"},
@@ -262,7 +262,7 @@ class EffectPlanTest : public QObject {
       const EffectPlan plan = planOf(with({mesh(bowlMesh())}), material, {}, {.mostReflections = 20});
       QCOMPARE(plan.reflections, 20);
       QVERIFY(std::isinf(plan.remainder));
-      QVERIFY(plan[Effect::interreflection].reason.find("no number of reflections bounds the rest; 20 are followed") !=
+      QVERIFY(plan[Effect::interreflection].reason.find("reflections do not die out; limited to 20") !=
               std::string::npos);
     }
   }
