@@ -27,7 +27,7 @@ void writeComparison(const Image& reference, const Image& test, const materials:
 
 int compare(const CompareArguments& options, const Tool& tool) {
   if (!options.image.empty()) checkPicture(options.image, false);
-  options.picture.renderOptions();  // tells a wrong size before the work
+  options.picture.renderOptions();  // reports a wrong size before the work
   const materials::Material a = openMaterial(options.reference, tool.control("reading the first"));
   const materials::Material b = openMaterial(options.test, tool.control("reading the second"));
   const auto table = a.tabulated(tool.control("tabulating"));

@@ -197,7 +197,7 @@ int edit(const EditArguments& options, const Tool& tool) {
   if (fromDocument) return replayDocument(options, tool);
   if (options.model.empty()) throw UsageError("edit: found no --model, expected the model to fit and edit");
   const models::Model& model = models::findModel(options.model);
-  // Wrong assignments are told before the work starts.
+  // Wrong assignments are reported before the work starts.
   models::ParameterValues probe = models::defaultParameters(model.spec());
   for (const std::string& assignment : options.set) assign(model.spec(), assignment, probe);
   for (const std::string& assignment : options.controls) probeControl(assignment, model);

@@ -5,7 +5,7 @@
 #include "app/goniotool/report.h"
 #include "core/rendering/effect_costs.h"
 
-/// How plans of effects are told.
+/// How plans of effects are reported.
 namespace gonio::tool {
 
 /// [{effect, simulated, calledFor, reason}], with the measured costs where there are some: seconds, difference, noise.

@@ -111,7 +111,7 @@ void checkSeries(const InterpolateArguments& options) {
   for (int step = 0; step < options.steps; ++step) checkOutput(fileOf(options, std::size_t(step)), read);
 }
 
-/// Writes one blend; returns what there is to tell about it.
+/// Writes one blend; returns what is reported about it.
 Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, std::uint64_t dictionary,
            std::span<const double> weights, const std::string& out, const Tool& tool) {
   const auto factors = interpolation.factors(weights);

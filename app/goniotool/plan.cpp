@@ -108,7 +108,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
   const std::filesystem::path basisPath = basisBeside(options.out);
   if (basisPath == std::filesystem::path(options.out))
     throw UsageError("plan: --out " + options.out + " is a name for a basis; use a name such as PLAN.csv");
-  // Learning takes minutes: what cannot be written is told before.
+  // Learning takes minutes: what cannot be written is reported before.
   io::checkWritable(basisPath);
   io::checkWritable(options.out);
   double trainingSeconds = 0;

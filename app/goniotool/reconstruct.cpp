@@ -42,7 +42,7 @@ ReconstructionOptions reconstructionOptions(const ReconstructArguments& options)
   return result;
 }
 
-/// @throws Error where the plan tells of another file.
+/// @throws Error where the plan names another file.
 void checkBasis(const std::filesystem::path& basis, const SamplingPlan& plan) {
   if (plan.basisDigest.empty()) return;
   if (const std::string found = basisDigest(basis); found != plan.basisDigest)

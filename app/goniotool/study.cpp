@@ -82,7 +82,7 @@ Studied studyOne(const std::string& path, std::span<const Representation> repres
   return {material.name, runStudy({table, material.brdf}, representations, study, control)};
 }
 
-/// What is told in the end, gathered material by material.
+/// What is reported at the end, gathered material by material.
 class StudyOutput {
  public:
   StudyOutput(const StudyArguments& options, std::string pictures)

@@ -10,7 +10,7 @@
 
 namespace gonio::tool {
 
-/// Told with exit code 2: the arguments make no sense together. Everything else that is thrown is told with 1.
+/// Reported with exit code 2: the arguments contradict each other. Everything else that is thrown is reported with 1.
 class UsageError : public Error {
  public:
   using Error::Error;

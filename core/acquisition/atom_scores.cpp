@@ -16,7 +16,7 @@ namespace {
 
 constexpr Eigen::Index blockAtoms = 1024;  // of 60 components: 240 KB, which stay in a core's cache
 constexpr Eigen::Index batchAtoms = 256;   // scored at once
-/// So many neighbours on the grid are judged by the one in their middle, where it tells enough.
+/// So many neighbours on the grid are judged by the one in their middle, where that is enough.
 constexpr Eigen::Index groupAtoms = 8;
 /// After so many choices the atoms are written in coordinates of what is left: shorter ones.
 constexpr Eigen::Index choicesBetweenBases = 8;
@@ -154,7 +154,7 @@ void AtomScores::scoreBlock(Block& block, Scan& scan, std::vector<std::pair<floa
   for (Eigen::Index begin = 0; begin < count; begin += groupAtoms) {
     if (work.winners(begin) == 0) continue;
     const Eigen::Index middle = middleOf(begin, count);
-    if (block.score[middle] < 0) {  // it is excluded and tells nothing
+    if (block.score[middle] < 0) {  // it is excluded and carries no information
       open.push_back(begin);
       continue;
     }

@@ -10,7 +10,7 @@
 
 namespace gonio::acquisition {
 
-/// What each cell tells about a code: the columns of D^-1 = Sigma_p^-1 U_p^T, the left inverse of the dictionary of the
+/// What each cell says about a code: the columns of D^-1 = Sigma_p^-1 U_p^T, the left inverse of the dictionary of the
 /// first p components, at unit length; a column of 0 stays 0, and its score with it. Rows are indices into the basis'
 /// mapping, atoms into these rows.
 class DictionaryAtoms {

@@ -8,7 +8,7 @@
 #include "core/dictionary/dictionary.h"
 #include "core/dictionary/training_materials.h"
 
-/// What a training set tells of the coefficients over each dictionary of an ensemble.
+/// What a training set says about the coefficients over each dictionary of an ensemble.
 namespace gonio::acquisition {
 
 /// Of one dictionary: coefficients taken as independent and Gaussian.

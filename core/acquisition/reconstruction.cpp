@@ -30,8 +30,8 @@ void checkOptions(const ReconstructionOptions& options) {
   if (options.components < 0 || options.atoms < 0) throw Error("a number of components must be 0 or more");
 }
 
-/// v of the coefficients (Reconstruction::deviation). What is told of noise does not grow with the coefficients, so
-/// each sample counts for the share of its noise that is not told: one that is drowned says nothing of their size.
+/// v of the coefficients (Reconstruction::deviation). Known noise does not grow with the coefficients, so
+/// each sample counts for the fraction of its noise that is not known: one that is drowned says nothing of their size.
 double coefficientVariance(const PrincipalComponents& basis, const SampleRows& samples, const Eigen::VectorXd& noise,
                            double ridge, const std::optional<double>& given) {
   const double training = trainingVariance(basis);
@@ -46,7 +46,7 @@ double coefficientVariance(const PrincipalComponents& basis, const SampleRows& s
 }
 
 /// Of coefficients of variance v and covariance v F F given the samples: the length of each row of D F, and what the
-/// other components add, of which the samples tell nothing.
+/// other components add, on which the samples carry no information.
 std::vector<float> deviations(const PrincipalComponents& basis, const Eigen::MatrixXd& factor, double variance,
                               const TaskControl& control) {
   constexpr std::size_t blockCells = 2048;
@@ -78,7 +78,7 @@ dictionary::ComponentCode codeOf(const PrincipalComponents& basis, const Eigen::
   return code;
 }
 
-/// Coefficients of the ridge, and what the result tells of it.
+/// Coefficients of the ridge, and what the result states about it.
 Eigen::MatrixXd solveRidge(const PrincipalComponents& basis, const SampleRows& samples,
                            const ReconstructionOptions& options, Reconstruction& result, const TaskControl& control) {
   const Eigen::VectorXd noise = samples.variances / trainingVariance(basis);

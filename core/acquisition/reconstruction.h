@@ -49,10 +49,10 @@ struct Reconstruction {
   /// model whose most likely coefficients the ridge gives. Coefficients have a variance v, those of components that
   /// are not used and of what the basis left out too; a sample has besides a noise of variance eta v. v is noise^2 /
   /// eta where `noise` was given (and eta > 0, finite), else its most likely value given the samples of all channels
-  /// and one more at the training set's own 1/t, each counted for the share of its noise that is not told: told noise
-  /// beyond all bounds leaves the training set's deviation. What is not used is independent from cell to cell in this
-  /// model: a sample tells nothing of it anywhere. A change of the mapped value by d is a factor of e^d of rho w +
-  /// 1e-3.
+  /// and one more at the training set's own 1/t, each counted for the fraction of its noise that is not known: known
+  /// noise beyond all bounds leaves the training set's deviation. What is not used is independent from cell to cell in
+  /// this model: a sample carries no information on it anywhere. A change of the mapped value by d is a factor of e^d
+  /// of rho w + 1e-3.
   std::vector<float> deviation;
 };
 

@@ -15,7 +15,7 @@ struct SampleRows {
   std::vector<std::size_t> positions;  ///< of the samples' cells in basis.mapping.cells
   Eigen::MatrixXd rows;                ///< of D = U Sigma: samples x components
   Eigen::MatrixX3d values;             ///< mapped values less the mean: samples x channels
-  /// Of the mapped values about what the components tell, mean of the channels: what they leave out, and the noise
+  /// Of the mapped values about what the components give, mean of the channels: what they leave out, and the noise
   /// where it is known.
   Eigen::VectorXd variances;
   Eigen::VectorXd told;  ///< the part of `variances` that is known noise; 0 where none is known

@@ -26,7 +26,7 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& matrix, Eigen::Index row) {
 }
 
 /// What pursuits of 1 to `most` steps predict for a row that they have not seen. The atoms of fewer steps are the first
-/// ones of more, so one pursuit tells all: with A = Q R of the chosen columns and x their entries in the row, least
+/// ones of more, so one pursuit gives all: with A = Q R of the chosen columns and x their entries in the row, least
 /// squares over the first k predict the sum of the first k entries of R^-T x times Q^T signal.
 Eigen::ArrayXd predictions(const AtomSet& atoms, const Eigen::VectorXd& signal, const Eigen::RowVectorXd& row,
                            int most) {

@@ -38,7 +38,7 @@ class TabulatedBrdf final : public Brdf {
   /// @param measured when not empty: a flag a pair, 0 where all corners are invalid.
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values, TableLookup lookup,
                 std::span<std::uint8_t> measured = {}) const;
-  /// At half-difference coordinates; 0 where all corners are invalid, with `*valid` (when given) telling which.
+  /// At half-difference coordinates; 0 where all corners are invalid, and `*valid` (when given) says which.
   Rgb lookup(const HalfDifference& at, TableLookup lookup, bool* valid = nullptr) const;
 
   bool isReciprocal() const override { return grid_.reciprocal; }
@@ -69,7 +69,7 @@ class TabulatedBrdf final : public Brdf {
 };
 
 /// Samples any isotropic BRDF at the nodes of a grid; nodes below the horizon are invalid. In parallel, deterministic.
-/// What the grid does not tell apart is averaged: an anisotropic BRDF over `azimuths` rotations about the normal, and
+/// What the grid does not distinguish is averaged: an anisotropic BRDF over `azimuths` rotations about the normal, and
 /// on a reciprocal grid one that is not reciprocal over both orders of the directions, since no reciprocal table is
 /// nearer to it in least squares. Finite values beyond the range of float are stored as the largest float.
 /// @throws Cancelled; Error when the BRDF returns a non-finite value.

@@ -10,7 +10,7 @@
 #include "core/dictionary/sparse_code.h"
 
 /// The bytes of a code. Coefficients stand in the order of their indices; of each index the distance from the one
-/// before is written, seven bits a byte, the lowest first, the eighth bit telling that more follow.
+/// before is written, seven bits a byte, the lowest first, the eighth bit says that more follow.
 namespace gonio::dictionary {
 
 /// How the values of the coefficients are written.

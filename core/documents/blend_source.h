@@ -39,8 +39,8 @@ inline constexpr int mostBlendsInBlends = 16;
 std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& json, const std::string& where,
                                                        int version, int depth);
 
-/// Tells a blend from one of other materials, other edits or other weights; those of the sources count, not their
-/// paths. Lower-case hex.
+/// Distinguishes a blend from one of other materials, other edits or other weights; those of the sources count, not
+/// their paths. Lower-case hex.
 std::string blendSha256(const BlendSource& blend);
 
 /// A blend as a material: named after its materials, without a path.

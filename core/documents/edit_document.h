@@ -43,7 +43,7 @@ struct EditDocument {
 /// @throws Error when an edit's values do not fit its model.
 nlohmann::json toJson(const EditDocument& document);
 /// Keys that this version does not know are left out; older versions open with the same numbers.
-/// @throws Error telling the key, what was found and what was expected; unknown models and newer versions too.
+/// @throws Error that states the key, what was found and what was expected; unknown models and newer versions too.
 EditDocument documentFromJson(const nlohmann::json& json);
 
 /// @throws Error naming the file.

@@ -7,7 +7,7 @@
 namespace gonio::editing {
 
 /// An edit as EditDocument::currentVersion writes it, from one that a document of `version` holds: the same numbers
-/// under today's names. What is no edit passes through, for the reader to tell.
+/// under today's names. What is no edit passes through, for the reader to report.
 nlohmann::json migratedEdit(nlohmann::json edit, int version);
 
 }  // namespace gonio::editing

@@ -42,7 +42,7 @@ std::size_t bytesOf(const FactorEdit::Curves& curves);
 /// factorisation would make of the measurement.
 /// @throws Error when a set of curves is missing or holds a number that is not finite.
 nlohmann::json toJson(const FactorEdit& edit);
-/// @throws Error telling the key, what was found and what was expected.
+/// @throws Error that states the key, what was found and what was expected.
 FactorEdit factorEditFromJson(const nlohmann::json& json, const std::string& where);
 
 }  // namespace gonio::editing

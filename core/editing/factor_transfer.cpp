@@ -18,7 +18,7 @@ using factorization::resampled;
 using factorization::widened;
 using Curve = std::vector<double>;
 
-/// A ratio is told only where there is something to compare with, and stays within what a hand would do.
+/// A ratio is given only where there is something to compare with, and stays within what a hand would do.
 constexpr double smallestShare = 1e-3, largestRatio = 100;
 
 double largestSize(const Curve& curve) {

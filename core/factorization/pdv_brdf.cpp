@@ -18,7 +18,7 @@ namespace gonio::factorization {
 
 namespace {
 
-/// placeBetween() of one set of nodes for many places: a table of even steps tells the node to begin at.
+/// placeBetween() of one set of nodes for many places: a table of even steps gives the node to begin at.
 class NodeIndex {
  public:
   explicit NodeIndex(std::span<const double> nodes) {

@@ -12,7 +12,7 @@
 ///
 /// The first term of a model is the material's mirror-like appearance; the terms behind it describe what this material
 /// has besides. They fit no other curves, so an operation that takes a curve from another material drops them, unless
-/// it is told to keep them. One that moves |Dp| moves all terms.
+/// it is asked to keep them. One that moves |Dp| moves all terms.
 namespace gonio::factorization {
 
 // Curves: the values at nodes.

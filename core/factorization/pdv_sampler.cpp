@@ -16,7 +16,7 @@ namespace {
 constexpr double leastCosineShare = 0.1;
 constexpr double smallestSampledCosine = 1e-9;
 
-/// The viewer, with the azimuth that projected deviations are told in.
+/// The viewer, with the azimuth that projected deviations refer to.
 struct Viewer {
   explicit Viewer(const Direction& wo)
       : sine(std::hypot(wo.x, wo.y)),

@@ -31,7 +31,7 @@ struct FitTarget {
 /// trial the linear parameters are solved inside. The Jacobian is that of Kaufman (1975): the change of the residual at
 /// fixed linear parameters, without the part that a change of these could undo; its gradient is exact.
 ///
-/// To keep parameters defined where the data do not tell them (f0 of a matte material; f0 against the specular
+/// To keep parameters defined where the data do not determine them (f0 of a matte material; f0 against the specular
 /// strength), the cost is multiplied by 1 + preference |u - u_default|^2: a fit may be that much worse for staying near
 /// the defaults, and one that explains the data completely is not biased at all.
 class ProjectedProblem {

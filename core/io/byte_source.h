@@ -28,7 +28,7 @@ class ByteSource {
 
 class FileSource final : public ByteSource {
  public:
-  /// @throws Error telling the system's reason; a folder or a device is refused.
+  /// @throws Error that states the system's reason; a folder or a device is refused.
   explicit FileSource(const std::filesystem::path& path);
   ~FileSource() override;
   FileSource(const FileSource&) = delete;

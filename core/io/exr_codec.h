@@ -13,7 +13,7 @@
 namespace gonio::io {
 
 bool isExr(std::span<const std::byte> bytes);
-/// @throws Error telling what was found.
+/// @throws Error that states what was found.
 Image decodeExr(std::span<const std::byte> bytes);
 /// @throws Error for a name that OpenEXR reserves.
 std::vector<std::byte> encodeExr(const Image& image, const std::map<std::string, std::string>& attributes);

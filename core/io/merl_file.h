@@ -33,7 +33,7 @@ struct MerlTable {
 MerlTable readMerl(const ByteSource& source, const TaskControl& control = {});
 
 /// The bytes of a table's file; invalid cells are -1 in all channels.
-/// @throws Error when the format cannot tell such a grid (reciprocal exactly where phi_d count = 4 theta_d count).
+/// @throws Error when the format cannot represent such a grid (reciprocal exactly where phi_d count = 4 theta_d count).
 std::vector<std::byte> encodeMerl(const TabulatedBrdf& table);
 
 }  // namespace gonio::io

@@ -62,7 +62,7 @@ class TensorFile {
   const std::map<std::string, Tensor, std::less<>>& fields() const { return fields_; }
   bool contains(std::string_view name) const { return fields_.find(name) != fields_.end(); }
   /// The field, with this type and this many dimensions.
-  /// @throws FormatMismatch telling what the file has instead.
+  /// @throws FormatMismatch that states what the file has instead.
   const Tensor& field(std::string_view name, TensorType type, std::size_t dimensions) const;
   /// A field of type float32 or float16. @throws FormatMismatch as field().
   const Tensor& floatField(std::string_view name, std::size_t dimensions) const;

@@ -14,7 +14,7 @@ namespace gonio::materials {
 
 namespace {
 
-/// Of three a material. The others tell little of any material, and would cost memory.
+/// Of three a material. The others carry little information on any material, and would cost memory.
 constexpr int components = 64;
 
 void raise(std::vector<float>& largest, const TabulatedBrdf& table) {

@@ -11,8 +11,8 @@
 /// A sampling plan as CSV (csv_text.h): comment lines, then the columns
 ///   index, theta_i, phi_i, theta_o, phi_o, theta_h, theta_d, phi_d, order
 /// in degrees; the comments "method: .." and "basis, SHA-256: .." are read. i is the light, o the viewer. theta_h,
-/// theta_d and phi_d tell people what the other angles tell already: readers pass over them, but where all other angles
-/// could be radians. `order` is that of a short travel of the arms.
+/// theta_d and phi_d show people what the other angles state already: readers pass over them, but where all other
+/// angles could be radians. `order` is that of a short travel of the arms.
 namespace gonio::materials {
 
 /// Angles with six decimals: of a node's directions the node is found again.

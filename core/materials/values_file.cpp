@@ -51,7 +51,7 @@ Rgb valueOf(const io::CsvText& csv, const io::CsvText::Row& row, const io::Colou
   return glm::max(values.value(csv, row), Rgb(0));
 }
 
-/// One column for all tells the noise of each field: their errors are independent.
+/// One column for all is the noise of each field: their errors are independent.
 Rgb noiseOf(const io::CsvText& csv, const io::CsvText::Row& row, const NoiseColumns& noise,
             const io::ColourColumns& values) {
   if (noise[0] != noise[1])

@@ -19,7 +19,7 @@ struct TallMatrix {
   Eigen::Map<Eigen::MatrixXf> view() { return {values.data(), rows, columns}; }
 };
 
-/// T = U Sigma V^T of a tall matrix without the components that are too weak to be told from rounding.
+/// T = U Sigma V^T of a tall matrix without the components that are too weak to be distinguished from rounding.
 struct GramSvd {
   TallMatrix u;                    ///< orthonormal columns, in single precision
   Eigen::VectorXd singularValues;  ///< descending, > 0

@@ -27,8 +27,8 @@ class RidgeRegression {
   /// H = (A A^T + ridge I)^-1. @param ridge > 0, finite.
   Eigen::MatrixXd leaveOneOut(double ridge) const;
 
-  /// Ten a decade from 1e3 down to 1e-7 of the largest squared singular value. None where the values tell nothing of
-  /// them: where A is 0 or has one row, which no other predicts.
+  /// Ten a decade from 1e3 down to 1e-7 of the largest squared singular value. None where the values carry no
+  /// information on them: where A is 0 or has one row, which no other predicts.
   std::vector<double> triedRidges() const;
 
   /// bestRidge() of triedRidges() by the sums of squares of leaveOneOut().
@@ -44,7 +44,7 @@ class RidgeRegression {
   Eigen::MatrixXd posteriorFactor(double ridge) const;
 
  private:
-  /// ridge / (s^2 + ridge) of each singular value: the share that a sample does not tell.
+  /// ridge / (s^2 + ridge) of each singular value: the fraction that a sample does not determine.
   Eigen::VectorXd untoldShares(double ridge) const;
 
   ThinSvd svd_;

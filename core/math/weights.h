@@ -9,7 +9,7 @@
 /// Weights of materials that are blended: one a material, each in [0, 1], with the sum 1.
 namespace gonio {
 
-/// @throws Error telling the count, weight or sum (to 1e-9) that is wrong; weights that are not numbers too.
+/// @throws Error that states the count, weight or sum (to 1e-9) that is wrong; weights that are not numbers too.
 void checkWeights(std::span<const double> weights, std::size_t materials);
 
 /// The material that has all of the weight.

@@ -12,7 +12,7 @@ namespace gonio::metrics {
 
 /// One test of physical plausibility. `worst` is the largest violation in the unit that the check's name implies:
 ///   "reciprocity"   |f(i,o) - f(o,i)| / max(f(i,o), f(o,i)), largest channel
-///   "energy"        directional albedo, largest channel (told when it passes, too)
+///   "energy"        directional albedo, largest channel (reported when it passes, too)
 ///   "negative"      -f, 1/sr
 ///   "non-finite"    count of the directions with such a value
 ///   "extrapolated"  share of what a picture shows that lies where the table has no data

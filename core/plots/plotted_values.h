@@ -38,8 +38,8 @@ struct PlottedValues {
   double at(std::size_t index, Channel channel) const;
 };
 
-/// Evaluates pairs of directions. `coverage`, where given, is the measurement that tells which points are measured: an
-/// edited measurement has no data where the measurement has none.
+/// Evaluates pairs of directions. `coverage`, where given, is the measurement that decides which points are measured:
+/// an edited measurement has no data where the measurement has none.
 PlottedValues evaluatePlotted(const Brdf& brdf, std::span<const DirectionPair> pairs, CosineFactor cosine,
                               const TabulatedBrdf* coverage = nullptr);
 

@@ -9,7 +9,7 @@
 
 namespace gonio::plots {
 
-/// Shapes by which points are told apart without their colours.
+/// Shapes that distinguish points without their colours.
 enum class Marker { square, circle, triangle, diamond, cross, star };
 
 struct SvgStroke {

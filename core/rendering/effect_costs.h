@@ -16,7 +16,7 @@ struct EffectCost {
   double difference = 0;    ///< RMS of the two pictures' difference over the RMS of the picture
   double noise = 0;         ///< the same of two pictures of different seeds: what chance alone differs by
 
-  /// Whether the time tells nothing: the effect may cost this much or nothing.
+  /// Whether the time is within its noise: the effect may cost this much or nothing.
   bool isWithinNoise() const { return std::abs(seconds) <= secondsNoise; }
 };
 

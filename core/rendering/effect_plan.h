@@ -13,7 +13,7 @@
 
 namespace gonio {
 
-/// What light can do in a scene; in this order plans are told.
+/// What light can do in a scene; in this order plans are listed.
 enum class Effect {
   emittedLight,       ///< light that reaches the eye from its source (PL1)
   directLight,        ///< light of lamps after one reflection (PL2)
@@ -70,8 +70,8 @@ struct EffectThresholds {
 };
 
 /// Decides by the shapes, the lights and the materials what can change a pixel. The analysis never leaves out what
-/// matters but for the remainder; where it cannot tell, the effect is simulated. Some support points of each shape for
-/// each pair of objects and light: microseconds for the bundled scenes.
+/// matters but for the remainder; where it cannot decide, the effect is simulated. Some support points of each shape
+/// for each pair of objects and light: microseconds for the bundled scenes.
 /// @param materials of bindMaterials().
 EffectPlan planEffects(const Scene& scene, std::span<const std::shared_ptr<const RenderMaterial>> materials,
                        const EffectOverrides& overrides = {}, const EffectThresholds& thresholds = {});

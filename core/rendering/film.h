@@ -52,7 +52,8 @@ class SampleLuminances {
   double largest_ = 0;
 };
 
-/// Rare samples that are far brighter than the rest: noise that more samples remove slowly. It is told, not clamped.
+/// Rare samples that are far brighter than the rest: noise that more samples remove slowly. It is reported, not
+/// clamped.
 struct Fireflies {
   static constexpr double threshold = 100;
   double brightest = 0;  ///< luminance of the brightest sample over the mean of the samples that met something

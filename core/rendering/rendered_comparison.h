@@ -7,8 +7,8 @@
 
 namespace gonio {
 
-/// The picture of rankings, studies and the editor's comparisons, so that all of them tell one number: a quarter of the
-/// pixels of `goniotool compare` and half its samples; the SNR differs by 0.1 dB from it.
+/// The picture of rankings, studies and the editor's comparisons, so that all of them report one number: a quarter of
+/// the pixels of `goniotool compare` and half its samples; the SNR differs by 0.1 dB from it.
 inline RenderOptions smallComparisonPicture() { return {.width = 128, .height = 128, .samples = 32, .lobe = {}}; }
 
 /// A material in comparisonScene().
@@ -19,7 +19,7 @@ struct ComparisonPicture {
 
 /// Pictures of materials in comparisonScene() against that of one reference, which is rendered once. All use its lobe
 /// and seeds: they share most of their noise. What they do not share does not count: the ratios are those of pictures
-/// of infinitely many samples, as far as these can tell (metrics::PicturePair).
+/// of infinitely many samples, as far as these can show (metrics::PicturePair).
 class RenderedComparison {
  public:
   /// Renders the reference. @throws Cancelled.

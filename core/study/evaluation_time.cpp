@@ -32,8 +32,8 @@ std::vector<DirectionPair> randomPairs() {
   return pairs;
 }
 
-/// Of the processor for this thread, so that other work on the machine does not count; where the system does not tell
-/// it, of the clock on the wall.
+/// Of the processor for this thread, so that other work on the machine does not count; where the system does not report
+/// it it, of the clock on the wall.
 double threadSeconds() {
 #ifdef CLOCK_THREAD_CPUTIME_ID
   timespec time{};

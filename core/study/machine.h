@@ -9,7 +9,7 @@ namespace gonio::study {
 
 /// Where, with which program and when times were measured.
 struct MachineFacts {
-  std::string processor;  ///< its own name, or "unknown processor" where the system does not tell
+  std::string processor;  ///< its own name, or "unknown processor" where the system does not report it
   int cores = 0;          ///< of the machine, as the system counts them
   int threads = 0;        ///< that parallel work used
   std::string version;    ///< of Gonio

@@ -54,7 +54,7 @@ class Search {
   }
 
   /// Of each transform the best of the counts that are doubled until they are enough for one of them: more coefficients
-  /// may choose a dictionary that is worse in pictures, so the most do not tell whether fewer are enough.
+  /// may choose a dictionary that is worse in pictures, so the largest number does not show whether fewer are enough.
   std::vector<PictureEncoding> doubled() {
     const double most = double(options_.coefficients);
     std::vector<PictureEncoding> best;

@@ -23,7 +23,7 @@ struct FamilyLook {
   Marker marker;
   std::string_view colour;
 };
-/// Colours that the colour-blind tell apart (Okabe and Ito 2008, "Color Universal Design").
+/// Colours that the colour-blind can distinguish (Okabe and Ito 2008, "Color Universal Design").
 constexpr FamilyLook looks[representationFamilyCount] = {{Marker::square, "#000000"},   {Marker::circle, "#0072b2"},
                                                          {Marker::triangle, "#d55e00"}, {Marker::diamond, "#009e73"},
                                                          {Marker::cross, "#cc79a7"},    {Marker::star, "#e69f00"}};
@@ -42,7 +42,7 @@ std::string numbersText(const StudyRecord& record) {
          shortNumber(double(record.bytes)) + "B, encoded in " + shortNumber(record.encodeSeconds) + " s";
 }
 
-/// Short, beside a point: the budget where its shape tells the rest.
+/// Short, beside a point: the budget where its shape shows the rest.
 std::string labelOf(const Representation& r) {
   return r.family == RepresentationFamily::factors || r.family == RepresentationFamily::code ||
                  r.family == RepresentationFamily::components

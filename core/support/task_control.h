@@ -9,7 +9,7 @@
 
 namespace gonio {
 
-/// What long work takes from its caller: a way to be stopped and a way to tell how far it is.
+/// What long work takes from its caller: a stop token and a progress callback.
 /// `progress` gets a share in [0, 1] that never falls; it may be called from any thread, one call at a time.
 struct TaskControl {
   std::stop_token stop;

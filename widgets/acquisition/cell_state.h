@@ -25,7 +25,7 @@ inline constexpr CellState shadedStates[] = {CellState::belowHorizon, CellState:
 
 /// "grazing"
 QString stateName(CellState state);
-/// How cells are shaded: told apart by their hatching.
+/// How cells are shaded: distinguished by their hatching.
 QBrush stateBrush(CellState state, const PlotStyle& style);
 
 }  // namespace gonio::widgets

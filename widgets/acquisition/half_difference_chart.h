@@ -19,7 +19,7 @@ struct HalfDifferenceSlice {
 };
 
 /// Samples over the two angles of half-difference space, theta_h upward with the spacing of measured tables (wide at
-/// the highlight), at one phi_d: what cannot be measured there is shaded, what is uncertain is told in false colour.
+/// the highlight), at one phi_d: what cannot be measured there is shaded, what is uncertain is shown in false colour.
 /// Samples near that phi_d are full, others hollow.
 class HalfDifferenceChart : public SampleChart {
   Q_OBJECT

@@ -20,7 +20,7 @@ constexpr double labelAzimuth = radians(188);
 
 const SeriesRole lightRole = SeriesRole::edited, viewerRole = SeriesRole::fit;
 
-/// A disc for the light, a diamond for the viewer: told apart without their colours.
+/// A disc for the light, a diamond for the viewer: distinguishable without their colours.
 void drawLight(QPainter& painter, const QPointF& at, double radius) { painter.drawEllipse(at, radius, radius); }
 void drawViewer(QPainter& painter, const QPointF& at, double radius) {
   const double r = 1.25 * radius;

@@ -21,7 +21,7 @@ struct PlotStyle {
   static PlotStyle paper();
 
   QColor colour(SeriesRole role) const;
-  /// Measured solid, fit dashed, edited dash-dotted, others by more patterns: curves are told apart without their
+  /// Measured solid, fit dashed, edited dash-dotted, others by more patterns: curves are distinguishable without their
   /// colours, which come again after six other fits.
   QPen pen(SeriesRole role) const;
   QPen gridPen() const { return QPen(grid, 1); }

@@ -57,13 +57,13 @@ class CurveView {
   double toValue(double y) const;
 
   void drawFrame(QPainter& painter, const PlotStyle& style) const;
-  /// Over the curves: what tells places apart.
+  /// Over the curves: what distinguishes places.
   void drawLimits(QPainter& painter, const PlotStyle& style) const;
   void drawCurve(QPainter& painter, const std::vector<double>& nodes, const std::vector<double>& curve,
                  const QPen& pen) const;
 };
 
-/// Of a channel (0 red, 1 green, 2 blue): told apart by its dashes too.
+/// Of a channel (0 red, 1 green, 2 blue): distinguished by its dashes too.
 QPen channelPen(int channel, const PlotStyle& style);
 /// Of a channel as it was before any edit: faint.
 QPen ghostPen(int channel, const PlotStyle& style, double opacity);

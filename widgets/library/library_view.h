@@ -21,7 +21,7 @@ class LibraryOrder;
 class LibrarySelection;
 
 /// A grid of materials with search, grouping, sorting and a size slider; several can be selected. Enter or a
-/// double-click opens, Space shows a large picture, arrow keys move. It tells which materials are in sight, so that
+/// double-click opens, Space shows a large picture, arrow keys move. It reports which materials are visible, so that
 /// their pictures are made first.
 class LibraryView : public QWidget {
   Q_OBJECT

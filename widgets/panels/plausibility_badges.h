@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace gonio::widgets {
 
-/// A word with a sign: passed, failed, or not known yet. The sign and the word tell it, the colour helps.
+/// A word with a sign: passed, failed, or not known yet. The sign and the word state it, the colour helps.
 class PlausibilityBadge : public QAbstractButton {
   Q_OBJECT
 

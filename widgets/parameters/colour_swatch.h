@@ -9,7 +9,7 @@
 namespace gonio::widgets {
 
 /// A button filled with a linear RGB colour. Values above 1 are scaled to their tint and marked by a corner. Pressing
-/// it opens a colour dialog; every choice in the dialog is told at once, cancelling it tells the old colour again.
+/// it opens a colour dialog; every choice in the dialog is emitted at once, cancelling it emits the old colour again.
 class ColourSwatch : public QAbstractButton {
   Q_OBJECT
 

@@ -16,7 +16,7 @@ class ParameterRow;
 
 /// The parameters of a model, grouped, each as its ParameterSpec describes it and nothing else; the many coefficients
 /// of a series are folded away at first, and what does not matter with the present choices is grey. The panel shows
-/// values that others own: it tells what the user wants and is told the result by setValues().
+/// values that others own: it emits what the user wants and shows the result by setValues().
 class ParameterPanel : public QWidget {
   Q_OBJECT
 

@@ -169,7 +169,7 @@ void ComparisonBar::setFoundRange(double range) {
 void ComparisonBar::tellSides(int changed) {
   const int entry = m_sides[std::size_t(changed)]->currentIndex();
   const auto before = m_chosen;
-  setSides(before[0], before[1]);  // until it is told otherwise
+  setSides(before[0], before[1]);  // until it is set otherwise
   if (entry == otherMaterialEntry) return referenceWanted();
   auto after = before;
   after[std::size_t(changed)] = ComparedSubject(entry);

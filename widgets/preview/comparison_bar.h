@@ -17,8 +17,8 @@ namespace gonio::widgets {
 
 class NumberField;
 
-/// The controls of a comparison: the mode, the two sides, and what the mode needs. It shows what others own: it tells
-/// what the user wants and is told the result.
+/// The controls of a comparison: the mode, the two sides, and what the mode needs. It shows what others own: it emits
+/// what the user wants and shows the result.
 class ComparisonBar : public QWidget {
   Q_OBJECT
 

@@ -28,7 +28,7 @@ class MaterialEstimator : public QObject {
   ~MaterialEstimator() override;
 
   void request(const PreviewSubject& subject);
-  /// Forgets what was requested: nothing is told any more.
+  /// Forgets what was requested: nothing is reported any more.
   void cancel();
   bool isBusy() const { return m_busy; }
 

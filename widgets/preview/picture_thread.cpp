@@ -103,7 +103,7 @@ class PictureThread::Worker : public QObject {
       facts << QString::fromUtf8(reinterpret_cast<const char*>(m_gl.glGetString(name)));
     return facts.join(QStringLiteral("; "));
   }
-  /// A failure is told; the next request gets its chance.
+  /// A failure is reported; the next request gets its chance.
   template <typename Work>
   void guarded(const Work& work) {
     const QString failure = TaskFailure::of(work);

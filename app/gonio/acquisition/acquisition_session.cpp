@@ -134,7 +134,7 @@ void AcquisitionSession::measureReference() {
   }
   Q_EMIT valuesChanged();
   if (!m_values.rgb.empty()) return reconstruct();
-  // What runs would tell of values that are gone.
+  // What runs would report on values that are gone.
   m_tasks.drop(stepKey);
   setStep(Step::idle);
 }

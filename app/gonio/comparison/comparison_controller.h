@@ -113,7 +113,7 @@ class ComparisonController : public QObject {
   widgets::PreviewComparison m_comparison;
   widgets::CompareMode m_lastMode = widgets::CompareMode::split;
   std::array<widgets::ComparedSubject, 2> m_sides{widgets::ComparedSubject::edited, widgets::ComparedSubject::measured};
-  bool m_sidesChosen = false;  ///< by the user; otherwise those that tell most
+  bool m_sidesChosen = false;  ///< by the user; otherwise the most informative ones
   LoadedMaterialPtr m_reference;
   struct Pair {
     std::array<Named, 2> subjects;

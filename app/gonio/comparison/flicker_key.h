@@ -9,7 +9,7 @@ class QWidget;
 
 namespace gonio::app {
 
-/// Tells while the key \ is held in a window, wherever the focus is but in a field for text. A shortcut cannot: it
+/// Reports while the key \ is held in a window, wherever the focus is but in a field for text. A shortcut cannot: it
 /// knows no release.
 class FlickerKey : public QObject {
   Q_OBJECT

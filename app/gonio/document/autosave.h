@@ -19,8 +19,8 @@ struct RecoverableWork {
 };
 
 /// Writes a copy of a modified document every minute, and removes it when the document is saved or closed in order.
-/// Copies lie beside their document, those of unsaved documents in the user's data folder. A lock tells the copies of
-/// running programs from those that were left behind.
+/// Copies lie beside their document, those of unsaved documents in the user's data folder. A lock distinguishes the
+/// copies of running programs from those that were left behind.
 class Autosave : public QObject {
   Q_OBJECT
 

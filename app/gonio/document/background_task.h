@@ -17,7 +17,7 @@
 
 namespace gonio::app {
 
-/// How a piece of background work is told to the user and how it relates to other work.
+/// How a piece of background work is reported to the user and how it relates to other work.
 struct TaskRequest {
   QString title;       ///< "Loading chrome.binary"
   QString key;         ///< a newer task of the same key stops and replaces an older one: its result is dropped
@@ -77,7 +77,7 @@ class BackgroundTasks : public QObject {
   /// Asks a task to stop; its `cancelled` or `done` still comes.
   void cancel(const QString& key);
   void cancel(int id);
-  /// Of a task that can pause: it goes on when it is told so.
+  /// Of a task that can pause: it goes on when it is asked to.
   void setPaused(int id, bool paused);
   /// Stops a task and drops its result.
   void drop(const QString& key);

@@ -33,7 +33,7 @@ struct MaterialCode {
 MaterialCode encodeMaterial(const LoadedMaterialPtr& material, std::size_t coefficients,
                             const TaskControl& control = {});
 
-/// What the representation section tells of a code: error, bytes, time; which transform and dictionaries, and why.
+/// What the representation section shows of a code: error, bytes, time; which transform and dictionaries, and why.
 std::vector<widgets::Fact> codeFacts(const MaterialCode& code);
 
 }  // namespace gonio::app

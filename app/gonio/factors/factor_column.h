@@ -41,7 +41,7 @@ class FactorColumn : public QWidget {
   widgets::ResidualStrip& residuals() const { return *m_residuals; }
   FactorAxis axis() const { return m_axis; }
   void setButtonsEnabled(bool enabled);
-  /// What the values of the curves are: told beside the axis of F1, whose curves carry the strength.
+  /// What the values of the curves are: shown beside the axis of F1, whose curves carry the strength.
   void setTransform(DataTransform transform);
 
  Q_SIGNALS:

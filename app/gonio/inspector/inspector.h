@@ -43,7 +43,7 @@ class Inspector : public QScrollArea {
   void unfoldRepresentation();
   /// Unfolds the section of a row of its panels, scrolls there and gives the row the focus.
   void reveal(QWidget& row);
-  /// Whether what is measured in the background tells of the present state.
+  /// Whether what is measured in the background describes the present state.
   bool isSettled() const;
   void saveState(QSettings& settings) const;
   void restoreState(const QSettings& settings);

@@ -25,7 +25,7 @@ class BlendPlaceEditor;
 class BlendWells;
 
 /// The content of the Interpolation dock: two to four materials, the place between them under the hand, the space in
-/// which they are blended, all spaces side by side. While it is in sight it tells what the preview is to show. Nothing
+/// which they are blended, all spaces side by side. While it is visible it decides what the preview shows. Nothing
 /// of it changes the document until the blend is kept, which is an undo step.
 class InterpolationPanel : public QWidget {
   Q_OBJECT

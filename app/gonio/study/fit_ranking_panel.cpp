@@ -98,7 +98,7 @@ void FitRankingPanel::fitAll() {
   const LoadedMaterialPtr material = m_document.material();
   if (!material) return;
   m_model.clear();
-  // A row is told as it is done: through the tasks' thread, to a panel that may be gone by then.
+  // A row is reported as it is done: through the tasks' thread, to a panel that may be gone by then.
   const auto tell = [panel = QPointer(this), tasks = &m_tasks, material](const study::RankedFit& ranked) {
     QMetaObject::invokeMethod(
         tasks,

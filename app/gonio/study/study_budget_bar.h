@@ -21,7 +21,7 @@ class StudyBudgetBar : public QWidget {
 
   study::Budget budget() const;
   void setBudget(const study::Budget& budget);
-  /// What is told beside the limits.
+  /// What is shown beside the limits.
   void setResult(const QString& text, bool mayTake);
   QPushButton& take() const { return *m_take; }
 

@@ -46,7 +46,7 @@ class StudyModel : public QAbstractTableModel {
   std::vector<int> measuredRows() const;
   /// Which error the error column shows.
   void setMetric(metrics::BrdfMetric metric);
-  /// Rows that are told to be in the preview, and to be the best within the budget; -1: none.
+  /// Rows that are marked as shown in the preview, and as the best within the budget; -1: none.
   void setMarks(int shown, int best);
   bool hasShown() const { return m_shown >= 0; }
   /// Picture and numbers, as rich text; empty while it is not measured.

@@ -27,7 +27,7 @@ QString row(const QString& left, const QString& right) {
       .arg(left, right);
 }
 
-/// What the mouse and single widgets do: nothing that an action could tell.
+/// What the mouse and single widgets do: nothing that an action shows.
 QString gestures() {
   return row(HelpPagesText::tr("Drag in the preview"), HelpPagesText::tr("orbit (directional light: move the light)")) +
          row(HelpPagesText::tr("Right drag in the preview"), HelpPagesText::tr("orbit; a click: a menu")) +

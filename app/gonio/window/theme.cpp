@@ -48,7 +48,7 @@ QPalette paletteOf(const Tones& tones) {
   return palette;
 }
 
-/// Qt 6.4 does not tell the colour scheme; the palette that the platform theme gave does.
+/// Qt 6.4 does not report the colour scheme; the palette that the platform theme gave does.
 bool systemIsDark() {
   static const bool dark = QApplication::palette().color(QPalette::Window).lightness() < 128;
   return dark;

@@ -20,10 +20,10 @@ nlohmann::json viewToJson(const widgets::PreviewWidget& preview);
 
 /// What can be set at once. Keys that are missing or of the wrong type leave the view as it is.
 void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view);
-/// The scene that a view asks for: the lone sphere where it does not tell.
+/// The scene that a view asks for: the lone sphere where it does not name one.
 QString sceneNameOf(const nlohmann::json& view);
 /// The environment that a view asks for: a bundled name, a path, or empty for the directional light; nothing when the
-/// view does not tell.
+/// view does not state it.
 std::optional<QString> environmentOf(const nlohmann::json& view);
 
 }  // namespace gonio::app

@@ -192,7 +192,7 @@ void PreviewRenderer::addSamples(const Pass& pass, bool isOnly, int count) {
   accumulation_->release();
 }
 
-/// The time of a band tells how many rows the next one has.
+/// The time of a band decides how many rows the next one has.
 void PreviewRenderer::drawInBands() {
   using Clock = std::chrono::steady_clock;
   glEnable(GL_SCISSOR_TEST);

@@ -20,7 +20,7 @@ namespace gonio::widgets {
 /// context; what reads or draws needs the one of initialize().
 class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
  public:
-  /// Draws the lone sphere in a distant light until it is told another scene.
+  /// Draws the lone sphere in a distant light until it gets another scene.
   /// @param resources shared by the pictures of one context.
   explicit PreviewRenderer(std::shared_ptr<PreviewResources> resources = std::make_shared<PreviewResources>());
   ~PreviewRenderer() override;
