@@ -3,9 +3,7 @@
 #include "core/acquisition/condition_search.h"
 
 #include <QTest>
-#include <chrono>
 #include <numeric>
-#include <thread>
 
 #include "core/acquisition/unguided_selection.h"
 #include "core/math/parallel.h"
@@ -187,16 +185,20 @@ class ConditionSearchTest : public QObject {
     }
   }
 
-  /// In the middle of one search.
+  /// Between the searches: the first of four reports its progress, and nothing comes after the stop.
   void cancelled() {
-    const auto basis = smoothBasis(60, 5);
+    const auto basis = smoothBasis(10, 5);
+    const ThreadLimit oneThread(1);
     std::stop_source source;
-    const std::jthread stopper([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::vector<double> reported;
+    const auto stopAtOnce = [&](double share) {
+      reported.push_back(share);
       source.request_stop();
-    });
-    QVERIFY_EXCEPTION_THROWN(searchByCondition(basis, allRows(basis), 60, 1, 1, {.stop = source.get_token()}),
+    };
+    QVERIFY_EXCEPTION_THROWN(searchByCondition(basis, allRows(basis), 7, 1, 4, {source.get_token(), stopAtOnce}),
                              Cancelled);
+    QCOMPARE(reported.size(), std::size_t(1));
+    QVERIFY(reported[0] > 0 && reported[0] < 1);
   }
 };
 
