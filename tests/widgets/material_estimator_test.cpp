@@ -64,12 +64,20 @@ class MaterialEstimatorTest : public QObject {
     QCOMPARE(failures.count(), 1);
   }
 
-  /// Destroyed while it works: it waits and tells nothing.
+  /// Destroyed while it works: it waits until no thread uses the material, and reports nothing.
   void mayBeDestroyedWhileBusy() {
+    const std::shared_ptr<const Brdf> brdf = models::findModel("lambert").instantiate({{Rgb(0.3)}});
+    int reports = 0;
     for (int i = 0; i < 20; ++i) {
       MaterialEstimator estimator;
-      estimator.request(ggx(0.3));
+      connect(&estimator, &MaterialEstimator::estimated, this, [&reports] { ++reports; });
+      connect(&estimator, &MaterialEstimator::failed, this, [&reports] { ++reports; });
+      estimator.request(widgets::measuredSubject(brdf));
+      QVERIFY(estimator.isBusy());
     }
+    QCOMPARE(brdf.use_count(), 1L);
+    QCoreApplication::processEvents();
+    QCOMPARE(reports, 0);
   }
 };
 
