@@ -4,12 +4,15 @@
 #include <chrono>
 #include <filesystem>
 
+#include "app/goniotool/export_source.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/outputs.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/dictionary/decode.h"
-#include "core/interpolation/interpolation.h"
+#include "core/export/export_origin.h"
+#include "core/interpolation/own_form_blend.h"
+#include "core/io/atomic_file.h"
 #include "core/materials/code_file.h"
 #include "core/materials/pdv_file.h"
 #include "core/math/weights.h"
@@ -70,7 +73,7 @@ void checkOptions(const InterpolateArguments& options) {
   } else if (hasSuffixOf(FormatId::code, options.out)) {
     if (options.spaceChosen() != InterpolationSpace::dictionary)
       throw UsageError("interpolate: " + options.out + " is a file of a code, which needs --space dictionary");
-  } else {
+  } else if (!isOwnForm(options.out)) {
     materials::writableFormat(options.out);
   }
 }
@@ -111,18 +114,48 @@ void checkSeries(const InterpolateArguments& options) {
   for (int step = 0; step < options.steps; ++step) checkOutput(fileOf(options, std::size_t(step)), read);
 }
 
+/// "0.5 A + 0.5 B"
+std::string materialsText(std::span<const double> weights, std::span<const std::string> names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) text += (i > 0 ? " + " : "") + number(weights[i]) + " " + names[i];
+  return text;
+}
+
+/// The blend as a file in a form that is no table, and how far that is from the blend. Returns what is reported about
+/// it.
+Json writeBlendInOwnForm(const Interpolation& interpolation, InterpolationSpace space, std::span<const double> weights,
+                         std::span<const std::string> names, const std::string& out, const Tool& tool) {
+  const std::shared_ptr<const Brdf> exact = interpolation.brdf(weights);
+  materials::Material material;
+  material.name = materialsText(weights, names) + ", space " + std::string(interpolationSpaceNames[std::size_t(space)]);
+  material.source = {.format = "blend", .sha256 = "none"};
+  const auto own = ownFormBlend(interpolation, space, weights, tool.control("blending"));
+  material.brdf = own ? own->brdf : exact;
+  const exports::MaterialForm form = exports::formBySuffix(out, *material.brdf);
+  const auto source = exports::exportSource(std::filesystem::path(out).stem().string(), material, material.brdf, {});
+  const exports::FormFile file = exports::encodeMaterial(source, material, form, tool.control("writing"));
+  const double snr = exports::formError(file, *exact, tool.control("measuring"));
+  io::writeFileAtomically(out, file.bytes);
+  Json json{{"snr", decibelsJson(snr)}, {"losses", file.losses}};
+  if (own && form == exports::MaterialForm::rgl) json["nodes"] = own->nodes;
+  return json;
+}
+
 /// Writes one blend; returns what is reported about it.
-Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, std::uint64_t dictionary,
-           std::span<const double> weights, const std::string& out, const Tool& tool) {
+Json blend(const Interpolation& interpolation, InterpolationSpace space, const models::ModelSpec& spec,
+           std::uint64_t dictionary, std::span<const double> weights, std::span<const std::string> names,
+           const std::string& out, const Tool& tool) {
   const auto factors = interpolation.factors(weights);
   const auto code = interpolation.code(weights);
-  if (hasSuffixOf(FormatId::pdv, out))
+  Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
+  if (isOwnForm(out))
+    json.update(writeBlendInOwnForm(interpolation, space, weights, names, out, tool));
+  else if (hasSuffixOf(FormatId::pdv, out))
     materials::writePdv(factors.value(), out);
   else if (hasSuffixOf(FormatId::code, out))
     materials::writeCode(code.value(), dictionary, out);
   else
     materials::writeMaterial(*interpolation.table(weights, tool.control("blending")), out);
-  Json json{{"weights", std::vector<double>(weights.begin(), weights.end())}};
   if (const auto parameters = interpolation.parameters(weights)) json["parameters"] = parametersJson(spec, *parameters);
   if (factors) json["terms"] = factors->terms();
   if (code) {
@@ -131,6 +164,14 @@ Json blend(const Interpolation& interpolation, const models::ModelSpec& spec, st
   }
   json["out"] = out;
   return json;
+}
+
+/// Of a file that is no table.
+std::string accuracyText(const Json& step) {
+  if (!step.contains("snr")) return {};
+  std::string text = step["snr"].is_number() ? "  rendered SNR " + number(step["snr"]) + " dB\n" : "  equal pictures\n";
+  for (const Json& loss : step["losses"]) text += "  note: " + loss.get<std::string>() + "\n";
+  return text;
 }
 
 int interpolate(const InterpolateArguments& options, const Tool& tool) {
@@ -155,11 +196,11 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
   std::string text;
   const auto all = weightsOf(options);
   for (std::size_t step = 0; step < all.size(); ++step) {
-    steps.push_back(blend(*interpolation, preparation.model->spec(), dictionary ? dictionary->id : 0, all[step],
-                          fileOf(options, step), tool));
+    steps.push_back(blend(*interpolation, options.spaceChosen(), preparation.model->spec(),
+                          dictionary ? dictionary->id : 0, all[step], options.materials, fileOf(options, step), tool));
     text += fileOf(options, step) + ": " + options.space + ", weights";
     for (const double weight : all[step]) text.append(" ").append(number(weight));
-    text += "\n";
+    text += "\n" + accuracyText(steps.back());
     if (const auto parameters = interpolation->parameters(all[step]))
       text += parametersText(preparation.model->spec(), *parameters);
   }
@@ -202,7 +243,7 @@ void addInterpolate(CLI::App& app, Tool& tool) {
       ->check(CLI::Range(1, 65535));
   command
       ->add_option("--out", options->out,
-                   outputHelp("Material file to write") + "; with the space factors also the curves (" +
+                   ownFormHelp("Material file to write") + "; with the space factors also the curves (" +
                        suffixOf(FormatId::pdv) + "), with dictionary the code (" + suffixOf(FormatId::code) + ")")
       ->required();
   command->callback([options, at, &tool] {

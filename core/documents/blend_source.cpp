@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/documents/edit_document_json.h"
+#include "core/interpolation/own_form_blend.h"
 #include "core/io/sha256.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/dictionary_file.h"
@@ -45,6 +46,11 @@ std::string nameOf(const EditDocument& material) {
   return std::filesystem::path(material.sourcePath.substr(material.sourcePath.rfind(':') + 1)).stem().string();
 }
 
+std::string nodesNote(const std::string& name, double accuracy) {
+  return "RGL files, blended at the nodes of " + name + ": " + std::to_string(std::lround(accuracy)) +
+         " dB under uniform light";
+}
+
 materials::Material readBlend(const BlendSource& blend, const std::filesystem::path& path, const TaskControl& control) {
   BlendSource found = blend;
   std::vector<InterpolationEnd> ends;
@@ -60,7 +66,7 @@ materials::Material readBlend(const BlendSource& blend, const std::filesystem::p
   }
   const auto interpolation =
       prepareInterpolation(blend.space, ends, blendOptions(blend.model), control.between(readShare, 0.9));
-  return blendedMaterial(found, interpolation->table(blend.weights, control.between(0.9, 1)));
+  return blendedMaterial(found, *interpolation, control.between(0.9, 1));
 }
 
 }  // namespace
@@ -127,7 +133,8 @@ std::string blendSha256(const BlendSource& blend) {
   return io::sha256Hex(std::string_view(identity.dump()));
 }
 
-materials::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<const TabulatedBrdf> table) {
+materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,
+                                    const TaskControl& control) {
   materials::Material material;
   std::string names, shares;
   for (std::size_t i = 0; i < blend.materials.size(); ++i) {
@@ -140,10 +147,21 @@ materials::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<co
   material.source.format = "blend";
   material.source.description = shares + "; space " + std::string(nameOf(blend.space));
   material.source.sha256 = blendSha256(blend);
-  const HalfDifferenceGrid& grid = table->grid();
+  if (const auto own = ownFormBlend(interpolation, blend.space, blend.weights, control)) {
+    material.brdf = own->brdf;
+    if (std::isfinite(own->accuracy))
+      material.source.notes.push_back(nodesNote(nameOf(blend.materials[own->nodes]), own->accuracy));
+    return material;
+  }
+  if (mixesOwnForms(blend.space) &&
+      std::ranges::any_of(interpolation.ends(), [](const auto& end) { return end.base != nullptr; })) {
+    material.brdf = interpolation.brdf(blend.weights);
+    return material;
+  }
+  material.table = interpolation.table(blend.weights, control);
+  const HalfDifferenceGrid& grid = material.table->grid();
   material.source.grid = {grid.thetaHCount, grid.thetaDCount, grid.phiDCount};
-  material.table = table;
-  material.brdf = std::move(table);
+  material.brdf = material.table;
   return material;
 }
 

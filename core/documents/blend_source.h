@@ -43,8 +43,12 @@ std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& jso
 /// their paths. Lower-case hex.
 std::string blendSha256(const BlendSource& blend);
 
-/// A blend as a material: named after its materials, without a path.
-materials::Material blendedMaterial(const BlendSource& blend, std::shared_ptr<const TabulatedBrdf> table);
+/// A blend as a material: named after its materials, without a path. In their own form where all have the same one
+/// (ownFormBlend()), of RGL files with a note about it; where some have another form than a table, the sum of these;
+/// else a table.
+/// @param interpolation of `blend`, prepared. @throws Cancelled.
+materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,
+                                    const TaskControl& control = {});
 
 /// The files that a document is about, in its blends too; none of them bundled. As their paths stand in the document:
 /// see resolved().

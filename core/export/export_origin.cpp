@@ -3,8 +3,10 @@
 #include "core/export/export_origin.h"
 
 #include "core/editing/edit_words.h"
+#include "core/export/rgl_fields.h"
 #include "core/materials/bundled_library.h"
 #include "core/materials/material_file.h"
+#include "core/materials/material_formats.h"
 
 namespace gonio::exports {
 
@@ -35,7 +37,9 @@ ExportSource exportSource(std::string name, const materials::Material& base, std
                   base.source.format + "), SHA-256 " + base.source.sha256 + ". Edits: " + editsText(edits);
   if (const RglBrdf* rgl = base.brdf ? base.brdf->asRgl() : nullptr) {
     source.rgl = std::shared_ptr<const RglBrdf>(base.brdf, rgl);
-    source.rglFile = materials::materialFile(base.source);
+    source.rglFile = base.source.format != materials::formatOf(materials::FormatId::rgl).name
+                         ? io::encodeTensorFile(rglFields(wholeData(*rgl->tables()), source.origin, RglColours::rgb))
+                         : materials::materialFile(base.source);
   }
   return source;
 }

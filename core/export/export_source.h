@@ -15,7 +15,7 @@ struct ExportSource {
   std::string name;                              ///< "chrome", for people
   std::shared_ptr<const Brdf> brdf;              ///< as it is shown, with its edits
   std::shared_ptr<const RglBrdf> rgl = nullptr;  ///< the file without edits where it is an RGL file, else null
-  std::vector<std::byte> rglFile = {};           ///< its bytes
+  std::vector<std::byte> rglFile = {};           ///< its bytes; of a blend what it would be as a file
   std::string origin = {};                       ///< source, hash, edits and version, for the files' descriptions
 };
 

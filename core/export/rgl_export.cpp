@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/brdf/rgl_edit.h"
 #include "core/export/rgl_description.h"
-#include "core/export/rgl_edit.h"
 #include "core/export/rgl_rewrite.h"
 #include "core/rendering/rendered_comparison.h"
 

@@ -57,4 +57,11 @@ std::vector<TensorField> rglFields(const RglData& data, const std::string& descr
   return fields;
 }
 
+RglData wholeData(const RglBrdf::Tables& tables) {
+  RglData data = tables.data;
+  data.vndf = tables.visibleNormals.cellDensity();
+  data.luminance = tables.luminance.cellDensity();
+  return data;
+}
+
 }  // namespace gonio::exports

@@ -21,4 +21,7 @@ std::vector<io::TensorField> colourFields(const SliceStack<glm::vec3>& rgb, cons
 /// @param description what the file says of itself, not empty
 std::vector<io::TensorField> rglFields(const RglData& data, const std::string& description, RglColours colours);
 
+/// What an RGL file holds, of its tables: the data with the densities that are moved into the warps.
+RglData wholeData(const RglBrdf::Tables& tables);
+
 }  // namespace gonio::exports

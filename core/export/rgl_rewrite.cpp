@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/export/rgl_luminance.h"
+#include "core/brdf/rgl_luminance.h"
 #include "core/export/spectral_edit.h"
 
 namespace gonio::exports {
@@ -64,8 +64,7 @@ std::vector<std::byte> RglRewrite::bytes(RglColours colours, const std::string& 
 }
 
 RglData RglRewrite::data() const {
-  RglData data = tables_->data;
-  data.vndf = tables_->visibleNormals.cellDensity();
+  RglData data = wholeData(*tables_);
   data.rgb = edited_.rgb;
   data.luminance = samplingLuminance(edited_.rgb);
   return data;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
-#include "core/export/rgl_edit.h"
+#include "core/brdf/rgl_edit.h"
 #include "core/export/rgl_fields.h"
 
 namespace gonio::exports {

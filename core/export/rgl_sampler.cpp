@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/brdf/normal_square.h"
-#include "core/export/rgl_luminance.h"
+#include "core/brdf/rgl_luminance.h"
 
 namespace gonio::exports {
 

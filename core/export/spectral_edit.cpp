@@ -7,9 +7,9 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 
+#include "core/brdf/rgl_edit.h"
+#include "core/brdf/rgl_luminance.h"
 #include "core/export/rgb_spectra.h"
-#include "core/export/rgl_edit.h"
-#include "core/export/rgl_luminance.h"
 #include "core/math/spectrum.h"
 
 namespace gonio::exports {

@@ -37,6 +37,7 @@ QString rangeText(const std::array<ChannelRange, 3>& channels) {
 QString snrText(double snr) { return std::isfinite(snr) ? QString::number(snr, 'f', 1) : comparisonValue(snr); }
 
 QString sourceText(const LoadedMaterial& loaded) {
+  if (loaded.blend) return SourceFactsText::tr("the blend of the materials in their own forms");
   return loaded.material.source.format == materials::sgdFormat ? SourceFactsText::tr("the fit")
                                                                : SourceFactsText::tr("the file");
 }

@@ -48,6 +48,28 @@ class GoniotoolInterpolateTest : public QObject {
     QVERIFY(metrics::brdfErrors(*expected, *readTable(out))[0] < 1e-6);
   }
 
+  /// RGL files stay RGL files, by a command that states how near the file is; a document of the blend's file too.
+  void rglFilesStayRglFiles() {
+    const QString out = path("blend.bsdf");
+    const ToolResult result =
+        runJson({"interpolate", "library:rgl/paper_blue", "library:rgl/paper_white", "--at", "0.25", "--out", out});
+    VERIFY_SUCCESS(result);
+    QVERIFY(result.json["snr"].get<double>() > 40);
+    QVERIFY(result.json["nodes"].get<int>() <= 1);
+    const auto blend = materials::readMaterial(out.toStdString()).brdf;
+    QVERIFY(blend->asRgl());
+    const auto blue = materials::readMaterial("library:rgl/paper_blue").brdf,
+               white = materials::readMaterial("library:rgl/paper_white").brdf;
+    double error = 0, whole = 0;
+    for (double theta = 0.1; theta < 1.3; theta += 0.1) {
+      const Direction wi = fromSpherical(theta, 0.3), wo = fromSpherical(0.9 * theta, 2.5);
+      const Rgb expected = 0.75 * blue->evaluate(wi, wo) + 0.25 * white->evaluate(wi, wo);
+      error += glm::length(blend->evaluate(wi, wo) - expected);
+      whole += glm::length(expected);
+    }
+    QVERIFY(error < 0.03 * whole);
+  }
+
   void theEndsAreTheFilesThemselves() {
     for (const char* space : {"linear", "parameters", "differential", "factors"})
       for (const bool second : {false, true}) {

@@ -108,6 +108,29 @@ class BlendSourceTest : public QObject {
     QCOMPARE(material.source.sha256, document.sourceSha256);
   }
 
+  /// RGL files blend to an RGL file, where its nodes are stated; beside a table the material is the sum itself.
+  void filesOfOneFormKeepIt() {
+    EditDocument document;
+    auto blend = std::make_shared<BlendSource>();
+    blend->weights = {0.25, 0.75};
+    blend->materials.resize(2);
+    blend->materials[0].sourcePath = "library:rgl/paper_blue";
+    blend->materials[1].sourcePath = "library:rgl/paper_white";
+    document.blend = blend;
+    const materials::Material own = readSource(document, {});
+    QVERIFY(own.brdf->asRgl() && !own.table);
+    QCOMPARE(own.source.notes.size(), std::size_t(1));
+    QVERIFY(own.source.notes[0].find("nodes of paper_") != std::string::npos);
+
+    blend->materials[1] = fileDocument("light.binary");
+    const materials::Material mixed = readSource(document, {});
+    QVERIFY(!mixed.table && !mixed.brdf->asTable() && !mixed.brdf->asRgl());
+    const auto paper = materials::readMaterial(blend->materials[0].sourcePath).brdf;
+    const Direction wi = fromSpherical(0.4, 1), wo = fromSpherical(0.8, 2);
+    const Rgb expected = 0.25 * paper->evaluate(wi, wo) + Rgb(0.75 * 0.6 / pi);
+    QVERIFY(glm::length(mixed.brdf->evaluate(wi, wo) - expected) < 1e-6);
+  }
+
   void theHashTellsBlendsApart() {
     const auto hash = [](const EditDocument& document) { return blendSha256(*document.blend); };
     QVERIFY(hash(blendDocument({0.25, 0.75})) == hash(blendDocument({0.25, 0.75})));

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/export/rgl_edit.h"
+#include "core/brdf/rgl_edit.h"
 
 #include <algorithm>
 
 #include "core/brdf/normal_square.h"
 #include "core/math/parallel.h"
 
-namespace gonio::exports {
+namespace gonio {
 
 namespace {
 
 constexpr SliceBlend onlyEditSlice{1, {0}, {1}};
 /// As RglBrdf divides: not by less.
-constexpr double minCosine = 1e-3;
+constexpr double leastLightCosine = 1e-3;
 
 /// The nodes of one slice: directions, and what a BRDF value is multiplied by to be a value of the field.
 struct SliceNodes {
@@ -37,13 +37,13 @@ SliceNodes nodesOf(const RglBrdf::Tables& tables, std::size_t slice) {
       const double ndf = data.jacobian ? interpolate<double>(data.ndf, onlyEditSlice, square) : 4 * sigma;
       const bool seen = light.z > horizonTolerance && ndf > 0 && viewer.z > horizonTolerance;
       nodes.pairs.push_back({seen ? glm::normalize(light) : viewer, viewer});
-      nodes.scale.push_back(seen ? std::max(light.z, minCosine) * 4 * sigma / ndf : 0);
+      nodes.scale.push_back(seen ? std::max(light.z, leastLightCosine) * 4 * sigma / ndf : 0);
     }
   return nodes;
 }
 
 void editSlice(const RglBrdf& file, const Brdf& edited, std::size_t slice, std::span<glm::vec3> rgb,
-               std::size_t& clipped) {
+               NegativeColours negative, std::size_t& clipped) {
   const SliceNodes nodes = nodesOf(*file.tables(), slice);
   std::vector<Rgb> before(nodes.pairs.size()), after(nodes.pairs.size());
   file.evaluate(nodes.pairs, before);
@@ -57,15 +57,16 @@ void editSlice(const RglBrdf& file, const Brdf& edited, std::size_t slice, std::
       if (difference[channel] == 0) continue;
       float& value = rgb[node][channel];
       const double sum = double(value) + difference[channel];
-      clipped += sum < 0;
-      value = float(std::max(0.0, sum));
+      const bool cut = sum < 0 && negative == NegativeColours::cut;
+      clipped += cut;
+      value = cut ? 0 : float(sum);
     }
   }
 }
 
 }  // namespace
 
-EditedRgl editedColours(const RglBrdf& file, const Brdf& edited, const TaskControl& control) {
+EditedRgl editedColours(const RglBrdf& file, const Brdf& edited, const TaskControl& control, NegativeColours negative) {
   const RglData& data = file.tables()->data;
   EditedRgl result{data.rgb};
   const std::size_t plane = data.rgb.width * data.rgb.height;
@@ -74,7 +75,7 @@ EditedRgl editedColours(const RglBrdf& file, const Brdf& edited, const TaskContr
       clipped.size(), 1,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t slice = begin; slice < end; ++slice)
-          editSlice(file, edited, slice, std::span(&result.rgb.values[slice * plane], plane), clipped[slice]);
+          editSlice(file, edited, slice, std::span(&result.rgb.values[slice * plane], plane), negative, clipped[slice]);
       },
       control);
   for (const std::size_t count : clipped) result.clipped += count;
@@ -82,4 +83,4 @@ EditedRgl editedColours(const RglBrdf& file, const Brdf& edited, const TaskContr
   return result;
 }
 
-}  // namespace gonio::exports
+}  // namespace gonio

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
-#include "core/export/rgl_luminance.h"
+#include "core/brdf/rgl_luminance.h"
 
 #include <algorithm>
 
-namespace gonio::exports {
+namespace gonio {
 
 SliceStack<float> samplingLuminance(const SliceStack<glm::vec3>& rgb) {
   constexpr float smallestFraction = 1e-3f;
@@ -20,4 +20,4 @@ SliceStack<float> samplingLuminance(const SliceStack<glm::vec3>& rgb) {
   return result;
 }
 
-}  // namespace gonio::exports
+}  // namespace gonio

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/interpolation/own_form_blend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/moment_probes.h"
+#include "core/brdf/rgl_edit.h"
+#include "core/brdf/rgl_luminance.h"
+#include "core/brdf/utia_brdf.h"
+
+namespace gonio::editing {
+
+namespace {
+
+const UtiaBrdf* utiaOf(const InterpolationEnd& end) { return dynamic_cast<const UtiaBrdf*>(end.base.get()); }
+
+Direction utiaNode(std::size_t index) {
+  return fromSpherical(UtiaBrdf::polarStep * double(index / UtiaBrdf::azimuthCount),
+                       UtiaBrdf::azimuthStep * double(index % UtiaBrdf::azimuthCount));
+}
+
+std::shared_ptr<const Brdf> utiaBlend(const Brdf& blend, const TaskControl& control) {
+  constexpr std::size_t side = UtiaBrdf::directionCount;
+  std::vector<glm::vec3> values;
+  values.reserve(side * side);
+  std::vector<DirectionPair> pairs(side);
+  std::vector<Rgb> row(side);
+  for (std::size_t incident = 0; incident < side; ++incident) {
+    control.throwIfStopped();
+    for (std::size_t i = 0; i < side; ++i) pairs[i] = {utiaNode(i), utiaNode(incident)};
+    blend.evaluate(pairs, row);
+    values.insert(values.end(), row.begin(), row.end());
+  }
+  return std::make_shared<const UtiaBrdf>(std::move(values));
+}
+
+std::shared_ptr<const RglBrdf> rglBlend(const RglBrdf& nodes, const Brdf& blend, const TaskControl& control) {
+  const auto file = nodes.withIncident(IncidentSlot::viewer);
+  EditedRgl colours = editedColours(*file, blend, control, NegativeColours::kept);
+  SliceStack<float> luminance = samplingLuminance(colours.rgb);
+  return file->withColours(std::move(colours.rgb), std::move(luminance));
+}
+
+/// What the difference reflects of a uniform light, its sign aside, over what the blend reflects: the mean over the
+/// viewers, dB.
+double accuracyOf(const Brdf& brdf, const std::vector<MomentProbe>& probes, const Brdf& blend) {
+  double share = 0;
+  int viewers = 0;
+  for (std::size_t i = 0; i < probes.size(); ++viewers) {
+    double error = 0, whole = 0;
+    for (const Direction wo = probes[i].pair.wo; i < probes.size() && probes[i].pair.wo == wo; ++i) {
+      const Direction& wi = probes[i].pair.wi;
+      const Rgb truth = blend.evaluate(wi, wo), difference = glm::abs(brdf.evaluate(wi, wo) - truth);
+      const double reflected = truth.x + truth.y + truth.z, weight = probes[i].energy / (reflected * reflected * wi.z);
+      error += weight * (difference.x + difference.y + difference.z);
+      whole += weight * reflected;
+    }
+    share += error / whole;
+  }
+  return share > 0 ? -20 * std::log10(share / viewers) : std::numeric_limits<double>::infinity();
+}
+
+OwnFormBlend bestRglBlend(std::span<const InterpolationEnd> ends, std::span<const double> weights, const Brdf& blend,
+                          const TaskControl& control) {
+  const std::vector<MomentProbe> probes = momentProbes(blend);
+  OwnFormBlend best{.accuracy = -std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (!(weights[i] > 0)) continue;
+    std::shared_ptr<const RglBrdf> candidate = rglBlend(*ends[i].base->asRgl(), blend, control);
+    if (const double found = accuracyOf(*candidate, probes, blend); !best.brdf || found > best.accuracy)
+      best = {std::move(candidate), i, found};
+  }
+  return best;
+}
+
+/// Of all that have a weight.
+template <typename Condition>
+bool all(std::span<const InterpolationEnd> ends, std::span<const double> weights, const Condition& condition) {
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (weights[i] > 0 && !(ends[i].base && condition(ends[i]))) return false;
+  return true;
+}
+
+}  // namespace
+
+bool mixesOwnForms(InterpolationSpace space) {
+  return space == InterpolationSpace::linear || space == InterpolationSpace::differential;
+}
+
+std::optional<OwnFormBlend> ownFormBlend(const Interpolation& interpolation, InterpolationSpace space,
+                                         std::span<const double> weights, const TaskControl& control) {
+  const std::shared_ptr<const Brdf> blend = interpolation.brdf(weights);
+  if (!mixesOwnForms(space)) return std::nullopt;
+  const std::vector<InterpolationEnd>& ends = interpolation.ends();
+  if (all(ends, weights, utiaOf)) return OwnFormBlend{utiaBlend(*blend, control)};
+  const auto isRgl = [&](const InterpolationEnd& end) {
+    return end.base->asRgl() && end.base->isIsotropic() == blend->isIsotropic();
+  };
+  if (!all(ends, weights, isRgl)) return std::nullopt;
+  OwnFormBlend best = bestRglBlend(ends, weights, *blend, control);
+  if (best.accuracy < leastBlendAccuracy) return std::nullopt;
+  return best;
+}
+
+}  // namespace gonio::editing
