@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-"""composition_sheet.py GONIOTOOL OUT_DIR [MODEL]: twelve bundled materials with the roughness of a fit at 1/4, 1/2, 1, 2
-and 4 times its value, in the three compositions: one picture a cell, and a sheet a composition (with ImageMagick).
+"""composition_sheet.py GONIOTOOL OUT_DIR [MODEL [COMPOSITION ...]]: twelve bundled materials with the roughness of a fit
+at 1/4, 1/2, 1, 2 and 4 times its value, in the compositions (all three): one picture a cell, and a sheet a composition
+(with ImageMagick).
 """
 import json
 import pathlib
@@ -41,9 +42,10 @@ def main():
         sys.exit(__doc__)
     tool, out = sys.argv[1], pathlib.Path(sys.argv[2])
     model = sys.argv[3] if len(sys.argv) > 3 else "layered"
+    compositions = sys.argv[4:] or COMPOSITIONS
     out.mkdir(parents=True, exist_ok=True)
     seeds = {material: seed(tool, out, material, model) for material in MATERIALS}
-    for composition in COMPOSITIONS:
+    for composition in compositions:
         pictures = []
         for material in MATERIALS:
             for factor in FACTORS:

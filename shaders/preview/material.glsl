@@ -3,6 +3,7 @@
 // What is looked at: a measurement in its own form with or without edits, a model alone, or a blend. The definitions are listed in
 // preview/scene.frag.
 // A file is put where it is first included: what several variants share comes before what only one has.
+#include "grain.glsl"
 #include "half_difference.glsl"
 #include "preview/incident_slot.glsl"
 #include "preview/marginal_warp.glsl"

@@ -21,10 +21,10 @@ CompositionChoice::CompositionChoice(Document& document, QWidget* parent)
   m_choice->setItemData(int(Composition::logPlus),
                         tr("(1 + measured)(1 + model(edited)) / (1 + model(fitted)) - 1: a ratio at the highlight"),
                         Qt::ToolTipRole);
-  m_choice->setItemData(
-      int(Composition::lobes),
-      tr("Each lobe carries the ratio of measurement and fit along as it widens (GGX and layered lobes)"),
-      Qt::ToolTipRole);
+  m_choice->setItemData(int(Composition::lobes),
+                        tr("Each lobe carries the ratio of measurement and fit along as it widens (GGX, layered lobes, "
+                           "models with a grain)"),
+                        Qt::ToolTipRole);
   m_choice->setToolTip(
       tr("Method that applies the change of the model to the measurement.\nLobes preserves the character of a "
          "highlight while it widens; additive is the published method."));

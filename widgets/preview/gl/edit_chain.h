@@ -8,8 +8,8 @@
 namespace gonio::widgets {
 
 /// The edits of a base in shaders/preview/material.glsl: a step of generated text for each that changes something, in
-/// the order of the list. A variant depends on the kinds of edits and their models alone; values are uniforms and the
-/// texels of curves.
+/// the order of the list. A variant depends on the kinds of edits, their models and, of edits by lobes, the parts that
+/// change; values are uniforms and the texels of curves.
 class EditChain {
  public:
   /// What the shader is compiled for; nothing where no edit changes something and the base is no factors.

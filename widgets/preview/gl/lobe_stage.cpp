@@ -47,7 +47,6 @@ struct LobeStage {
   QString previous, model, number;
   bool alongGrain;
   Parts parts;
-  QString text = {};
 
   QString lobes(const char* directions, const char* parameters, const char* values) const {
     return QString("vec3 %1[LOBE_COUNT_%2]; lobes_%3(%4, %5%6, %1); ")
