@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "python/bindings/arrays.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/math/parallel.h"
@@ -19,38 +20,46 @@ class Rows {
     if (last < 0 || array.shape(last) != 3)
       throw Error("found an array without rows of three, expected shape (..., 3)");
     inner_ = array.strides(last);
-    for (py::ssize_t d = 0; d < last; ++d) {
-      shape_.push_back(array.shape(d));
-      strides_.push_back(array.strides(d));
-      count_ *= std::size_t(array.shape(d));
-    }
+    for (py::ssize_t d = 0; d < last; ++d) add(std::size_t(array.shape(d)), array.strides(d));
+    if (shape_.empty()) add(1, 0);
   }
   std::size_t count() const { return count_; }
 
   /// Rows [begin, begin + rows.size()).
   void read(std::size_t begin, std::span<glm::dvec3> rows) const {
-    std::vector<py::ssize_t> at(shape_.size());
-    const char* row = data_;
-    for (std::size_t d = shape_.size(), rest = begin; d-- > 0; rest /= std::size_t(shape_[d])) {
-      at[d] = py::ssize_t(rest % std::size_t(shape_[d]));
-      row += at[d] * strides_[d];
-    }
-    for (glm::dvec3& value : rows) {
-      value = {number(row), number(row + inner_), number(row + 2 * inner_)};
-      for (std::size_t d = shape_.size(); d-- > 0;) {
-        row += strides_[d];
-        if (++at[d] < shape_[d]) break;
-        row -= strides_[d] * shape_[d];
-        at[d] = 0;
+    while (!rows.empty()) {
+      // As many as lie along the last dimension from `begin` on.
+      const char* row = data_;
+      std::size_t rest = begin;
+      const std::size_t run = std::min(rows.size(), shape_.back() - begin % shape_.back());
+      for (std::size_t d = shape_.size(); d-- > 0; rest /= shape_[d])
+        row += py::ssize_t(rest % shape_[d]) * strides_[d];
+      for (glm::dvec3& value : rows.first(run)) {
+        value = {number(row), number(row + inner_), number(row + 2 * inner_)};
+        row += strides_.back();
       }
+      begin += run;
+      rows = rows.subspan(run);
     }
   }
 
  private:
+  /// A dimension that continues the one before it becomes one with it.
+  void add(std::size_t size, py::ssize_t stride) {
+    count_ *= size;
+    if (!shape_.empty() && strides_.back() == py::ssize_t(size) * stride) {
+      shape_.back() *= size;
+      strides_.back() = stride;
+    } else {
+      shape_.push_back(size);
+      strides_.push_back(stride);
+    }
+  }
   static double number(const char* at) { return *reinterpret_cast<const double*>(at); }
 
   const char* data_;
-  std::vector<py::ssize_t> shape_, strides_;
+  std::vector<std::size_t> shape_;
+  std::vector<py::ssize_t> strides_;
   py::ssize_t inner_ = 0;
   std::size_t count_ = 1;
 };
