@@ -21,7 +21,8 @@ constexpr HalfDifferenceGrid wholeCircle{.phiDCount = 360, .reciprocal = false};
 const UtiaBrdf* asUtia(const Brdf& base) { return dynamic_cast<const UtiaBrdf*>(&base); }
 
 Direction utiaDirection(std::size_t index) {
-  return fromSpherical(UtiaBrdf::polarStep * double(index / UtiaBrdf::azimuthCount),
+  const std::size_t ring = index / UtiaBrdf::azimuthCount;
+  return fromSpherical(UtiaBrdf::polarStep * double(ring),
                        UtiaBrdf::azimuthStep * double(index % UtiaBrdf::azimuthCount));
 }
 
