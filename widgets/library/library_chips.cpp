@@ -61,6 +61,13 @@ QToolButton* LibraryChips::addButton(const QString& text, const QString& toolTip
   chip->setToolTip(toolTip);
   chip->setCheckable(true);
   chip->setFocusPolicy(Qt::StrongFocus);
+  // The style's own look of a button that is down is hard to see on a dark ground.
+  connect(chip, &QToolButton::toggled, chip, [chip](bool on) {
+    QPalette palette;
+    if (on) palette.setColor(QPalette::Button, palette.color(QPalette::Highlight));
+    if (on) palette.setColor(QPalette::ButtonText, palette.color(QPalette::HighlightedText));
+    chip->setPalette(palette);
+  });
   layout()->addWidget(chip);
   m_chips.push_back(chip);
   return chip;

@@ -11,6 +11,19 @@
 
 namespace gonio::widgets {
 
+namespace {
+
+/// Where a picture stands: everywhere, or where the widget has another shape by now, as large as it fits.
+QRect unstretched(const QSize& picture, const QRect& area) {
+  constexpr int roundedPart = 50;  // of the area: coarse pictures have whole pixels
+  const QSize fit = picture.scaled(area.size(), Qt::KeepAspectRatio);
+  const QSize missing = area.size() - fit;
+  if (missing.width() <= area.width() / roundedPart && missing.height() <= area.height() / roundedPart) return area;
+  return {area.topLeft() + QPoint(missing.width(), missing.height()) / 2, fit};
+}
+
+}  // namespace
+
 PreviewWidget::PreviewWidget(QWidget* parent)
     : QWidget(parent), m_overlay(new PreviewOverlay(this)), m_input(new PreviewInput(m_content, *this)) {
   setAttribute(Qt::WA_OpaquePaintEvent);
@@ -160,7 +173,9 @@ void PreviewWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (m_state.picture.isNull()) return painter.fillRect(rect(), m_settings.backgroundEdge);
   painter.setRenderHint(QPainter::SmoothPixmapTransform, m_state.picture.size() != pixelSize());
-  painter.drawImage(rect(), m_state.picture);
+  const QRect place = unstretched(m_state.picture.size(), rect());
+  if (place != rect()) painter.fillRect(rect(), m_settings.backgroundEdge);
+  painter.drawImage(place, m_state.picture);
 }
 
 void PreviewWidget::resizeEvent(QResizeEvent* event) {

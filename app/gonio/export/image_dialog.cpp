@@ -232,7 +232,8 @@ void ImageDialog::showEstimate() {
   auto [samples, limit] = m_settings->limits();
   const bool stopped = m_estimate->seconds(samples) > limit;
   if (stopped) samples = std::max(1, int(limit / m_estimate->secondsOfSample));
-  const QString noise = QString::number(100 * m_estimate->noise(samples), 'g', 2);
+  const double percent = 100 * m_estimate->noise(samples);
+  const QString noise = percent < 10 ? QString::number(percent, 'g', 2) : QString::number(percent, 'f', 0);
   const QString time = durationText(m_estimate->seconds(samples));
   m_cost->setText(stopped ? tr("Time %1, for about %2 samples per pixel; noise about %3 % of the mean radiance.")
                                 .arg(time)

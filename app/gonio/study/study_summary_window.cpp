@@ -60,12 +60,12 @@ StudySummaryWindow::~StudySummaryWindow() { m_tasks.drop(m_key); }
 
 void StudySummaryWindow::build() {
   const int em = fontMetrics().height();
-  resize(em * 62, em * 36);
+  resize(em * 71, em * 36);
   widgets::setUpSortedTable(*m_table, *m_sorted, m_model, *m_empty);
   m_table->sortByColumn(StudySummaryModel::MedianSnrColumn, Qt::AscendingOrder);
   m_table->setAccessibleName(tr("Representations over all materials"));
   m_table->header()->setStretchLastSection(false);
-  const int widths[] = {18, 5, 8, 8, 11, 5, 7, 6, 6};
+  const int widths[] = {17, 5, 8, 7, 9, 4, 7, 5, 6};
   for (int column = 0; column < StudySummaryModel::ColumnCount; ++column)
     m_table->header()->resizeSection(column, widths[column] * em);
   m_copy->setToolTip(tr("Copies the table, with every error, as comma-separated text"));

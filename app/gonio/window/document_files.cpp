@@ -37,6 +37,13 @@ QString proposedName(const Document& document) {
   return QString::fromStdString(editing::editedName(document.name().toStdString(), document.edits()));
 }
 
+/// Where the last export went; at first beside the measured file.
+QString exportFolder(const materials::Material& material) {
+  const QString folder = widgets::dialogFolder(exportPurpose);
+  const QFileInfo source(QString::fromStdString(material.source.path.string()));
+  return folder == QDir::homePath() && source.isFile() ? source.absolutePath() : folder;
+}
+
 }  // namespace
 
 DocumentFiles::DocumentFiles(const Parts& parts, QWidget* window)
@@ -172,7 +179,8 @@ void DocumentFiles::exportBrdf() {
   for (const exports::MaterialForm form : forms) filters << formFilter(form);
   const auto suffixOf = [&](exports::MaterialForm form) { return formatSuffix(exports::formatOf(form)); };
   QString chosen = filters.front();
-  const QString suggested = widgets::inDialogFolder(exportPurpose, proposedName(document) + suffixOf(forms.front()));
+  const QString suggested =
+      QDir(exportFolder(document.material()->material)).filePath(proposedName(document) + suffixOf(forms.front()));
   const QString path =
       QFileDialog::getSaveFileName(m_window, tr("Export BRDF"), suggested, filters.join(QStringLiteral(";;")), &chosen);
   if (path.isEmpty()) return;

@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QScreen>
 #include <QStatusBar>
+#include <QStyle>
 #include <QUndoView>
 #include <QVBoxLayout>
 
@@ -65,7 +66,9 @@ MainWindow::MainWindow(QWidget* parent)
       m_messages(new widgets::MessageBar) {
   setAttribute(Qt::WA_DeleteOnClose);
   setMinimumSize(smallestSize);
-  resize(firstSize.boundedTo(screen()->availableSize()));
+  // The title bar, which the window system adds, has to fit too.
+  const QSize frame(0, style()->pixelMetric(QStyle::PM_TitleBarHeight));
+  resize(firstSize.boundedTo(screen()->availableSize() - frame));
   addCentre();
   addDocks();
   m_status = new StatusLine(*statusBar(), m_parts.document, m_parts.tasks, m_parts.comparison, m_parts.preview);
