@@ -74,19 +74,20 @@ bool follows(const QRect& next, const QRect& before) {
   return below || right || before.contains(next);  // a row of a list with parts of its own
 }
 
-/// Steps of Tab that lead back.
+/// Steps of Tab that lead back, or that there are none at all.
 QStringList stepsBack(const QWidget& part) {
   QStringList found;
   const std::vector<QWidget*> order = stops(part);
+  if (order.empty()) found << QStringLiteral("nothing to visit");
   for (std::size_t i = 1; i < order.size(); ++i)
     if (!follows(placeOf(*order[i]), placeOf(*order[i - 1]))) found << named(*order[i - 1]) + " -> " + named(*order[i]);
   return found;
 }
 
-#define VERIFY_FOLLOWS_THE_EYE(part)                                                                          \
-  do {                                                                                                        \
-    QVERIFY2(stops(part).size() > 1, #part);                                                                  \
-    QVERIFY2(stepsBack(part).isEmpty(), qPrintable(QStringLiteral(#part "\n") + stepsBack(part).join('\n'))); \
+#define VERIFY_FOLLOWS_THE_EYE(part)                                                      \
+  do {                                                                                    \
+    const QStringList found = stepsBack(part);                                            \
+    QVERIFY2(found.isEmpty(), qPrintable(QStringLiteral(#part "\n") + found.join('\n'))); \
   } while (false)
 
 class TabOrderTest : public QObject {
@@ -127,14 +128,13 @@ class TabOrderTest : public QObject {
         {"comparison", &parts.comparisonPanel},  {"models", &parts.ranking},      {"factors", &parts.factors},
         {"interpolation", &parts.interpolation}, {"study", &parts.study},         {"scene", &parts.scene},
         {"acquisition", &parts.acquisition}};
-    QStringList found;
+    QStringList back;
     for (const auto& [name, panel] : docks) {
       m_window->docks().show(name);
       QTest::qWait(20);
-      QVERIFY2(stops(*panel).size() > 0, name);
-      for (const QString& step : stepsBack(*panel)) found << QString(name) + ": " + step;
+      for (const QString& step : stepsBack(*panel)) back << QString(name) + ": " + step;
     }
-    QVERIFY2(found.isEmpty(), qPrintable('\n' + found.join('\n')));
+    QVERIFY2(back.isEmpty(), qPrintable('\n' + back.join('\n')));
     VERIFY_FOLLOWS_THE_EYE(parts.comparisonBar);
     VERIFY_FOLLOWS_THE_EYE(parts.viewStrip);
   }
