@@ -103,9 +103,10 @@ class Monkey : public QObject {
   }
 
   static bool isDraggable(const QWidget* widget) {
-    // A drag of a material or of a dock is handed to the window system, which no test event ends.
+    // A drag of a material, of a text or of a dock is handed to the window system, which no test event ends.
     for (const QWidget* one = widget; one; one = one->parentWidget())
-      if (one->inherits("QListView") || one->inherits("gonio::widgets::MaterialWell")) return false;
+      for (const char* source : {"QListView", "QTextEdit", "QLabel", "gonio::widgets::MaterialWell"})
+        if (one->inherits(source)) return false;
     return widget && !widget->inherits("QDockWidget");
   }
 
