@@ -12,14 +12,14 @@
 namespace gonio::tool {
 
 std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::string>& sources,
-                                                       const std::vector<std::string>& excluded, int mostComponents,
+                                                       const std::vector<std::string>& excluded, int maxComponents,
                                                        const Tool& tool, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
   const auto materials = editing::trainingMaterials(
       editing::trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded));
   auto basis = std::make_shared<materials::BasisFile>();
   basis->components = dictionary::learnPrincipalComponents(
-      materials.names.size(), materials.load, {.mostComponents = mostComponents},
+      materials.names.size(), materials.load, {.maxComponents = maxComponents},
       tool.control("learning from " + std::to_string(materials.names.size()) + " materials"));
   basis->learnedFrom = materials.names;
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

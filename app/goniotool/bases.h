@@ -15,7 +15,7 @@ namespace gonio::tool {
 /// The principal components of materials as trainingFiles() finds them; of none, of the bundled library.
 /// @param seconds how long the learning took, reading included.
 std::shared_ptr<const materials::BasisFile> learnBasis(const std::vector<std::string>& sources,
-                                                       const std::vector<std::string>& excluded, int mostComponents,
+                                                       const std::vector<std::string>& excluded, int maxComponents,
                                                        const Tool& tool, double& seconds);
 
 /// Where the basis of a plan lies: beside it, PLAN.csv has PLAN.basis.

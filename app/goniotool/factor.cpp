@@ -117,7 +117,7 @@ void addFactor(CLI::App& app, Tool& tool) {
       app.add_subcommand("factor", "Factorises a material into curves in projected-deviation coordinates (PDV)");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
   command->add_option("--terms", options->terms, "Number of terms, products of curves that are summed (10)")
-      ->check(CLI::Range(1, mostPdvTerms));
+      ->check(CLI::Range(1, maxPdvTerms));
   auto* form = command->add_option("--form", options->form, "2d: two curves per term; 3d: three (3d)");
   form->check(CLI::IsMember(std::vector<std::string>(formNames.begin(), formNames.end())));
   auto* transform = command->add_option("--transform", options->transform, "Transform of the BRDF values (log-plus)");

@@ -27,7 +27,7 @@ using namespace editing;
 using materials::FormatId;
 using materials::hasSuffixOf;
 
-constexpr int mostMaterials = 16, mostSteps = 1000;
+constexpr int maxMaterials = 16, mostSteps = 1000;
 
 struct InterpolateArguments {
   std::vector<std::string> materials;
@@ -218,13 +218,13 @@ int interpolate(const InterpolateArguments& options, const Tool& tool) {
 void addInterpolate(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<InterpolateArguments>();
   CLI::App* command = app.add_subcommand("interpolate", "Interpolates between two or more materials");
-  command->add_option("MATERIALS", options->materials, materialHelp)->required()->expected(2, mostMaterials);
+  command->add_option("MATERIALS", options->materials, materialHelp)->required()->expected(2, maxMaterials);
   auto* at = command->add_option("--at,--t", options->at,
                                  "Position between two materials: 0 is the first, 1 the second (0.5)");
   at->check(CLI::Range(0.0, 1.0));
   command->add_option("--weights", options->weights, "Weights, one per material, with the sum 1, separated by commas")
       ->delimiter(',')
-      ->expected(1, mostMaterials);
+      ->expected(1, maxMaterials);
   command
       ->add_option("--steps", options->steps,
                    "Number of files in a series from the first to the second: OUT-0, OUT-1, ...")
@@ -234,7 +234,7 @@ void addInterpolate(CLI::App& app, Tool& tool) {
   command->add_option("--model", options->model, "Model of the spaces parameters and differential (ggx)")
       ->check(CLI::IsMember(modelIds()));
   command->add_option("--terms", options->terms, "Number of terms of the space factors (10)")
-      ->check(CLI::Range(1, factorization::mostPdvTerms));
+      ->check(CLI::Range(1, factorization::maxPdvTerms));
   command->add_option("--dictionary", options->dictionary,
                       "Dictionary file of the space dictionary (bundled dictionary)");
   command

@@ -16,7 +16,7 @@ using namespace gonio;
 
 constexpr int failed = 1, wrongUsage = 2;
 
-int tell(const std::string& message, int code) {
+int printError(const std::string& message, int code) {
   std::fprintf(stderr, "goniotool: %s\n", tool::oneLine(message).c_str());
   return code;
 }
@@ -36,9 +36,9 @@ int work(const tool::Tool& tool, const CLI::App& command) {
     if (!tool.force) tool::checkOutputs(command);
     return tool.run();
   } catch (const tool::UsageError& error) {
-    return tell(error.what(), wrongUsage);
+    return printError(error.what(), wrongUsage);
   } catch (const std::exception& error) {
-    return tell(error.what(), failed);
+    return printError(error.what(), failed);
   }
 }
 

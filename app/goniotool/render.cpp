@@ -112,11 +112,11 @@ int render(const RenderArguments& options, const Tool& tool) {
         scene, materials, overrides,
         {.width = size.width, .height = size.height, .samples = size.samples, .thresholds = thresholds},
         tool.control("measuring effects"));
-  const EffectCosts* told = costs ? &*costs : nullptr;
+  const EffectCosts* shownCosts = costs ? &*costs : nullptr;
   Json json{{"scene", scene.name},
             {"environment", scene.environment ? Json(scene.environment->name()) : Json(nullptr)},
             {"reflections", tracer.plan().reflections},
-            {"plan", planJson(tracer.plan(), told)}};
+            {"plan", planJson(tracer.plan(), shownCosts)}};
   std::string text;
   if (!options.out.empty()) {
     const Rendered rendered = renderPicture(tracer, size, tool);
@@ -129,14 +129,14 @@ int render(const RenderArguments& options, const Tool& tool) {
                  {"width", size.width},
                  {"height", size.height},
                  {"counters", {{"cameraRays", rays.camera}, {"shadowRays", rays.shadow}, {"bounceRays", rays.bounce}}},
-                 {"fireflies", {{"brightest", fireflies.brightest}, {"share", fireflies.share}}},
+                 {"fireflies", {{"brightest", fireflies.brightest}, {"share", fireflies.fraction}}},
                  {"out", options.out}});
     text = options.out + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) + ", " +
            number(rendered.seconds) + " s, " + std::to_string(rays.camera) + " camera rays, " +
            std::to_string(rays.shadow) + " shadow rays, " + std::to_string(rays.bounce) + " bounce rays\n";
   }
   if (options.strategies) measureStrategies(tracer, materials, size, tool, json, text);
-  if (options.effects || options.costs) text += planText(tracer.plan(), told);
+  if (options.effects || options.costs) text += planText(tracer.plan(), shownCosts);
   print(tool, json, text);
   return 0;
 }

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace study;
 
-constexpr int mostCoefficients = 65535;
+constexpr int maxCoefficients = 65535;
 
 struct StudyArguments {
   std::vector<std::string> materials, representations, models, componentsFrom;
@@ -58,7 +58,7 @@ StudyOptions studyOptions(const StudyArguments& options, RepresentationChoice& c
   if (options.componentsFrom.empty())
     throw UsageError("study: no basis of principal components is shipped; give --components-from FOLDER");
   const auto materials = editing::trainingMaterials(editing::trainingFiles(options.componentsFrom));
-  const dictionary::PcaOptions pca{.mostComponents = *std::ranges::max_element(choice.components)};
+  const dictionary::PcaOptions pca{.maxComponents = *std::ranges::max_element(choice.components)};
   study.build.components = std::make_shared<const dictionary::PrincipalComponents>(
       dictionary::learnPrincipalComponents(materials.names.size(), materials.load, pca, control));
   std::erase_if(choice.components, [&](int count) { return count > study.build.components->count(); });
@@ -133,9 +133,9 @@ class StudyOutput {
     if (!budget.frameMilliseconds && !budget.renderedSnr && !budget.bytes) return;
     const auto best = bestWithin(studied.records, budget);
     const Representation* representation = best ? &studied.records[*best].representation : nullptr;
-    Json told(nullptr);
-    if (representation) told = {{"representation", representation->id}, {"budget", representation->budget}};
-    chosen_.push_back({{"material", studied.name}, {"best", told}});
+    Json chosen(nullptr);
+    if (representation) chosen = {{"representation", representation->id}, {"budget", representation->budget}};
+    chosen_.push_back({{"material", studied.name}, {"best", chosen}});
     text_ += representation ? "best within the limits: " + representation->fullLabel() + "\n"
                             : "no representation meets the limits\n";
   }
@@ -185,12 +185,12 @@ void addStudy(CLI::App& app, Tool& tool) {
   command->add_option("--models", options->models, "Models of the fits (all)")->delimiter(',');
   command->add_option("--terms", options->choice.terms, "Numbers of terms of the factors (1,2,3,5,8,10,14,20)")
       ->delimiter(',')
-      ->check(CLI::Range(1, factorization::mostPdvTerms));
+      ->check(CLI::Range(1, factorization::maxPdvTerms));
   command
       ->add_option("--coefficients", options->choice.coefficients,
                    "Coefficients per channel of the codes (32,64,..,2048)")
       ->delimiter(',')
-      ->check(CLI::Range(1, mostCoefficients));
+      ->check(CLI::Range(1, maxCoefficients));
   command->add_option("--dictionary", options->dictionary, "Dictionary file of the codes (bundled dictionary)");
   command
       ->add_option("--components-from", options->componentsFrom,

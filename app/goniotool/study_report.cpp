@@ -62,7 +62,7 @@ Json summaryJson(std::span<const StudySummary> summaries) {
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     json[i]["materials"] = summaries[i].materials;
     json[i]["leastSnr"] = decibelsJson(summaries[i].leastSnr);
-    json[i]["mostSnr"] = decibelsJson(summaries[i].mostSnr);
+    json[i]["mostSnr"] = decibelsJson(summaries[i].maxSnr);
   }
   return json;
 }

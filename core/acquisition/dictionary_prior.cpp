@@ -16,8 +16,8 @@ namespace {
 
 using namespace dictionary;
 
-/// Share of the energy that the shared subspace may leave out, and again the atoms of each dictionary.
-constexpr double mostLoss = 1e-4;
+/// Fraction of the energy that the shared subspace may leave out, and again the atoms of each dictionary.
+constexpr double maxLoss = 1e-4;
 /// By how many of its coefficients the dictionary of a signal is chosen.
 constexpr std::size_t choiceCoefficients = 128;
 
@@ -52,7 +52,7 @@ ProjectedSignals projected(const TrainingMaterials& materials, DataTransform tra
     return table;
   };
   ProjectedSignals result;
-  result.subspace = findSharedSubspace(watched, options, mostLoss, control.between(0, 0.4));
+  result.subspace = findSharedSubspace(watched, options, maxLoss, control.between(0, 0.4));
   result.signals = projectOnto(result.subspace, materials, options, control.between(0.4, 0.8));
   result.highest = *std::max_element(highest.begin(), highest.end());
   result.energy = result.signals.cast<double>().squaredNorm() / (1 - result.subspace.loss);
@@ -77,7 +77,7 @@ class Analysis {
       std::iota(order.begin(), order.end(), Eigen::Index(0));
       std::stable_sort(order.begin(), order.end(),
                        [&](Eigen::Index a, Eigen::Index b) { return energies[a] > energies[b]; });
-      order.resize(std::size_t(rankFor(energies(order), mostLoss / 3)));
+      order.resize(std::size_t(rankFor(energies(order), maxLoss / 3)));
       std::sort(order.begin(), order.end());
       matrices_[mode] = turned(Eigen::all, order).cast<float>();
       sizes_[mode] = int(order.size());

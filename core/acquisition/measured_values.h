@@ -17,7 +17,7 @@ struct MeasuredValues {
 
 /// What goes wrong on a simulated goniometer. All Gaussian.
 struct MeasurementNoise {
-  double relative = 0;      ///< standard deviation of a reading as a share of its value, of each channel alone
+  double relative = 0;      ///< standard deviation of a reading as a fraction of its value, of each channel alone
   double absolute = 0;      ///< and a standard deviation in 1/sr beside it: the floor of the sensor
   double misalignment = 0;  ///< standard deviation, rad, of each arm's direction along each of two axes
   std::uint64_t seed = 1;

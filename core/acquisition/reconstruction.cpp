@@ -37,9 +37,9 @@ double coefficientVariance(const PrincipalComponents& basis, const SampleRows& s
   const double training = trainingVariance(basis);
   if (!std::isfinite(ridge)) return training;
   if (given && ridge > 0) return *given * *given / ridge;
-  Eigen::ArrayXd worth = Eigen::ArrayXd::Ones(samples.told.size());
+  Eigen::ArrayXd worth = Eigen::ArrayXd::Ones(samples.knownNoise.size());
   for (Eigen::Index i = 0; i < worth.size(); ++i)
-    if (samples.told[i] > 0) worth[i] -= samples.told[i] / (ridge * training + samples.variances[i]);
+    if (samples.knownNoise[i] > 0) worth[i] -= samples.knownNoise[i] / (ridge * training + samples.variances[i]);
   SampleRows counted = samples;
   counted.values = worth.max(0).sqrt().matrix().asDiagonal() * samples.values;
   return (training + NoisyRidge(counted, noise, ridge).weightedEnergy()) / (1 + 3 * worth.sum());

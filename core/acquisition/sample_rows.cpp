@@ -68,7 +68,7 @@ SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const Sampli
   result.rows.resize(count, components);
   result.values.resize(count, 3);
   result.variances.resize(count);
-  result.told.setZero(count);
+  result.knownNoise.setZero(count);
   for (Eigen::Index s = 0; s < count; ++s) {
     const PlannedSample& sample = plan.samples[std::size_t(s)];
     const std::size_t i = result.positions.emplace_back(positionOf(m, sample));
@@ -85,9 +85,9 @@ SampleRows sampleRows(const dictionary::PrincipalComponents& basis, const Sampli
       const double deviation = values.noise[std::size_t(s)][channel];
       // d y / d rho = w / (rho w + e).
       const double mapped = deviation * m.weights[i] / (rho * m.weights[i] + logRelativeEpsilon);
-      result.told[s] += mapped * mapped / 3;
+      result.knownNoise[s] += mapped * mapped / 3;
     }
-    result.variances[s] += result.told[s];
+    result.variances[s] += result.knownNoise[s];
   }
   return result;
 }

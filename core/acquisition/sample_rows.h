@@ -18,7 +18,7 @@ struct SampleRows {
   /// Of the mapped values about what the components give, mean of the channels: what they leave out, and the noise
   /// where it is known.
   Eigen::VectorXd variances;
-  Eigen::VectorXd told;  ///< the part of `variances` that is known noise; 0 where none is known
+  Eigen::VectorXd knownNoise;  ///< the part of `variances` that is known noise; 0 where none is known
 };
 
 /// nearestNode() of a sample. @throws Error naming it.

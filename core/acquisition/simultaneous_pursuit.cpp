@@ -14,7 +14,7 @@ namespace gonio::acquisition {
 
 namespace {
 
-/// The residual's share of the signals that rounding leaves of 0.
+/// The residual's fraction of the signals that rounding leaves of 0.
 constexpr double explained = 1e-10;
 
 /// The one of the largest score in double, the lowest index among equals.

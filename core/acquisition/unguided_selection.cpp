@@ -27,11 +27,11 @@ class CumulativeMeasure {
     for (std::size_t i = 0; i < cells.size(); ++i) before_[i + 1] = before_[i] + grid.cellMeasure(cells[i]);
   }
 
-  /// The share of the measure picks theta_h, its share of that theta_d, then phi_d.
-  std::size_t at(const glm::dvec3& shares) const {
+  /// The fraction of the measure picks theta_h, its fraction of that theta_d, then phi_d.
+  std::size_t at(const glm::dvec3& fractions) const {
     const std::size_t line = std::size_t(grid_.phiDCount), slice = line * std::size_t(grid_.thetaDCount);
-    const Range thetaH = neighbours(within({0, cells_.size()}, shares.x), slice);
-    return within(neighbours(within(thetaH, shares.y), line), shares.z);
+    const Range thetaH = neighbours(within({0, cells_.size()}, fractions.x), slice);
+    return within(neighbours(within(thetaH, fractions.y), line), fractions.z);
   }
 
  private:
@@ -39,9 +39,9 @@ class CumulativeMeasure {
     std::size_t begin, end;
   };
 
-  /// The index at a share of a range's measure.
-  std::size_t within(const Range& range, double share) const {
-    const double target = before_[range.begin] + share * (before_[range.end] - before_[range.begin]);
+  /// The index at a fraction of a range's measure.
+  std::size_t within(const Range& range, double fraction) const {
+    const double target = before_[range.begin] + fraction * (before_[range.end] - before_[range.begin]);
     const auto first = before_.begin() + std::ptrdiff_t(range.begin) + 1,
                last = before_.begin() + std::ptrdiff_t(range.end);
     return std::min(std::size_t(std::upper_bound(first, last, target) - before_.begin()), range.end) - 1;

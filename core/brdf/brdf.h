@@ -54,8 +54,8 @@ class Brdf {
   /// direction. Above the horizon with a positive density, or lost: with the density 0. Cosine-weighted where a BRDF
   /// knows no better.
   virtual DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
-  /// Density of sample() at wi, 1/sr: integrates over the upper hemisphere to the share of draws that are not lost; 0
-  /// below the horizon.
+  /// Density of sample() at wi, 1/sr: integrates over the upper hemisphere to the fraction of draws that are not lost;
+  /// 0 below the horizon.
   virtual double pdf(const Direction& wi, const Direction& wo) const;
 };
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double minAlpha = 1e-3, maxAlpha = 1;
 /// A share while the widths are sought.
 constexpr double searchShare = 0.7;
-constexpr std::array shares{0.2, 0.4, 0.6, 0.75, 0.9};
+constexpr std::array fractions{0.2, 0.4, 0.6, 0.75, 0.9};
 /// What a grain must save of the second moment: where it saves less, pictures under an environment, which also sample
 /// the light, have no less noise.
 constexpr double leastLobeGain = 0.5;
@@ -34,8 +34,8 @@ class Moment {
   double operator()(const GrainLobe& grain) const {
     const TurnedLobe<VisibleNormalLobe> lobe = grain.lobe();
     return secondMoment(probes_, [&, mean = means_.begin()](const MomentProbe& probe) mutable {
-      const double along = grain.share > 0 ? lobe.density(probe.pair.wi, probe.pair.wo) : 0;
-      const double rest = (1 - grain.share) * *mean++ + grain.share * along;
+      const double along = grain.fraction > 0 ? lobe.density(probe.pair.wi, probe.pair.wo) : 0;
+      const double rest = (1 - grain.fraction) * *mean++ + grain.fraction * along;
       return cosineShare_ * probe.pair.wi.z / pi + (1 - cosineShare_) * rest;
     });
   }
@@ -80,12 +80,12 @@ void refine(const Moment& moments, Rated& best) {
     const GrainLobe from = best.grain;
     const double before = best.moment, factor = std::exp(step), turn = step * pi / 8;
     for (const double along : {factor, 1 / factor}) {
-      best.consider(moments, {from.alphaX * along, from.alphaY, from.rotation, from.share});
-      best.consider(moments, {from.alphaX, from.alphaY * along, from.rotation, from.share});
-      best.consider(moments, {from.alphaX * along, from.alphaY * along, from.rotation, from.share});
+      best.consider(moments, {from.alphaX * along, from.alphaY, from.rotation, from.fraction});
+      best.consider(moments, {from.alphaX, from.alphaY * along, from.rotation, from.fraction});
+      best.consider(moments, {from.alphaX * along, from.alphaY * along, from.rotation, from.fraction});
     }
     for (const double angle : {turn, -turn})
-      best.consider(moments, {from.alphaX, from.alphaY, from.rotation + angle, from.share});
+      best.consider(moments, {from.alphaX, from.alphaY, from.rotation + angle, from.fraction});
     if (!(best.moment < before * (1 - 1e-3))) step /= 2;
   }
 }
@@ -98,9 +98,9 @@ GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, 
   const double without = moments({});
   Rated best = coarseGrain(moments);
   refine(moments, best);
-  for (const double share : shares) {
+  for (const double fraction : fractions) {
     GrainLobe other = best.grain;
-    other.share = share;
+    other.fraction = fraction;
     best.consider(moments, other);
   }
   return best.moment < (1 - leastLobeGain) * without ? best.grain : GrainLobe{};
@@ -108,8 +108,8 @@ GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, 
 
 bool areSimilar(const GrainLobe& a, const GrainLobe& b) {
   constexpr double sameShare = 0.1, sameWidth = 0.25;
-  if (a.share == 0 && b.share == 0) return true;
-  if (std::abs(a.share - b.share) > sameShare) return false;
+  if (a.fraction == 0 && b.fraction == 0) return true;
+  if (std::abs(a.fraction - b.fraction) > sameShare) return false;
   const auto apart = [](double one, double other) { return std::abs(std::log(one / other)); };
   if (std::max(apart(a.alphaX, b.alphaX), apart(a.alphaY, b.alphaY)) > sameWidth) return false;
   // A long ridge is missed where it is turned by its own width.

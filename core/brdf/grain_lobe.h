@@ -15,15 +15,15 @@ class TabulatedLobe;
 struct GrainLobe {
   double alphaX = 1, alphaY = 1;  ///< [1e-3, 1], along the lobe's x and across it
   double rotation = 0;            ///< rad, of the lobe's x from the tangent, counter-clockwise
-  double share = 0;               ///< of the samples that are not cosine-weighted, [0, 0.9]; 0: there is no grain
+  double fraction = 0;            ///< of the samples that are not cosine-weighted, [0, 0.9]; 0: there is no grain
 
   TurnedLobe<VisibleNormalLobe> lobe() const { return {VisibleNormalLobe(alphaX, alphaY), rotation}; }
 };
 
 /// The grain that makes the second moment of the estimator f cos theta_i / pdf smallest, over three polar angles and
-/// five azimuths of the viewer, in the mixture with cosine-weighted directions and `azimuthMean`; the share is 0 for an
-/// isotropic BRDF and where the moment stays above half of that without a grain. Some 20,000 evaluations and a search:
-/// under 0.1 s.
+/// five azimuths of the viewer, in the mixture with cosine-weighted directions and `azimuthMean`; the fraction is 0 for
+/// an isotropic BRDF and where the moment stays above half of that without a grain. Some 20,000 evaluations and a
+/// search: under 0.1 s.
 GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, double cosineShare);
 
 /// Whether two draw about as well as each other.

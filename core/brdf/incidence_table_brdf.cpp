@@ -38,7 +38,7 @@ struct Frame {
 /// A place between two nodes.
 struct IncidenceBracket {
   std::size_t below, above;
-  double share;  ///< of `above`
+  double fraction;  ///< of `above`
 };
 
 /// Held at the ends.
@@ -132,8 +132,8 @@ IncidenceTableBrdf::IncidenceTableBrdf(IncidenceTable table) : table_(std::move(
 IncidenceTableBrdf::Weighted IncidenceTableBrdf::lookup(std::size_t incident, double polar, double azimuth) const {
   const IncidenceBracket p = bracketOf(table_.polars, polar), a = azimuthBracket(table_, azimuth);
   Weighted result;
-  for (const auto& [node, weightA] : {std::pair(a.below, 1 - a.share), {a.above, a.share}})
-    for (const auto& [step, weightP] : {std::pair(p.below, 1 - p.share), {p.above, p.share}}) {
+  for (const auto& [node, weightA] : {std::pair(a.below, 1 - a.fraction), {a.above, a.fraction}})
+    for (const auto& [step, weightP] : {std::pair(p.below, 1 - p.fraction), {p.above, p.fraction}}) {
       const std::size_t index = (incident * table_.azimuths.size() + node) * table_.polars.size() + step;
       if (!aboveHorizon_[index]) continue;
       result.sum += weightA * weightP * Rgb(table_.values[index]);
@@ -149,8 +149,9 @@ Rgb IncidenceTableBrdf::value(const DirectionPair& pair) const {
   const double polar = mirror.polar(wo), turn = mirror.azimuth(wo);
   const IncidenceBracket bracket = bracketOf(table_.incident, thetaI);
   Weighted result;
-  for (const auto& [incident, share] : {std::pair(bracket.below, 1 - bracket.share), {bracket.above, bracket.share}}) {
-    if (!(share > 0)) continue;
+  for (const auto& [incident, fraction] :
+       {std::pair(bracket.below, 1 - bracket.fraction), {bracket.above, bracket.fraction}}) {
+    if (!(fraction > 0)) continue;
     // The viewer that sees the same of the highlight under this angle of incidence.
     const Direction seen = Frame(Axis::mirror, table_.incident[incident]).direction(polar, turn);
     if (seen.z < -incidenceTolerance) continue;
@@ -158,8 +159,8 @@ Rgb IncidenceTableBrdf::value(const DirectionPair& pair) const {
     const Weighted found = table_.axis == Axis::mirror ? lookup(incident, polar, turn)
                                                        : lookup(incident, normal.polar(seen), normal.azimuth(seen));
     if (!(found.weight > 0)) continue;
-    result.sum += share * found.sum / found.weight;
-    result.weight += share;
+    result.sum += fraction * found.sum / found.weight;
+    result.weight += fraction;
   }
   return result.weight > 0 ? result.sum / result.weight : Rgb(0);
 }

@@ -28,7 +28,7 @@ struct CosineLobe {
   double density(const Direction& w, const Direction&) const { return std::max(0.0, w.z) / pi; }
 };
 
-/// Shares of a diffuse part and a highlight for a mixture: by their albedos (of white light, about), but at least a
+/// Fractions of a diffuse part and a highlight for a mixture: by their albedos (of white light, about), but at least a
 /// tenth of each that is there, so that no part of the value is far above the density.
 inline std::array<double, 2> lobeShares(double diffuseAlbedo, double specularAlbedo) {
   if (!(specularAlbedo > 0)) return {1, 0};
@@ -37,27 +37,28 @@ inline std::array<double, 2> lobeShares(double diffuseAlbedo, double specularAlb
   return {1 - specular, specular};
 }
 
-/// Shares of any number of parts by their albedos, but at least about a tenth of each that is there.
+/// Fractions of any number of parts by their albedos, but at least about a tenth of each that is there.
 template <std::size_t count>
 std::array<double, count> lobeShares(const std::array<double, count>& albedos) {
   double total = 0, sum = 0;
   for (const double albedo : albedos) total += albedo;
-  std::array<double, count> shares{};
+  std::array<double, count> fractions{};
   if (!(total > 0)) {
-    shares[0] = 1;
-    return shares;
+    fractions[0] = 1;
+    return fractions;
   }
-  for (std::size_t i = 0; i < count; ++i) sum += shares[i] = albedos[i] > 0 ? std::max(0.1, albedos[i] / total) : 0;
-  for (double& share : shares) share /= sum;
-  return shares;
+  for (std::size_t i = 0; i < count; ++i) sum += fractions[i] = albedos[i] > 0 ? std::max(0.1, albedos[i] / total) : 0;
+  for (double& fraction : fractions) fraction /= sum;
+  return fractions;
 }
 
 /// A weighted sum of lobes, folded to the upper hemisphere: Brdf::sample() and pdf() of a model.
 template <typename... Lobes>
 class LobeMixture {
  public:
-  /// @param shares of the lobes, >= 0, adding up to 1.
-  LobeMixture(const std::array<double, sizeof...(Lobes)>& shares, Lobes... lobes) : shares_(shares), lobes_(lobes...) {}
+  /// @param fractions of the lobes, >= 0, adding up to 1.
+  LobeMixture(const std::array<double, sizeof...(Lobes)>& fractions, Lobes... lobes)
+      : shares_(fractions), lobes_(lobes...) {}
 
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
     Direction wi = drawn<0>(wo, u.x, {u.y, u.z});

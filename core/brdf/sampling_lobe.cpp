@@ -39,29 +39,29 @@ bool areSimilar(const SamplingLobe& a, const SamplingLobe& b) {
 
 SamplingLobe estimateSamplingLobe(const Brdf& brdf) {
   constexpr int roughnessSteps = 25;
-  constexpr std::array shares{0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, maxSpecularShare};
+  constexpr std::array fractions{0.0, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, maxSpecularShare};
 
   // The second moment of the estimator is what the fit makes small.
   const std::vector<MomentProbe> probes = isotropicMomentProbes(brdf);
-  std::array<std::array<double, shares.size()>, roughnessSteps> moments{};
+  std::array<std::array<double, fractions.size()>, roughnessSteps> moments{};
   const auto roughnessAt = [](int step) {
     return minRoughness * std::pow(maxRoughness / minRoughness, double(step) / (roughnessSteps - 1));
   };
   for (int step = 0; step < roughnessSteps; ++step)
     for (const MomentProbe& probe : probes) {
       const double lobePdf = VisibleNormalLobe{roughnessAt(step)}.density(probe.pair.wi, probe.pair.wo);
-      for (std::size_t share = 0; share < shares.size(); ++share) {
-        const double density = (1 - shares[share]) * probe.pair.wi.z / pi + shares[share] * lobePdf;
-        moments[std::size_t(step)][share] += probe.energy / density;
+      for (std::size_t fraction = 0; fraction < fractions.size(); ++fraction) {
+        const double density = (1 - fractions[fraction]) * probe.pair.wi.z / pi + fractions[fraction] * lobePdf;
+        moments[std::size_t(step)][fraction] += probe.energy / density;
       }
     }
   SamplingLobe best{.roughness = 0.3, .specularShare = 0};
   double smallest = moments[0][0];
   for (int step = 0; step < roughnessSteps; ++step)
-    for (std::size_t share = 0; share < shares.size(); ++share)
-      if (moments[std::size_t(step)][share] < smallest * (1 - 1e-9)) {
-        smallest = moments[std::size_t(step)][share];
-        best = {.roughness = roughnessAt(step), .specularShare = shares[share]};
+    for (std::size_t fraction = 0; fraction < fractions.size(); ++fraction)
+      if (moments[std::size_t(step)][fraction] < smallest * (1 - 1e-9)) {
+        smallest = moments[std::size_t(step)][fraction];
+        best = {.roughness = roughnessAt(step), .specularShare = fractions[fraction]};
       }
   return best;
 }

@@ -22,8 +22,8 @@ constexpr double lastCosine = 1.6e-3;  // of a viewer: 89.9 degrees
 /// normal and smaller ones towards the horizon, where lobes change fastest.
 SliceBlend viewersAbout(double cosine) {
   constexpr auto last = TabulatedLobe::viewerCount - 1;
-  const double share = (1 - std::sqrt(std::clamp(cosine, lastCosine, 1.0))) / (1 - std::sqrt(lastCosine));
-  const double place = double(last) * std::sqrt(share);
+  const double fraction = (1 - std::sqrt(std::clamp(cosine, lastCosine, 1.0))) / (1 - std::sqrt(lastCosine));
+  const double place = double(last) * std::sqrt(fraction);
   const auto low = std::min(std::uint32_t(place), std::uint32_t(last - 1));
   return {2, {low, low + 1}, {1 - (place - low), place - low}};
 }

@@ -32,7 +32,7 @@ class TabulatedLobe {
   static constexpr std::size_t columns = 96, rows = 21, viewerCount = 24;
   /// Slices are the viewers.
   const MarginalWarp& warp() const { return warp_; }
-  /// To be mixed with sample(); its share is 0 for isotropic BRDFs.
+  /// To be mixed with sample(); its fraction is 0 for isotropic BRDFs.
   const GrainLobe& grain() const { return grain_; }
   const TurnedLobe<VisibleNormalLobe>& alongGrain() const { return alongGrain_; }
   /// What serves an isotropic BRDF with less noise at equal time, where a lobe of closed form does.
@@ -62,7 +62,7 @@ struct TabulatedLobeView {
 using TabulatedMixture = LobeMixture<CosineLobe, TurnedLobe<VisibleNormalLobe>, TabulatedLobeView>;
 inline TabulatedMixture tabulatedMixture(const TabulatedLobe& lobe) {
   constexpr double rest = 1 - TabulatedLobe::cosineShare;
-  const double grain = rest * lobe.grain().share;
+  const double grain = rest * lobe.grain().fraction;
   return {{TabulatedLobe::cosineShare, grain, rest - grain}, CosineLobe{}, lobe.alongGrain(), TabulatedLobeView{lobe}};
 }
 

@@ -18,7 +18,7 @@ namespace {
 /// Between two nodes of an axis: the first, the second, and how far.
 struct Place {
   int low = 0, high = 0;
-  float share = 0;
+  float fraction = 0;
 };
 
 /// At an open end values stay.
@@ -46,7 +46,7 @@ class Atoms {
   void at(const Place& place, float* result) const {
     const float* low = &values_[std::size_t(place.low) * count_];
     const float* high = &values_[std::size_t(place.high) * count_];
-    for (std::size_t a = 0; a < count_; ++a) result[a] = low[a] + place.share * (high[a] - low[a]);
+    for (std::size_t a = 0; a < count_; ++a) result[a] = low[a] + place.fraction * (high[a] - low[a]);
   }
   std::size_t count() const { return count_; }
 

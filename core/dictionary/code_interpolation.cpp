@@ -71,10 +71,10 @@ ChannelCode interpolateChannel(const Ensemble& ensemble, std::span<const SparseC
   for (std::size_t i = 0; i < codes.size(); ++i)
     if (weights[i] > 0) highest += weights[i] * double(codes[i].channels[channel].highest);
   result.highest = float(highest);
-  const bool share = std::all_of(codes.begin(), codes.end(), [&](const SparseCode& code) {
+  const bool fraction = std::all_of(codes.begin(), codes.end(), [&](const SparseCode& code) {
     return code.channels[channel].dictionary == result.dictionary;
   });
-  if (share) {
+  if (fraction) {
     result.coefficients = sumOverOneDictionary(codes, weights, channel);
   } else {
     const Eigen::ArrayXf sum = sumOverFirst(ensemble, codes, weights, channel);

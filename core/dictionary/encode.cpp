@@ -18,7 +18,7 @@ namespace gonio::dictionary {
 
 namespace {
 
-/// Share of a signal's energy that its own subspace may leave out while dictionaries are compared.
+/// Fraction of a signal's energy that its own subspace may leave out while dictionaries are compared.
 constexpr double choiceLoss = 1e-7;
 constexpr double grazing = radians(85);
 

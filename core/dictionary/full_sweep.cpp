@@ -111,7 +111,7 @@ class Pass {
 /// The share [begin, end] of a control's progress.
 TaskControl part(const TaskControl& control, double begin, double end) {
   return {.stop = control.stop,
-          .progress = [&control, begin, end](double share) { control.report(begin + (end - begin) * share); }};
+          .progress = [&control, begin, end](double fraction) { control.report(begin + (end - begin) * fraction); }};
 }
 
 }  // namespace

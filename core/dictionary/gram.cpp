@@ -4,8 +4,8 @@
 
 namespace gonio::dictionary {
 
-int rankFor(const Eigen::VectorXd& eigenvalues, double mostLoss) {
-  const double most = mostLoss * eigenvalues.sum();
+int rankFor(const Eigen::VectorXd& eigenvalues, double maxLoss) {
+  const double most = maxLoss * eigenvalues.sum();
   double left = 0;
   Eigen::Index rank = eigenvalues.size();
   while (rank > 1 && left + eigenvalues[rank - 1] <= most) left += eigenvalues[--rank];

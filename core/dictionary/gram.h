@@ -25,8 +25,8 @@ void addGram(const Scalar* block, const Sizes& sizes, int mode, Eigen::MatrixXd&
   }
 }
 
-/// The least count of leading eigenvectors, at least 1, that leaves at most this share of the energy out.
+/// The least count of leading eigenvectors, at least 1, that leaves at most this fraction of the energy out.
 /// @param eigenvalues of a Gram matrix, descending.
-int rankFor(const Eigen::VectorXd& eigenvalues, double mostLoss);
+int rankFor(const Eigen::VectorXd& eigenvalues, double maxLoss);
 
 }  // namespace gonio::dictionary

@@ -13,7 +13,7 @@ namespace gonio::dictionary {
 
 namespace {
 
-/// The share of the progress at which the materials are read, and at which they are mapped.
+/// The fraction of the progress at which the materials are read, and at which they are mapped.
 constexpr double readShare = 0.4, mappedShare = 0.5;
 constexpr std::size_t blockCells = 1024;
 
@@ -143,8 +143,8 @@ PrincipalComponents learnPrincipalComponents(
   pca.mapping.reference = medianReference(spans);
   pca.mean = mapAndCentre(pca.mapping, columns, control.between(readShare, mappedShare));
   std::vector<float> variance;
-  if (options.mostComponents < columns.columns) variance = rowVariance(columns);
-  pca.svd = decomposeGramSvd(std::move(columns), options.mostComponents, control.between(mappedShare, 1));
+  if (options.maxComponents < columns.columns) variance = rowVariance(columns);
+  pca.svd = decomposeGramSvd(std::move(columns), options.maxComponents, control.between(mappedShare, 1));
   if (!variance.empty()) pca.leftOut = leftOutOf(pca, std::move(variance));
   return pca;
 }

@@ -58,7 +58,7 @@ struct ComponentCode {
 std::vector<float> leftOutVariance(const PrincipalComponents& pca, int components, std::size_t begin, std::size_t end);
 
 struct PcaOptions {
-  int mostComponents = std::numeric_limits<int>::max();
+  int maxComponents = std::numeric_limits<int>::max();
 };
 
 /// @param load the table of a material, of one grid for all; asked for one after another, so that memory holds one.

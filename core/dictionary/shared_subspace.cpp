@@ -29,7 +29,7 @@ ModeMatrices<double> SharedSubspace::lifted(const ModeMatrices<double>& inner) c
   return full;
 }
 
-SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const SignalOptions& options, double mostLoss,
+SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const SignalOptions& options, double maxLoss,
                                   const TaskControl& control) {
   const Sizes sizes = modeSizes(materials.grid);
   const auto zeros = [&] {
@@ -54,7 +54,7 @@ SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const Sign
   for (std::size_t mode = 0; mode < 3; ++mode) {
     const EigenBasis basis = eigenBasis(total[mode]);
     subspace.bases[mode] = basis.vectors;
-    subspace.ranks[mode] = rankFor(basis.values, mostLoss / 3);
+    subspace.ranks[mode] = rankFor(basis.values, maxLoss / 3);
   }
   return subspace;
 }

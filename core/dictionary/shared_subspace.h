@@ -12,14 +12,14 @@ namespace gonio::dictionary {
 struct SharedSubspace {
   ModeMatrices<double> bases;  ///< square, orthonormal, columns by falling energy
   Sizes ranks{};               ///< leading columns that span the subspace
-  double loss = 0;             ///< share of the set's energy outside of it
+  double loss = 0;             ///< fraction of the set's energy outside of it
 
   /// The dictionary of the whole space that is `inner` in the subspace and leaves the rest as it is.
   ModeMatrices<double> lifted(const ModeMatrices<double>& inner) const;
 };
 
-/// The smallest ranks whose left-out energy, summed over the modes, is at most `mostLoss` of the set's. One pass.
-SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const SignalOptions& options, double mostLoss,
+/// The smallest ranks whose left-out energy, summed over the modes, is at most `maxLoss` of the set's. One pass.
+SharedSubspace findSharedSubspace(const TrainingMaterials& materials, const SignalOptions& options, double maxLoss,
                                   const TaskControl& control = {});
 
 /// The signals in the subspace, one a column, in single precision; sets the subspace's `loss`. One pass.

@@ -11,7 +11,7 @@ namespace gonio::dictionary {
 
 namespace {
 
-// Shares of the progress: the passes that find the subspace, the rounds in it, the last sweep.
+// Fractions of the progress: the passes that find the subspace, the rounds in it, the last sweep.
 constexpr double subspaceShare = 0.15, roundsShare = 0.6;
 
 class Training {
@@ -45,7 +45,7 @@ class Training {
  private:
   TaskControl part(double begin, double end) const {
     return {.stop = control_.stop,
-            .progress = [this, begin, end](double share) { control_.report(begin + (end - begin) * share); }};
+            .progress = [this, begin, end](double fraction) { control_.report(begin + (end - begin) * fraction); }};
   }
 
   void findSignals() {

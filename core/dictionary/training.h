@@ -15,8 +15,8 @@ struct TrainingOptions {
   SignalOptions signals;
   int iterations = 12;         ///< rounds at most, for each ensemble
   int passes = 4;              ///< over the dictionaries in each round, with the memberships kept
-  double tolerance = 5e-4;     ///< an ensemble is done when a round lowers its error by less than this share
-  double subspaceLoss = 3e-5;  ///< share of the energy that the shared subspace may leave to the last sweep
+  double tolerance = 5e-4;     ///< an ensemble is done when a round lowers its error by less than this fraction
+  double subspaceLoss = 3e-5;  ///< fraction of the energy that the shared subspace may leave to the last sweep
   bool fullSweep = true;       ///< the last sweep in the whole space
   std::uint64_t seed = 1;
 };

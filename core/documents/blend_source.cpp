@@ -106,8 +106,8 @@ nlohmann::json toJson(const BlendSource& blend) {
 std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& json, const std::string& where,
                                                        int version, int depth) {
   const JsonObject object(json, where);
-  if (depth > mostBlendsInBlends)
-    throw Error(where + ": found more than " + std::to_string(mostBlendsInBlends) + " blends in one another");
+  if (depth > maxBlendsInBlends)
+    throw Error(where + ": found more than " + std::to_string(maxBlendsInBlends) + " blends in one another");
   auto blend = std::make_shared<BlendSource>();
   blend->space = spaceFromJson(object);
   if (hasModel(blend->space)) blend->model = &modelFromJson(object);
@@ -136,16 +136,16 @@ std::string blendSha256(const BlendSource& blend) {
 materials::Material blendedMaterial(const BlendSource& blend, const Interpolation& interpolation,
                                     const TaskControl& control) {
   materials::Material material;
-  std::string names, shares;
+  std::string names, fractions;
   for (std::size_t i = 0; i < blend.materials.size(); ++i) {
     if (!(blend.weights[i] > 0)) continue;
     const std::string name = nameOf(blend.materials[i]);
     names += (names.empty() ? "" : " + ") + name;
-    shares += (shares.empty() ? "" : ", ") + percent(blend.weights[i]) + " " + name;
+    fractions += (fractions.empty() ? "" : ", ") + percent(blend.weights[i]) + " " + name;
   }
   material.name = names;
   material.source.format = "blend";
-  material.source.description = shares + "; space " + std::string(nameOf(blend.space));
+  material.source.description = fractions + "; space " + std::string(nameOf(blend.space));
   material.source.sha256 = blendSha256(blend);
   if (const auto own = ownFormBlend(interpolation, blend.space, blend.weights, control)) {
     material.brdf = own->brdf;

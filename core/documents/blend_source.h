@@ -33,7 +33,7 @@ InterpolationEnd blendedEnd(const materials::Material& material, const std::shar
 /// @throws Error when an edit's values do not fit its model.
 nlohmann::json toJson(const BlendSource& blend);
 /// How deep blends of blends may be.
-inline constexpr int mostBlendsInBlends = 16;
+inline constexpr int maxBlendsInBlends = 16;
 /// @param version of the document. @param depth 1 for a document's own blend.
 /// @throws Error as documentFromJson(); weights that are none and blends in too many blends too.
 std::shared_ptr<const BlendSource> blendSourceFromJson(const nlohmann::json& json, const std::string& where,

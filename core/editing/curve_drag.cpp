@@ -56,7 +56,7 @@ std::vector<double> draggedCurve(std::span<const double> nodes, std::span<const 
   return result;
 }
 
-std::vector<double> controlPoints(std::span<const double> nodes, std::span<const double> curve, double share,
+std::vector<double> controlPoints(std::span<const double> nodes, std::span<const double> curve, double fraction,
                                   int most) {
   if (nodes.size() < 2) return {nodes.begin(), nodes.end()};
   double largest = 0;
@@ -70,7 +70,7 @@ std::vector<double> controlPoints(std::span<const double> nodes, std::span<const
     }
     const Cubic through(places, values);
     std::size_t worst = 0;
-    double error = share * largest;
+    double error = fraction * largest;
     for (std::size_t i = 0; i < nodes.size(); ++i)
       if (const double e = std::abs(through(nodes[i]) - curve[i]); e > error) {
         error = e;

@@ -25,8 +25,9 @@ struct CurveDrag {
 /// @param nodes strictly increasing, as many as values. The ends of the axis stay where they are.
 std::vector<double> draggedCurve(std::span<const double> nodes, std::span<const double> curve, const CurveDrag& drag);
 
-/// Nodes whose monotone cubic follows a curve to within a share of its largest size: few where it is smooth. The ends
-/// belong to them. At most `most`, at least two (one for a curve of one node).
-std::vector<double> controlPoints(std::span<const double> nodes, std::span<const double> curve, double share, int most);
+/// Nodes whose monotone cubic follows a curve to within a fraction of its largest size: few where it is smooth. The
+/// ends belong to them. At most `most`, at least two (one for a curve of one node).
+std::vector<double> controlPoints(std::span<const double> nodes, std::span<const double> curve, double fraction,
+                                  int most);
 
 }  // namespace gonio::editing

@@ -9,7 +9,7 @@ namespace gonio::editing {
 /// Polar angle at which the energy toward the edge is stated, rad.
 inline constexpr double grazingView = radians(80);
 
-/// Directional albedo (directionalAlbedo()) as luminance: the share of white light from everywhere that is sent to a
+/// Directional albedo (directionalAlbedo()) as luminance: the fraction of white light from everywhere that is sent to a
 /// viewer.
 struct Energy {
   double headOn = 0;   ///< viewer at the normal

@@ -12,7 +12,7 @@ using models::ParameterRole;
 
 /// Smaller changes have no word of their own: natural logarithm of the ratio, and of that between channels.
 constexpr double leastChange = 0.02, leastHue = 0.02;
-constexpr std::size_t mostWords = 2;
+constexpr std::size_t maxWords = 2;
 
 /// Natural logarithms of after / before; 0 where one of them is not positive.
 Rgb logRatio(const Rgb& before, const Rgb& after) {
@@ -71,7 +71,7 @@ std::string wordsOf(const DifferentialEdit& edit) {
   if (std::abs(changes.body) > leastChange) words.emplace_back(changes.body > 0 ? "lighter" : "darker");
   if (words.empty()) return "edited";
   std::string text = words.front();
-  for (std::size_t i = 1; i < std::min(words.size(), mostWords); ++i) text += ", " + words[i];
+  for (std::size_t i = 1; i < std::min(words.size(), maxWords); ++i) text += ", " + words[i];
   return text;
 }
 

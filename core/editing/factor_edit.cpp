@@ -93,9 +93,9 @@ PdvFactors factorsFromJson(const JsonObject& object) {
   if (channels.size() != 3) object.fail("channels", "a list of 3");
   for (std::size_t c = 0; c < 3; ++c) {
     const std::size_t terms = channels[c].is_array() ? channels[c].size() : 0;
-    if (terms < 1 || terms > std::size_t(factorization::mostPdvTerms) || terms != channels[0].size())
+    if (terms < 1 || terms > std::size_t(factorization::maxPdvTerms) || terms != channels[0].size())
       object.fail("channels",
-                  "as many terms in each of the three, from 1 to " + std::to_string(factorization::mostPdvTerms));
+                  "as many terms in each of the three, from 1 to " + std::to_string(factorization::maxPdvTerms));
     f.channels[c] = termsFromJson(channels[c], f, object.place("channels") + "[" + std::to_string(c) + "]");
   }
   return f;

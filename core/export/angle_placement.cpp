@@ -24,7 +24,7 @@ struct Interval {
 };
 
 /// Sum over the blocks of all sizes from one node to the whole slice of the squared mean error in a block, times its
-/// share of the slice: lights in a picture are of all sizes.
+/// fraction of the slice: lights in a picture are of all sizes.
 double errorOfAllSizes(std::span<const Rgb> differences) {
   constexpr std::size_t plane = probeSize * probeSize;
   double sum = 0;

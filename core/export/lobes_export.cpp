@@ -14,9 +14,9 @@ std::pair<MadeExport, ReciprocalLobes> makeLobesExport(std::span<const std::size
   const PictureCells cells(source.brdf->isIsotropic());
   MadeExport best;
   ReciprocalLobes chosen;
-  const double share = (1 - rendered) / double(counts.size());
+  const double fraction = (1 - rendered) / double(counts.size());
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    const TaskControl part = control.between(rendered + share * double(i), rendered + share * double(i + 1));
+    const TaskControl part = control.between(rendered + fraction * double(i), rendered + fraction * double(i + 1));
     const ReciprocalLobes start = fitReciprocalLobes(*source.brdf, cells, counts[i], part.between(0, 0.3));
     ReciprocalLobes lobes = refineLobes(*source.brdf, cells, start, formula, part.between(0.3, 0.8));
     MadeExport made;

@@ -41,7 +41,7 @@ PictureCells::PictureCells(std::span<const double> viewers) : isotropic_(true), 
   for (const double theta : viewers) addViewer(fromSpherical(theta, 0), 1);
 }
 
-void PictureCells::addViewer(const Direction& wo, double share) {
+void PictureCells::addViewer(const Direction& wo, double fraction) {
   const double circle = isotropic_ ? pi : 2 * pi, turn = azimuth(wo);
   const std::size_t before = scales_.size();
   std::vector<double> areas;
@@ -62,7 +62,7 @@ void PictureCells::addViewer(const Direction& wo, double share) {
     }
   }
   for (Grid grid = nodes_;; grid = grid.halved()) {
-    for (std::size_t i = 0; i < grid.size(); ++i) scales_.push_back(std::sqrt(share / (areas[i] + lampSolidAngle)));
+    for (std::size_t i = 0; i < grid.size(); ++i) scales_.push_back(std::sqrt(fraction / (areas[i] + lampSolidAngle)));
     if (grid.size() == 1) break;
     pool(areas, grid);
   }

@@ -45,8 +45,8 @@ class PictureCells {
     Grid halved() const { return {polar > 1 ? polar / 2 : 1, azimuth > 1 ? azimuth / 2 : 1}; }
   };
 
-  /// @param share of the picture's area.
-  void addViewer(const Direction& wo, double share);
+  /// @param fraction of the picture's area.
+  void addViewer(const Direction& wo, double fraction);
   void weighViewer(std::size_t viewer, std::span<const double> values, std::span<double> residuals) const;
   static void pool(std::vector<double>& sums, const Grid& fine);
   std::vector<double> residualsOf(const std::function<void(std::span<const DirectionPair>, std::span<Rgb>)>&) const;

@@ -80,8 +80,8 @@ Rgb spectralBasisAt(double nanometres) {
   if (above == basis.nanometres.begin()) return basis.values.front();
   if (above == basis.nanometres.end()) return basis.values.back();
   const auto high = std::size_t(above - basis.nanometres.begin());
-  const double low = basis.nanometres[high - 1], share = (nanometres - low) / (double(*above) - low);
-  return glm::mix(basis.values[high - 1], basis.values[high], share);
+  const double low = basis.nanometres[high - 1], fraction = (nanometres - low) / (double(*above) - low);
+  return glm::mix(basis.values[high - 1], basis.values[high], fraction);
 }
 
 }  // namespace gonio::exports

@@ -67,8 +67,8 @@ RglParameterisation parameterise(const Brdf& material, const RglOptions& options
   RglLayout layout = rglLayout(material, options.azimuths, densityFloor);
   layout.mirrorSymmetric = !options.bothSides;
   const std::vector<RglSize> sizes = candidates(layout, options);
-  const std::size_t mostAngles = std::ranges::max(sizes, {}, &RglSize::thetaCount).thetaCount;
-  const std::vector<double> angles = placeAngles(material, layout, mostAngles, control.between(0, 0.3));
+  const std::size_t maxAngles = std::ranges::max(sizes, {}, &RglSize::thetaCount).thetaCount;
+  const std::vector<double> angles = placeAngles(material, layout, maxAngles, control.between(0, 0.3));
 
   RenderOptions pictures;
   pictures.width = pictures.height = options.pictureSize;

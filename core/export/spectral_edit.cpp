@@ -91,13 +91,13 @@ SliceStack<float> SpectralEdit::plane(double nanometres) const {
   const auto high = std::size_t(std::min(above, nodes.end() - 1) - nodes.begin());
   const bool between = above != nodes.begin() && above != nodes.end();
   const std::size_t low = between ? high - 1 : high;
-  const double share = between ? (nanometres - nodes[low]) / (double(nodes[high]) - nodes[low]) : 1;
+  const double fraction = between ? (nanometres - nodes[low]) / (double(nodes[high]) - nodes[low]) : 1;
   SliceStack<float> result{data_.rgb.width, data_.rgb.height, std::vector<float>(data_.rgb.values.size())};
   const std::size_t plane = result.width * result.height;
   for (std::size_t node = 0; node < result.values.size(); ++node) {
     const std::size_t start = node / plane * nodes.size() * plane + node % plane;
     const auto at = [&](std::size_t w) { return changed(w, data_.spectra->values[start + w * plane], changes_[node]); };
-    result.values[node] = share < 1 ? float(std::lerp(double(at(low)), double(at(high)), share)) : at(high);
+    result.values[node] = fraction < 1 ? float(std::lerp(double(at(low)), double(at(high)), fraction)) : at(high);
   }
   return result;
 }

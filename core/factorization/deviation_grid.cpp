@@ -44,10 +44,10 @@ std::vector<double> deviationNodes(std::span<const double> energy, int count) {
   std::vector<double> nodes;
   std::size_t at = 0;
   for (int k = 0; k < count; ++k) {
-    const double share = double(k) / (count - 1);
-    double node = largestDeviation * share;
+    const double fraction = double(k) / (count - 1);
+    double node = largestDeviation * fraction;
     if (total > 0) {
-      const double wanted = share * total;
+      const double wanted = fraction * total;
       while (at + 1 < energy.size() && cumulative[at + 1] < wanted) ++at;
       const double part = energy[at] > 0 ? (wanted - cumulative[at]) / energy[at] : 0;
       node = step * (double(at) + std::clamp(part, 0.0, 1.0));

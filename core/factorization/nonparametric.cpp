@@ -13,7 +13,7 @@ namespace gonio::factorization {
 namespace {
 
 double between(const std::array<double, NonparametricFactors::nodes>& curve, const NodePlace& at) {
-  return (1 - at.share) * curve[at.index] + at.share * curve[at.index + 1];
+  return (1 - at.fraction) * curve[at.index] + at.fraction * curve[at.index + 1];
 }
 
 const double smallestCosine = std::cos(radians(89.5));

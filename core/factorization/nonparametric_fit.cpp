@@ -82,7 +82,7 @@ class ChannelFit {
 
  private:
   static double at(const NodeValues& g, const NodePlace& place) {
-    return (1 - place.share) * g[place.index] + place.share * g[place.index + 1];
+    return (1 - place.fraction) * g[place.index] + place.fraction * g[place.index + 1];
   }
   double masking(const Cell& cell, const NodeValues& g) const { return at(g, cell.i) * at(g, cell.o) / cell.cosines; }
 
@@ -144,8 +144,8 @@ class ChannelFit {
       const double error = values_[k] - base_ - lobe * gI * gO;
       const Index unknowns[] = {Index(cell.i.index), Index(cell.i.index) + 1, Index(cell.o.index),
                                 Index(cell.o.index) + 1};
-      const double slopes[] = {lobe * gO * (1 - cell.i.share), lobe * gO * cell.i.share, lobe * gI * (1 - cell.o.share),
-                               lobe * gI * cell.o.share};
+      const double slopes[] = {lobe * gO * (1 - cell.i.fraction), lobe * gO * cell.i.fraction,
+                               lobe * gI * (1 - cell.o.fraction), lobe * gI * cell.o.fraction};
       for (int a = 0; a < 4; ++a) {
         right[unknowns[a]] += weights_[k] * slopes[a] * error;
         for (int b = 0; b < 4; ++b) matrix(unknowns[a], unknowns[b]) += weights_[k] * slopes[a] * slopes[b];

@@ -43,9 +43,9 @@ PdvTerm blendedFirstTerm(std::span<const PdvFactors* const> ends, std::span<cons
     const double height = *std::max_element(term.f2.begin(), term.f2.end());
     add(sum.f1, term.f1, weights[i] * height);
     // What has no strength has no shape either: black dims a material and does not change it.
-    const double share = height > 0 ? weights[i] : 0;
-    add(sum.f3, term.f3, share);
-    shaped += share;
+    const double fraction = height > 0 ? weights[i] : 0;
+    add(sum.f3, term.f3, fraction);
+    shaped += fraction;
     shapes.push_back(std::move(term.f2));
   }
   if (shaped > 0) sum.f3 = scaled(sum.f3, 1 / shaped);
@@ -61,10 +61,10 @@ struct FurtherTerm {
 /// As many as there is room for: those of the lowest index, since terms explain less and less.
 std::vector<FurtherTerm> furtherTerms(std::span<const PdvFactors* const> ends, std::span<const double> weights) {
   std::vector<FurtherTerm> terms;
-  for (std::size_t index = 1; index < std::size_t(mostPdvTerms); ++index)
+  for (std::size_t index = 1; index < std::size_t(maxPdvTerms); ++index)
     for (std::size_t i = 0; i < ends.size(); ++i)
       if (weights[i] > 0 && index < std::size_t(ends[i]->terms())) terms.push_back({i, index});
-  terms.resize(std::min(terms.size(), std::size_t(mostPdvTerms - 1)));
+  terms.resize(std::min(terms.size(), std::size_t(maxPdvTerms - 1)));
   return terms;
 }
 

@@ -79,7 +79,7 @@ class CurveBundle {
       return;
     }
     const NodePlace at = index_.place(nodes_, x);
-    const HermiteWeights w(at.share, nodes_[at.index + 1] - nodes_[at.index]);
+    const HermiteWeights w(at.fraction, nodes_[at.index + 1] - nodes_[at.index]);
     const float before = float(w.before), after = float(w.after);
     const float slopeBefore = float(w.slopeBefore), slopeAfter = float(w.slopeAfter);
     const float *v = values_.data() + at.index * width_, *s = slopes_.data() + at.index * width_;
@@ -130,7 +130,7 @@ class PdvBrdf final : public Brdf {
   Rgb evaluatePair(const DirectionPair& pair) const {
     if (isBelowHorizon(pair.wi) || isBelowHorizon(pair.wo)) return Rgb(0);
     const ProjectedDeviation at = quickProjectedDeviation(pair.wi, pair.wo);
-    float products[3 * mostPdvTerms];
+    float products[3 * maxPdvTerms];
     std::fill_n(products, 3 * terms_, 1.0f);
     f1_.multiply(at.thetaR, products);
     f2_.multiply(at.deviation, products);

@@ -24,9 +24,9 @@ std::vector<double> evenNodes(int count, double last) {
 }
 
 PdvFactors makeAxes(const TabulatedBrdf& table, const PdvOptions& options, const TaskControl& control) {
-  if (options.terms < 1 || options.terms > mostPdvTerms)
+  if (options.terms < 1 || options.terms > maxPdvTerms)
     throw Error("the count of terms is " + std::to_string(options.terms) + "; expected 1 to " +
-                std::to_string(mostPdvTerms));
+                std::to_string(maxPdvTerms));
   PdvFactors axes{.form = options.form, .transform = options.transform};
   axes.thetaNodes = evenNodes(thetaCount, largestPolarAngle);
   axes.phiNodes = options.form == PdvForm::twoFactors ? std::vector{0.0} : evenNodes(phiCount, pi);

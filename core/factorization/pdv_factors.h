@@ -61,7 +61,7 @@ struct PdvOptions {
   /// Nodes of |Dp|; empty: deviationNodes() of the material.
   std::vector<double> deviationNodes = {};
 };
-inline constexpr int mostPdvTerms = 20;
+inline constexpr int maxPdvTerms = 20;
 
 struct PdvFactorization {
   PdvFactors factors;

@@ -69,7 +69,7 @@ void DeviationRows::fillRow(const Brdf& brdf, std::size_t index, Ring ring) {
   std::vector<DirectionPair> pairs;
   std::vector<double> weights;
   std::vector<std::size_t> bins;
-  // A bin that the row before does not reach has no share: between them it may not be on the disk.
+  // A bin that the row before does not reach has no fraction: between them it may not be on the disk.
   const double reach = 1 + std::sin(thetaNodes_[index > 0 ? index - 1 : 0]);
   std::size_t bin = 0;
   for (; bin < this->bins() && low(bin) < reach; ++bin)
@@ -85,13 +85,13 @@ void DeviationRows::fillRow(const Brdf& brdf, std::size_t index, Ring ring) {
     }
   std::vector<Rgb> values(pairs.size());
   brdf.evaluate(pairs, values);
-  double* shares = cumulative_.data() + index * edges_.size();
+  double* fractions = cumulative_.data() + index * edges_.size();
   for (std::size_t n = 0; n < pairs.size(); ++n)
-    shares[bins[n] + 1] += weights[n] * (values[n].x + values[n].y + values[n].z);
-  for (std::size_t j = 0; j < this->bins(); ++j) shares[j + 1] += shares[j];
-  const double total = shares[this->bins()];
+    fractions[bins[n] + 1] += weights[n] * (values[n].x + values[n].y + values[n].z);
+  for (std::size_t j = 0; j < this->bins(); ++j) fractions[j + 1] += fractions[j];
+  const double total = fractions[this->bins()];
   const bool black = !(total > 0) || !std::isfinite(total);
-  for (std::size_t j = 0; j <= this->bins(); ++j) shares[j] = black ? 0 : shares[j] / total;
+  for (std::size_t j = 0; j <= this->bins(); ++j) fractions[j] = black ? 0 : fractions[j] / total;
 }
 
 double DeviationRows::high(std::size_t bin, double sinThetaR) const { return std::min(edges_[bin + 1], 1 + sinThetaR); }
@@ -105,13 +105,13 @@ std::size_t DeviationRows::draw(double thetaR, double u) const {
   const NodePlace at = placeBetween(thetaNodes_, thetaR);
   const double *before = row(at.index), *after = row(at.index + 1), last = double(bins());
   // A black row has nothing to give: the other one is drawn from alone.
-  const double share = after[bins()] == 0 ? 0 : before[bins()] == 0 ? 1 : at.share;
-  const bool second = u < share;
-  const double within = second ? u / share : (u - share) / (1 - share);
+  const double fraction = after[bins()] == 0 ? 0 : before[bins()] == 0 ? 1 : at.fraction;
+  const bool second = u < fraction;
+  const double within = second ? u / fraction : (u - fraction) / (1 - fraction);
   const double* chosen = second ? after : before;
   const auto above = std::upper_bound(chosen + 1, chosen + bins() + 1, within);
   std::size_t bin = std::size_t(std::min(double(above - chosen) - 1, last - 1));
-  // Rounding may reach behind the last bin that has a share.
+  // Rounding may reach behind the last bin that has a fraction.
   while (bin > 0 && chosen[bin + 1] <= chosen[bin]) --bin;
   return bin;
 }
@@ -119,13 +119,13 @@ std::size_t DeviationRows::draw(double thetaR, double u) const {
 double DeviationRows::probability(double thetaR, std::size_t bin) const {
   const NodePlace at = placeBetween(thetaNodes_, thetaR);
   const double *before = row(at.index), *after = row(at.index + 1);
-  const double share = after[bins()] == 0 ? 0 : before[bins()] == 0 ? 1 : at.share;
-  return (1 - share) * (before[bin + 1] - before[bin]) + share * (after[bin + 1] - after[bin]);
+  const double fraction = after[bins()] == 0 ? 0 : before[bins()] == 0 ? 1 : at.fraction;
+  return (1 - fraction) * (before[bin + 1] - before[bin]) + fraction * (after[bin + 1] - after[bin]);
 }
 
 double DeviationRows::blackShare(double thetaR) const {
   const NodePlace at = placeBetween(thetaNodes_, thetaR);
-  return (1 - at.share) * (1 - row(at.index)[bins()]) + at.share * (1 - row(at.index + 1)[bins()]);
+  return (1 - at.fraction) * (1 - row(at.index)[bins()]) + at.fraction * (1 - row(at.index + 1)[bins()]);
 }
 
 PdvSampler::PdvSampler(const Brdf& brdf, const std::vector<double>& thetaNodes,

@@ -28,8 +28,8 @@ struct Hull {
     if (below == falling.begin()) return nodes.front();
     if (below == falling.end()) return nodes.back();
     const auto i = std::size_t(below - falling.begin());
-    const double share = (falling[i - 1] - level) / (falling[i - 1] - falling[i]);
-    return nodes[i - 1] + share * (nodes[i] - nodes[i - 1]);
+    const double fraction = (falling[i - 1] - level) / (falling[i - 1] - falling[i]);
+    return nodes[i - 1] + fraction * (nodes[i] - nodes[i - 1]);
   }
 };
 

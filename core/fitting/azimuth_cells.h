@@ -20,8 +20,8 @@ struct AzimuthCensus {
 
 /// The cells of an anisotropic material: a pair of directions somewhere in each stratum (theta_h by its square root, as
 /// in tables), with the measure d wi d wo of the stratum there. The places are scattered, so that a narrow ridge across
-/// the azimuths is met in its share of the cells. The value is the mean over both orders of the directions, where both
-/// are measured: the models are reciprocal. Deterministic, in parallel.
+/// the azimuths is met in its fraction of the cells. The value is the mean over both orders of the directions, where
+/// both are measured: the models are reciprocal. Deterministic, in parallel.
 /// @param maxPolarAngle rad; a cell with a direction beyond it is grazing.
 FitCells azimuthCells(const Brdf& brdf, double maxPolarAngle, const AzimuthStrata& strata, AzimuthCensus& census);
 

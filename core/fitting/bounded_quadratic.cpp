@@ -125,19 +125,19 @@ class ActiveSet {
     for (Eigen::Index step = 0; step <= x_.size(); ++step) {
       const LinearVector target = p_.minimumOf(states_);
       if (!target.allFinite()) break;
-      double share = 1;
+      double fraction = 1;
       Eigen::Index blocking = -1;
       for (Eigen::Index j = 0; j < x_.size(); ++j) {
         if (state(j) != State::free) continue;
         const double bound = target[j] < p_.lower[j] ? p_.lower[j] : p_.upper[j];
         if (target[j] >= p_.lower[j] && target[j] <= p_.upper[j]) continue;
         const double reach = (bound - x_[j]) / (target[j] - x_[j]);
-        if (reach < share || blocking < 0) {
-          share = std::clamp(reach, 0.0, 1.0);
+        if (reach < fraction || blocking < 0) {
+          fraction = std::clamp(reach, 0.0, 1.0);
           blocking = j;
         }
       }
-      x_ += share * (target - x_);
+      x_ += fraction * (target - x_);
       if (blocking < 0) break;
       state(blocking) = target[blocking] < p_.lower[blocking] ? State::lower : State::upper;
       x_[blocking] = state(blocking) == State::lower ? p_.lower[blocking] : p_.upper[blocking];

@@ -53,10 +53,10 @@ models::ParameterValues fitParameters(const FitData& data, const models::Model& 
   progress.add(preparationShare);
   const std::vector<std::vector<int>> groups = channelGroups(model.spec(), base, data.symmetry());
   std::vector<models::ParameterValues> fitted(groups.size(), base);
-  const double share = (1 - preparationShare - errorsShare) / double(groups.size());
+  const double fraction = (1 - preparationShare - errorsShare) / double(groups.size());
   parallelForBlocks(groups.size(), 1, [&](std::size_t g, std::size_t) {
     if (!isBlack(polish.cells, groups[g]))
-      fitted[g] = fitGroup(model, search, polish, base, groups[g], stop, progress, share);
+      fitted[g] = fitGroup(model, search, polish, base, groups[g], stop, progress, fraction);
   });
   for (std::size_t g = 0; g < groups.size(); ++g)
     for (std::size_t i = 0; i < parameters.values.size(); ++i)

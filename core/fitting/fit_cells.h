@@ -28,7 +28,7 @@ struct FitCells {
   DataSymmetry symmetry = DataSymmetry::isotropic;
 
   std::size_t size() const { return pairs.size(); }
-  /// @param weight a cell's share of what is compared, of any scale: rootWeight is set by normaliseWeights().
+  /// @param weight a cell's fraction of what is compared, of any scale: rootWeight is set by normaliseWeights().
   void append(const DirectionPair& pair, const Rgb& value, double weight);
   void normaliseWeights();
 };

@@ -63,12 +63,12 @@ std::vector<Candidate> selectDistinct(std::vector<Candidate> candidates, std::si
 class GroupFit {
  public:
   GroupFit(const models::Model& model, const std::vector<int>& channels, const std::stop_token& stop,
-           ProgressMeter& progress, double share)
-      : model_(model), channels_(channels), stop_(stop), progress_(progress), share_(share) {}
+           ProgressMeter& progress, double fraction)
+      : model_(model), channels_(channels), stop_(stop), progress_(progress), share_(fraction) {}
 
   /// The cost of each start; when stopped, of the first at least.
   std::vector<Candidate> rate(const FitTarget& target, const std::vector<models::ParameterValues>& starts,
-                              const std::vector<std::size_t>& free, double share) {
+                              const std::vector<std::size_t>& free, double fraction) {
     std::vector<Candidate> candidates(starts.size());
     parallelForBlocks(starts.size(), 1, [&](std::size_t s, std::size_t) {
       if (s > 0 && stop_.stop_requested()) return;
@@ -76,16 +76,16 @@ class GroupFit {
       candidates[s].units = problem.unitsOf(starts[s]);
       candidates[s].cost = problem.cost(candidates[s].units);
       candidates[s].parameters = problem.bestParameters();
-      progress_.add(share_ * share / double(starts.size()));
+      progress_.add(share_ * fraction / double(starts.size()));
     });
     return candidates;
   }
 
   /// Runs the solver from each candidate; never returns a worse one.
   void refine(const FitTarget& target, std::vector<Candidate>& candidates, const std::vector<std::size_t>& free,
-              const SolveOptions& options, double share) {
+              const SolveOptions& options, double fraction) {
     parallelForBlocks(candidates.size(), 1, [&](std::size_t c, std::size_t) {
-      double left = share_ * share / double(candidates.size());
+      double left = share_ * fraction / double(candidates.size());
       const double step = left / (options.maxIterations + 1);
       if (!stop_.stop_requested()) {
         ProjectedProblem problem(model_, target, candidates[c].parameters, free, channels_);
@@ -167,22 +167,22 @@ std::vector<models::ParameterValues> grainStarts(const models::ModelSpec& spec, 
   return starts;
 }
 
-void ProgressMeter::add(double share) {
+void ProgressMeter::add(double fraction) {
   const std::lock_guard lock(mutex_);
-  done_ = std::min(1.0, done_ + std::max(0.0, share));
+  done_ = std::min(1.0, done_ + std::max(0.0, fraction));
   control_.report(done_);
 }
 
 models::ParameterValues fitGroup(const models::Model& model, const FitTarget& search, const FitTarget& polish,
                                  const models::ParameterValues& base, const std::vector<int>& channels,
-                                 const std::stop_token& stop, ProgressMeter& progress, double share) {
+                                 const std::stop_token& stop, ProgressMeter& progress, double fraction) {
   const DataSymmetry symmetry = search.cells.symmetry;
   const std::vector<std::size_t> all = parametersOf(model.spec(), base, FitRole::nonlinear, symmetry);
   std::vector<std::size_t> early;
   for (const std::size_t i : all)
     if (model.spec().parameters[i].group != models::ParameterGroup::shadowing) early.push_back(i);
   const bool isStaged = early.size() < all.size();
-  GroupFit group(model, channels, stop, progress, share);
+  GroupFit group(model, channels, stop, progress, fraction);
   std::vector<Candidate> rated = group.rate(search, startingPoints(model, base, early), early, startsShare);
   if (symmetry == DataSymmetry::anisotropic)
     std::ranges::move(group.rate(search, grainStarts(model.spec(), cheapest(rated).parameters), early, 0),

@@ -9,11 +9,11 @@
 
 namespace gonio::fitting {
 
-/// Adds up the shares of steps that end in any order, on any thread; never falls.
+/// Adds up the fractions of steps that end in any order, on any thread; never falls.
 class ProgressMeter {
  public:
   explicit ProgressMeter(const TaskControl& control) : control_(control) {}
-  void add(double share);
+  void add(double fraction);
 
  private:
   const TaskControl& control_;
@@ -34,10 +34,10 @@ std::vector<models::ParameterValues> grainStarts(const models::ModelSpec& spec, 
 /// Deterministic for any number of threads. Never worse, over the cells of `polish`, than the best start. A stop
 /// request ends it early with the best so far.
 /// @param base values of everything that is not fitted here.
-/// @param share of the progress that this fit may report.
+/// @param fraction of the progress that this fit may report.
 /// @return `base` with the parameters of `channels` (all channels of shared ones) replaced.
 models::ParameterValues fitGroup(const models::Model& model, const FitTarget& search, const FitTarget& polish,
                                  const models::ParameterValues& base, const std::vector<int>& channels,
-                                 const std::stop_token& stop, ProgressMeter& progress, double share);
+                                 const std::stop_token& stop, ProgressMeter& progress, double fraction);
 
 }  // namespace gonio::fitting

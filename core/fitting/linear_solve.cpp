@@ -69,9 +69,9 @@ LinearVector gaussNewtonTarget(const ChannelProblem& problem, const ChannelSolut
 std::vector<double> ChannelProblem::model(const LinearVector& p) const {
   std::vector<double> sums(size(), 0.0);
   for (std::size_t j = 0; j < bases.size(); ++j) {
-    const double share = p[Eigen::Index(j)];
-    if (share == 0) continue;
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += share * bases[j][i];
+    const double fraction = p[Eigen::Index(j)];
+    if (fraction == 0) continue;
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += fraction * bases[j][i];
   }
   return sums;
 }
@@ -89,9 +89,9 @@ ChannelSolution solveLinearParameters(const ChannelProblem& problem, const Linea
     const LinearVector from = best.parameters, to = gaussNewtonTarget(problem, best);
     if (((to - from).array().abs() <= stepTolerance * to.array().abs()).all()) break;
     const double costBefore = best.cost;
-    double share = 1;
-    for (int halving = 0; halving <= maxHalvings; ++halving, share /= 2) {
-      trial.parameters = from + share * (to - from);
+    double fraction = 1;
+    for (int halving = 0; halving <= maxHalvings; ++halving, fraction /= 2) {
+      trial.parameters = from + fraction * (to - from);
       evaluate(problem, trial);
       if (trial.cost < best.cost) break;
     }

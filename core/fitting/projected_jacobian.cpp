@@ -47,9 +47,9 @@ class Linearisation {
     if (columns_.empty()) return;
     LinearVector right(Eigen::Index(columns_.size()));
     for (std::size_t a = 0; a < columns_.size(); ++a) right[Eigen::Index(a)] = dot(columns_[a], column);
-    const LinearVector shares = gram_.solve(right);
+    const LinearVector fractions = gram_.solve(right);
     for (std::size_t a = 0; a < columns_.size(); ++a)
-      for (std::size_t i = 0; i < column.size(); ++i) column[i] -= shares[Eigen::Index(a)] * columns_[a][i];
+      for (std::size_t i = 0; i < column.size(); ++i) column[i] -= fractions[Eigen::Index(a)] * columns_[a][i];
   }
 
  private:

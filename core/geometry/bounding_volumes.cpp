@@ -57,7 +57,7 @@ void* createLeaf(RTCThreadLocalAllocator, const RTCBuildPrimitive* primitives, s
 const Built& build(std::vector<RTCBuildPrimitive>& primitives, BuiltTree& tree) {
   const std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> volumes(rtcNewBVH(embreeDevice()), rtcReleaseBVH);
   RTCBuildArguments arguments = rtcDefaultBuildArguments();
-  arguments.maxLeafSize = BoundingVolumes::mostInLeaf;
+  arguments.maxLeafSize = BoundingVolumes::maxInLeaf;
   arguments.bvh = volumes.get();
   arguments.primitives = primitives.data();
   arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();

@@ -27,7 +27,7 @@ struct BoundingVolumes {
     Child children[2];
   };
 
-  static constexpr std::uint32_t mostInLeaf = 4;
+  static constexpr std::uint32_t maxInLeaf = 4;
 
   std::vector<Node> nodes;           ///< the root first; a parent before its children
   std::vector<std::uint32_t> order;  ///< of the primitives: each once, those of a leaf side by side

@@ -69,9 +69,9 @@ Direction clothPoint(double along, double angle, bool inside) {
   const double hanging = std::max(0.0, s - onBall);
   double radius = ball * std::sin(std::min(s, onBall) / ball);
   const double height = ball * std::cos(std::min(s, onBall) / ball) - 0.93 * hanging;
-  const double share = std::min(1.0, std::max(0.0, s - 0.5 * onBall) / (length - 0.5 * onBall));
+  const double fraction = std::min(1.0, std::max(0.0, s - 0.5 * onBall) / (length - 0.5 * onBall));
   const double wave = std::cos(folds * angle + 0.7 * std::sin(2 * angle));
-  radius += deepest * share * share * (0.55 + 0.45 * wave) + 0.08 * share * std::cos(3 * angle + 1);
+  radius += deepest * fraction * fraction * (0.55 + 0.45 * wave) + 0.08 * fraction * std::cos(3 * angle + 1);
   const double out = inside ? -thickness : 0;
   // From y in [height at the hem, ball] to [-1, ..].
   const double lowest = -0.93 * (length - onBall);

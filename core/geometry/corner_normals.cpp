@@ -12,7 +12,7 @@ namespace gonio {
 namespace {
 
 /// Beyond, the square of their number would make bad files slow.
-constexpr std::size_t mostFacesAboutAVertex = 1000;
+constexpr std::size_t maxFacesAboutAVertex = 1000;
 
 constexpr std::size_t trianglesABlock = 4096;
 
@@ -72,7 +72,7 @@ std::vector<glm::vec3> makeCornerNormals(std::span<const glm::vec3> positions,
     const Direction own = faces[corner].normal;
     const std::span<const std::size_t> others = about.at(welded[corner / 3][int(corner % 3)]);
     Direction sum(0);
-    if (others.size() <= mostFacesAboutAVertex)
+    if (others.size() <= maxFacesAboutAVertex)
       for (const std::size_t other : others)
         if (glm::dot(faces[other].normal, own) >= cosCrease) sum += faces[other].angle * faces[other].normal;
     // All parts lie within the crease angle of `own`, so the sum is never short unless there is none.

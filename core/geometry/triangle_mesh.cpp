@@ -19,7 +19,7 @@ namespace gonio {
 namespace {
 
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
-constexpr double mostConvexityTests = 2e8;
+constexpr double maxConvexityTests = 2e8;
 
 template <typename Vector>
 bool isFinite(const Vector& v) {
@@ -184,7 +184,7 @@ bool TriangleMesh::provenConvex(std::span<const SharedEdge> edges) const {
   for (const SharedEdge& edge : edges)
     for (int i = 0; i < 3; ++i)
       if (heightAbove(edge.triangle, triangles_[edge.other][i]) > tolerance) return false;
-  if (double(positions_.size()) * double(triangles_.size()) > mostConvexityTests) return false;
+  if (double(positions_.size()) * double(triangles_.size()) > maxConvexityTests) return false;
   Eigen::Matrix3Xd vertices(3, positions_.size());
   for (std::size_t i = 0; i < positions_.size(); ++i)
     vertices.col(Eigen::Index(i)) << positions_[i].x, positions_[i].y, positions_[i].z;

@@ -64,8 +64,8 @@ class TriangleMesh {
   bool isConvex() const { return shape_.convex; }
   /// Whether all lies in one plane, within shapeTolerance, facing one way: then it hides nothing of itself.
   bool isPlanar() const { return shape_.planar; }
-  /// How far, as a share of the bounding sphere's radius, a vertex may lie off a plane that counts as its own: single
-  /// precision tilts the planes of small triangles by that much.
+  /// How far, as a fraction of the bounding sphere's radius, a vertex may lie off a plane that counts as its own:
+  /// single precision tilts the planes of small triangles by that much.
   static constexpr double shapeTolerance = 1e-5;
 
   /// How far the mesh reaches in a direction: the maximum of dot(vertex, direction). O(vertices).

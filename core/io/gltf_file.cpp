@@ -19,8 +19,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uint64_t mostGltfBytes = std::uint64_t(2) << 30;
-constexpr std::size_t mostGltfTriangles = 100'000'000;
+constexpr std::uint64_t maxGltfBytes = std::uint64_t(2) << 30;
+constexpr std::size_t maxGltfTriangles = 100'000'000;
 constexpr double largestCount = 4294967295.0;
 constexpr int mostDepth = 256;
 
@@ -132,8 +132,8 @@ class GltfReader {
     const bool isMirrored = glm::determinant(glm::dmat3(placed)) < 0;
     for (TriangleIndices corners : trianglesOf(primitive, mode, positions.size())) {
       if (isMirrored) std::swap(corners[0], corners[1]);
-      if (arrays_.triangles.size() >= mostGltfTriangles)
-        throw Error("found more than " + std::to_string(mostGltfTriangles) + " triangles, the maximum");
+      if (arrays_.triangles.size() >= maxGltfTriangles)
+        throw Error("found more than " + std::to_string(maxGltfTriangles) + " triangles, the maximum");
       TriangleIndices& triangle = arrays_.triangles.emplace_back();
       for (int c = 0; c < 3; ++c) {
         triangle[c] = std::uint32_t(first + corners[c]);
@@ -226,7 +226,7 @@ class GltfReader {
     }
     if (!folder_ || address.find("://") != std::string::npos) buffer.fail("uri", "a file beside this one");
     const std::filesystem::path path = *folder_ / decodedPath(address);
-    return namingFile(path, [&] { return FileSource(path).readAll(mostGltfBytes); });
+    return namingFile(path, [&] { return FileSource(path).readAll(maxGltfBytes); });
   }
 
   JsonObject root_;
@@ -240,7 +240,7 @@ class GltfReader {
 }  // namespace
 
 TriangleMesh readGltf(const ByteSource& source, const std::optional<std::filesystem::path>& folder) {
-  const std::vector<std::byte> bytes = source.readAll(mostGltfBytes);
+  const std::vector<std::byte> bytes = source.readAll(maxGltfBytes);
   const GltfParts parts = gltfParts(bytes);
   const json root = parseJson({reinterpret_cast<const char*>(parts.text.data()), parts.text.size()});
   return TriangleMesh(GltfReader(root, parts.binary, folder).read());

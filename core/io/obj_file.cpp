@@ -17,7 +17,7 @@ namespace gonio::io {
 namespace {
 
 constexpr std::uint64_t mostBytes = std::uint64_t(1) << 31;
-constexpr std::size_t mostTriangles = 100'000'000;
+constexpr std::size_t maxTriangles = 100'000'000;
 
 /// A piece of the file for an error's text: no control characters, no more than a few words.
 std::string quoted(std::string_view text) {
@@ -155,8 +155,8 @@ class Reader {
     }
     if (corners_.size() < 3)
       throw Error("found a face of " + std::to_string(corners_.size()) + " corners, expected three or more");
-    if (arrays_.triangles.size() + corners_.size() - 2 > mostTriangles)
-      throw Error("found more than " + std::to_string(mostTriangles) + " triangles, the maximum");
+    if (arrays_.triangles.size() + corners_.size() - 2 > maxTriangles)
+      throw Error("found more than " + std::to_string(maxTriangles) + " triangles, the maximum");
     for (const TriangleIndices& triangle : cutPolygon(places_)) {
       TriangleIndices& added = arrays_.triangles.emplace_back();
       for (int i = 0; i < 3; ++i) {

@@ -20,8 +20,8 @@ namespace gonio::io {
 
 namespace {
 
-constexpr std::uint64_t mostPlyBytes = std::uint64_t(2) << 30;
-constexpr std::size_t mostPlyTriangles = 100'000'000, mostCorners = 10'000;
+constexpr std::uint64_t maxPlyBytes = std::uint64_t(2) << 30;
+constexpr std::size_t maxPlyTriangles = 100'000'000, maxCorners = 10'000;
 
 enum class NumberType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 enum class PlyEncoding { text, littleEndian, bigEndian };
@@ -220,10 +220,10 @@ class PlyReader {
 
   void readFace(const PlyProperty& property) {
     const std::uint64_t count = listLength(property);
-    if (count < 3 || count > mostCorners)
-      throw Error("found " + std::to_string(count) + " corners, expected 3 to " + std::to_string(mostCorners));
-    if (arrays_.triangles.size() + count > mostPlyTriangles)
-      throw Error("found more than " + std::to_string(mostPlyTriangles) + " triangles, the maximum");
+    if (count < 3 || count > maxCorners)
+      throw Error("found " + std::to_string(count) + " corners, expected 3 to " + std::to_string(maxCorners));
+    if (arrays_.triangles.size() + count > maxPlyTriangles)
+      throw Error("found more than " + std::to_string(maxPlyTriangles) + " triangles, the maximum");
     corners_.clear();
     places_.clear();
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -250,7 +250,7 @@ class PlyReader {
 }  // namespace
 
 TriangleMesh readPly(const ByteSource& source) {
-  const std::vector<std::byte> bytes = source.readAll(mostPlyBytes);
+  const std::vector<std::byte> bytes = source.readAll(maxPlyBytes);
   return TriangleMesh(PlyReader({reinterpret_cast<const char*>(bytes.data()), bytes.size()}).read());
 }
 

@@ -23,7 +23,7 @@ using nlohmann::json;
 using HalfVector = Eigen::Matrix<Eigen::half, Eigen::Dynamic, 1>;
 
 constexpr io::ContainerFormat basisFormat{.name = "basis", .signature = "GONIOPCA", .version = 2};
-constexpr int mostSignals = 1 << 20, mostComponents = 1 << 14;
+constexpr int maxSignals = 1 << 20, maxComponents = 1 << 14;
 
 std::vector<std::uint8_t> cellBits(const MappedCells& mapping) {
   std::vector<std::uint8_t> bits((mapping.grid.size() + 7) / 8);
@@ -59,8 +59,8 @@ Sizes basisSizes(const io::ContainerReader& file, const JsonObject& root) {
   Sizes sizes;
   sizes.grid = gridOf(root.object("grid"));
   sizes.cells = std::size_t(root.number("cells", 1, double(sizes.grid.size())));
-  sizes.components = std::size_t(root.number("components", 0, mostComponents));
-  sizes.signals = std::size_t(root.number("signals", 1, mostSignals));
+  sizes.components = std::size_t(root.number("components", 0, maxComponents));
+  sizes.signals = std::size_t(root.number("signals", 1, maxSignals));
   const std::string precision = root.text("precision");
   if (precision != "single" && precision != "half")
     file.fail("found the precision '" + precision + "', expected single or half");

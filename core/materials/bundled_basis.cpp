@@ -44,7 +44,7 @@ BundledBasis learn(const TaskControl& control) {
     return table;
   };
   basis.components =
-      dictionary::learnPrincipalComponents(materials.size(), load, {.mostComponents = components}, control);
+      dictionary::learnPrincipalComponents(materials.size(), load, {.maxComponents = components}, control);
   return basis;
 }
 

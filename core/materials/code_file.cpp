@@ -21,7 +21,7 @@ constexpr io::ContainerFormat codeFormat{.name = "sparse code",
                                          .signature = "GONIOCOD",
                                          .versionBytes = sizeof(std::uint16_t),
                                          .maxBytes = std::uint64_t(1) << 21};
-constexpr int mostCodeNodes = 1024;
+constexpr int maxCodeNodes = 1024;
 
 /// A number of the header. @param what for the error.
 template <typename Number>
@@ -34,7 +34,7 @@ Number takeNumber(io::ContainerReader& file, const char* what, int low, int high
 }
 
 HalfDifferenceGrid takeGrid(io::ContainerReader& file) {
-  const auto nodes = [&file] { return int(takeNumber<std::uint16_t>(file, "a count of nodes", 1, mostCodeNodes)); };
+  const auto nodes = [&file] { return int(takeNumber<std::uint16_t>(file, "a count of nodes", 1, maxCodeNodes)); };
   return {.thetaHCount = nodes(),
           .thetaDCount = nodes(),
           .phiDCount = nodes(),

@@ -17,7 +17,7 @@ using dictionary::Ensemble;
 using nlohmann::json;
 
 constexpr io::ContainerFormat dictionaryFormat{.name = "dictionary", .signature = "GONIODIC"};
-constexpr int mostDictionaries = 256;
+constexpr int maxDictionaries = 256;
 /// Of matrices that were orthonormal before they were rounded to single precision.
 constexpr double mostRounding = 1e-4;
 
@@ -47,7 +47,7 @@ std::shared_ptr<const NamedEnsemble> readDictionary(const io::ByteSource& source
   auto named = std::make_shared<NamedEnsemble>();
   named->ensemble.grid = gridOf(root.object("grid"));
   const json& sparsities = root.array("sparsities");
-  if (sparsities.empty() || sparsities.size() > mostDictionaries)
+  if (sparsities.empty() || sparsities.size() > maxDictionaries)
     file.fail("found " + std::to_string(sparsities.size()) + " dictionaries, expected 1 to 256");
   for (const json& name : root.array("learnedFrom"))
     named->ensemble.learnedFrom.push_back(name.is_string() ? name.get<std::string>() : name.dump());

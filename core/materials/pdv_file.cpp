@@ -14,13 +14,13 @@ namespace gonio::materials {
 
 namespace {
 
-using factorization::mostPdvTerms;
+using factorization::maxPdvTerms;
 using factorization::PdvFactors;
 using factorization::PdvForm;
 using factorization::PdvTerm;
 
 constexpr io::ContainerFormat pdvFormat{.name = "PDV", .signature = "GONIOPDV"};
-constexpr std::uint32_t mostFactorNodes = 4096;
+constexpr std::uint32_t maxFactorNodes = 4096;
 enum HeaderAt { formAt, transformAt, thetaAt, deviationAt, phiAt, termsAt, headerNumbers };
 using Header = std::array<std::uint32_t, headerNumbers>;
 /// Signature, version, header and highest y.
@@ -77,11 +77,11 @@ void checkHeader(const io::ContainerReader& file, const Header& header, float hi
   };
   check("the form", formAt, 0, 1);
   check("the transform", transformAt, 0, std::uint32_t(dataTransformNames.size()) - 1);
-  check("the count of nodes of theta_R", thetaAt, 2, mostFactorNodes);
-  check("the count of nodes of |Dp|", deviationAt, 2, mostFactorNodes);
+  check("the count of nodes of theta_R", thetaAt, 2, maxFactorNodes);
+  check("the count of nodes of |Dp|", deviationAt, 2, maxFactorNodes);
   const bool isFlat = header[formAt] == 0;
-  check("the count of nodes of |phi|", phiAt, isFlat ? 1 : 2, isFlat ? 1 : mostFactorNodes);
-  check("the count of terms", termsAt, 1, std::uint32_t(mostPdvTerms));
+  check("the count of nodes of |phi|", phiAt, isFlat ? 1 : 2, isFlat ? 1 : maxFactorNodes);
+  check("the count of terms", termsAt, 1, std::uint32_t(maxPdvTerms));
   if (!std::isfinite(highest)) fail(file, "the highest value", "not finite", "a number");
   const std::size_t nodes = std::size_t(header[thetaAt]) + header[deviationAt] + header[phiAt];
   file.expectLeft(sizeof(float) * floatCount(nodes, header[termsAt]));

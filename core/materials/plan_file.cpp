@@ -22,7 +22,7 @@ using acquisition::SamplingPlan;
 constexpr std::array<std::string_view, 4> angleNames{"theta_i", "phi_i", "theta_o", "phi_o"};
 constexpr std::string_view methodLabel = "method: ", basisLabel = "basis, SHA-256: ";
 constexpr int decimals = 6;
-constexpr std::size_t mostSamples = 1 << 16;
+constexpr std::size_t maxSamples = 1 << 16;
 /// Half the last decimal, rounded up: 90 degrees may come back a little larger.
 constexpr double rounding = 1e-6;
 
@@ -121,9 +121,9 @@ SamplingPlan parsePlan(std::string_view text) {
   std::array<std::size_t, 4> columns;
   for (std::size_t c = 0; c < columns.size(); ++c) columns[c] = csv.neededColumn(angleNames[c]);
   const auto orderColumn = csv.column("order");
-  if (csv.rows.size() > mostSamples)
+  if (csv.rows.size() > maxSamples)
     throw Error("found " + std::to_string(csv.rows.size()) + " samples, expected at most " +
-                std::to_string(mostSamples));
+                std::to_string(maxSamples));
   SamplingPlan plan;
   for (const std::string& comment : csv.comments) {
     if (comment.starts_with(methodLabel)) plan.method = comment.substr(methodLabel.size());

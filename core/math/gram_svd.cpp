@@ -42,12 +42,12 @@ Eigen::MatrixXd gramMatrix(const TallMatrix& matrix, const TaskControl& control)
   return sums[0].selfadjointView<Eigen::Lower>();
 }
 
-GramSvd decomposeGramSvd(TallMatrix matrix, int mostComponents, const TaskControl& control) {
+GramSvd decomposeGramSvd(TallMatrix matrix, int maxComponents, const TaskControl& control) {
   constexpr double gramShare = 0.5;
   const EigenBasis basis = eigenBasis(gramMatrix(matrix, control.between(0, gramShare)));
   const Eigen::VectorXd sigma = basis.values.cwiseSqrt();
   Eigen::Index count = 0;
-  while (count < std::min<Eigen::Index>(mostComponents, sigma.size()) && sigma[count] > weakest * sigma[0]) ++count;
+  while (count < std::min<Eigen::Index>(maxComponents, sigma.size()) && sigma[count] > weakest * sigma[0]) ++count;
   GramSvd result{.u = {}, .singularValues = sigma.head(count), .v = basis.vectors.leftCols(count)};
 
   const Eigen::MatrixXd projector = result.v * result.singularValues.cwiseInverse().asDiagonal();

@@ -34,7 +34,7 @@ Eigen::MatrixXd gramMatrix(const TallMatrix& matrix, const TaskControl& control 
 /// The thin singular value decomposition by the eigenvectors of the Gram matrix (Sirovich 1987, the method of
 /// snapshots). That squares the condition number: components with sigma <= 1e-6 of the largest are dropped, and U is
 /// orthonormal to 1e-16 (sigma_1 / sigma)^2 and to single precision. U takes the memory of T.
-/// @param mostComponents the strongest that are kept. @throws Cancelled.
-GramSvd decomposeGramSvd(TallMatrix matrix, int mostComponents, const TaskControl& control = {});
+/// @param maxComponents the strongest that are kept. @throws Cancelled.
+GramSvd decomposeGramSvd(TallMatrix matrix, int maxComponents, const TaskControl& control = {});
 
 }  // namespace gonio

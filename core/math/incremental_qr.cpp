@@ -7,8 +7,8 @@
 
 namespace gonio {
 
-IncrementalQr::IncrementalQr(Eigen::Index rows, Eigen::Index mostColumns)
-    : q_(rows, std::min(rows, mostColumns)), r_(Eigen::MatrixXd::Zero(q_.cols(), q_.cols())) {}
+IncrementalQr::IncrementalQr(Eigen::Index rows, Eigen::Index maxColumns)
+    : q_(rows, std::min(rows, maxColumns)), r_(Eigen::MatrixXd::Zero(q_.cols(), q_.cols())) {}
 
 bool IncrementalQr::append(const Eigen::Ref<const Eigen::VectorXd>& column) {
   if (size_ == q_.cols()) return false;

@@ -11,11 +11,11 @@ namespace gonio {
 /// orthogonalization process"). What greedy choices of columns need: O(rows x columns) a column.
 class IncrementalQr {
  public:
-  /// A column whose part outside the span of the others is at most this share of its length belongs to the span.
+  /// A column whose part outside the span of the others is at most this fraction of its length belongs to the span.
   static constexpr double collinear = 1e-8;
 
-  /// Memory for `mostColumns` columns of `rows` entries, at most as many as there are rows.
-  IncrementalQr(Eigen::Index rows, Eigen::Index mostColumns);
+  /// Memory for `maxColumns` columns of `rows` entries, at most as many as there are rows.
+  IncrementalQr(Eigen::Index rows, Eigen::Index maxColumns);
 
   Eigen::Index size() const { return size_; }
   /// Orthonormal, rows x size().

@@ -13,7 +13,7 @@ namespace gonio {
 
 namespace {
 
-/// A correlation of at most this share of the signal's norm is what rounding leaves of 0.
+/// A correlation of at most this fraction of the signal's norm is what rounding leaves of 0.
 constexpr double noise = 1e-13;
 
 /// The atom that explains most of a residual.

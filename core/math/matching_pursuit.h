@@ -28,7 +28,7 @@ class AtomSet {
 
 struct PursuitOptions {
   int steps = 1;            ///< atoms that are chosen at most, one a step
-  double residual = 1e-10;  ///< the share of the signal's norm at which enough is explained
+  double residual = 1e-10;  ///< the fraction of the signal's norm at which enough is explained
 };
 
 enum class PursuitEnd {

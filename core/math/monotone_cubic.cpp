@@ -50,7 +50,7 @@ double evaluateMonotoneCubic(std::span<const double> nodes, std::span<const doub
                              std::span<const double> slopes, double x) {
   if (nodes.size() < 2) return values[0];
   const NodePlace at = placeBetween(nodes, x);
-  const HermiteWeights w(at.share, nodes[at.index + 1] - nodes[at.index]);
+  const HermiteWeights w(at.fraction, nodes[at.index + 1] - nodes[at.index]);
   return w.before * values[at.index] + w.after * values[at.index + 1] + w.slopeBefore * slopes[at.index] +
          w.slopeAfter * slopes[at.index + 1];
 }

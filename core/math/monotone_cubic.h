@@ -15,7 +15,7 @@ std::vector<double> monotoneSlopes(std::span<const double> nodes, std::span<cons
 /// Where a coordinate lies between nodes; beyond the ends it is held at the end.
 struct NodePlace {
   std::size_t index;  ///< of the node before; index + 1 is a node too, unless there is only one
-  double share;       ///< of the way to the next, [0, 1]
+  double fraction;    ///< of the way to the next, [0, 1]
 };
 NodePlace placeBetween(std::span<const double> nodes, double x);
 
@@ -23,8 +23,8 @@ NodePlace placeBetween(std::span<const double> nodes, double x);
 struct HermiteWeights {
   double before, after, slopeBefore, slopeAfter;
 
-  HermiteWeights(double share, double distance) {
-    const double t = share, s = 1 - share;
+  HermiteWeights(double fraction, double distance) {
+    const double t = fraction, s = 1 - fraction;
     before = s * s * (1 + 2 * t);
     after = t * t * (1 + 2 * s);
     slopeBefore = distance * t * s * s;

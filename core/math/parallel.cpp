@@ -58,7 +58,7 @@ double parallelSumBlocks(std::size_t count, std::size_t blockSize,
 
 void runQuietly(const std::function<void()>& work) {
 #ifdef __linux__
-  // A quarter of the share of a normal thread: idle priority would starve on a machine that is busy otherwise.
+  // A quarter of the fraction of a normal thread: idle priority would starve on a machine that is busy otherwise.
   constexpr int niceness = 5;
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
 #endif

@@ -11,7 +11,7 @@ namespace gonio {
 namespace {
 
 constexpr double negligible = 1e-8;
-/// Errors that differ by less than this share are equal but for rounding.
+/// Errors that differ by less than this fraction are equal but for rounding.
 constexpr double leastRidgeGain = 1e-9;
 
 }  // namespace
@@ -26,7 +26,7 @@ RidgeRegression::RidgeRegression(const Eigen::MatrixXd& rows, const Eigen::Matri
   if (rows.rows() > rows.cols()) outside_ = values - svd_.u * projected_;
 }
 
-Eigen::VectorXd RidgeRegression::untoldShares(double ridge) const {
+Eigen::VectorXd RidgeRegression::residualFractions(double ridge) const {
   return svd_.singularValues.unaryExpr([ridge](double sigma) {
     if (sigma == 0 || std::isinf(ridge)) return 1.0;
     return ridge / (sigma * sigma + ridge);
@@ -40,9 +40,9 @@ Eigen::MatrixXd RidgeRegression::coefficients(double ridge) const {
 }
 
 Eigen::MatrixXd RidgeRegression::leaveOneOut(double ridge) const {
-  const Eigen::VectorXd untold = untoldShares(ridge);
-  const Eigen::MatrixXd residual = svd_.u * (untold.asDiagonal() * projected_) + outside_;
-  Eigen::VectorXd diagonal = svd_.u.cwiseAbs2() * untold;
+  const Eigen::VectorXd residuals = residualFractions(ridge);
+  const Eigen::MatrixXd residual = svd_.u * (residuals.asDiagonal() * projected_) + outside_;
+  Eigen::VectorXd diagonal = svd_.u.cwiseAbs2() * residuals;
   // Rows beyond the columns: what U does not span is untold wholly.
   if (svd_.u.rows() > svd_.u.cols()) diagonal += (1 - svd_.u.rowwise().squaredNorm().array()).max(0.0).matrix();
   return diagonal.cwiseInverse().asDiagonal() * residual;
@@ -73,8 +73,8 @@ double RidgeRegression::weightedEnergy(double ridge) const {
 }
 
 Eigen::MatrixXd RidgeRegression::posteriorFactor(double ridge) const {
-  const Eigen::VectorXd told = 1 - untoldShares(ridge).array().sqrt();
-  return Eigen::MatrixXd::Identity(svd_.v.rows(), svd_.v.rows()) - svd_.v * told.asDiagonal() * svd_.v.transpose();
+  const Eigen::VectorXd explained = 1 - residualFractions(ridge).array().sqrt();
+  return Eigen::MatrixXd::Identity(svd_.v.rows(), svd_.v.rows()) - svd_.v * explained.asDiagonal() * svd_.v.transpose();
 }
 
 double bestRidge(const std::vector<double>& ridges, const std::vector<double>& sums, double otherwise) {

@@ -45,14 +45,14 @@ class RidgeRegression {
 
  private:
   /// ridge / (s^2 + ridge) of each singular value: the fraction that a sample does not determine.
-  Eigen::VectorXd untoldShares(double ridge) const;
+  Eigen::VectorXd residualFractions(double ridge) const;
 
   ThinSvd svd_;
   Eigen::MatrixXd projected_;  ///< U^T B
   Eigen::MatrixXd outside_;    ///< B less its part in the span of U: 0 unless A has more rows than columns
 };
 
-/// The ridge of the least sum; of those that are equal to a share of 1e-9 the larger. `otherwise` of none.
+/// The ridge of the least sum; of those that are equal to a fraction of 1e-9 the larger. `otherwise` of none.
 /// @param ridges descending.
 double bestRidge(const std::vector<double>& ridges, const std::vector<double>& sums, double otherwise);
 

@@ -60,9 +60,9 @@ std::vector<Rgb> spectrumWeights(std::span<const double> nanometres) {
       weights[right] += colour;
       continue;
     }
-    const double share = (at - nanometres[right - 1]) / (nanometres[right] - nanometres[right - 1]);
-    weights[right - 1] += (1 - share) * colour;
-    weights[right] += share * colour;
+    const double fraction = (at - nanometres[right - 1]) / (nanometres[right] - nanometres[right - 1]);
+    weights[right - 1] += (1 - fraction) * colour;
+    weights[right] += fraction * colour;
   }
   for (Rgb& weight : weights) weight /= white;
   return weights;

@@ -17,9 +17,9 @@ namespace gonio::metrics {
 namespace {
 
 constexpr double reciprocityTolerance = 0.02, energyTolerance = 0.01, coverageTolerance = 0.01;
-/// Values below this share of the mean are judged against it: relative noise of almost black is nobody's concern.
+/// Values below this fraction of the mean are judged against it: relative noise of almost black is nobody's concern.
 constexpr double smallShare = 0.05;
-/// A negative value below this share of the mean is rounding.
+/// A negative value below this fraction of the mean is rounding.
 constexpr double roundingShare = 1e-6;
 constexpr double steepest = radians(85);
 constexpr std::uint32_t pairCount = 1 << 14;
@@ -35,7 +35,7 @@ std::string describe(const DirectionPair& pair) {
 
 /// Takes in the violation of one pair.
 void worsen(PlausibilityCheck& check, double violation, const DirectionPair& pair) {
-  if (violation > check.limit) check.share += 1;
+  if (violation > check.limit) check.fraction += 1;
   if (!(violation > check.worst)) return;
   check.worst = violation;
   check.at = pair;
@@ -44,7 +44,7 @@ void worsen(PlausibilityCheck& check, double violation, const DirectionPair& pai
 /// After all pairs.
 void conclude(PlausibilityCheck& check, std::size_t tried) {
   check.passed = check.worst <= check.limit;
-  if (tried > 0) check.share /= double(tried);
+  if (tried > 0) check.fraction /= double(tried);
   if (check.at) check.where = describe(*check.at);
 }
 
@@ -157,7 +157,7 @@ PlausibilityCheck checkCoverage(const TabulatedBrdf& table) {
   }
   check.worst = missing / all;
   conclude(check, 0);
-  check.share = check.worst;
+  check.fraction = check.worst;
   return check;
 }
 

@@ -15,13 +15,13 @@ namespace gonio::metrics {
 ///   "energy"        directional albedo, largest channel (reported when it passes, too)
 ///   "negative"      -f, 1/sr
 ///   "non-finite"    count of the directions with such a value
-///   "extrapolated"  share of what a picture shows that lies where the table has no data
+///   "extrapolated"  fraction of what a picture shows that lies where the table has no data
 struct PlausibilityCheck {
   std::string name;
   bool passed = true;
   double worst = 0;
-  double limit = 0;  ///< passed while `worst` is at most this
-  double share = 0;  ///< of the directions that were tried: beyond the limit, [0, 1]
+  double limit = 0;     ///< passed while `worst` is at most this
+  double fraction = 0;  ///< of the directions that were tried: beyond the limit, [0, 1]
   /// Where the worst is: the light and the viewer. For "energy" the viewer's angle counts alone (wi is the normal).
   std::optional<DirectionPair> at = {};
   std::string where = {};  ///< `at` in degrees for people

@@ -105,7 +105,7 @@ class Lobe {
   double kappa_[3], gamma_[2];
 };
 
-/// theta_d as a share of 90 degrees, by its sine too: acos loses half the digits near 1.
+/// theta_d as a fraction of 90 degrees, by its sine too: acos loses half the digits near 1.
 double shareOf(const SurfaceGeometry& g) { return std::atan2(glm::length(g.wi - g.wo) / 2, g.cosD) / halfPi; }
 
 std::unique_ptr<const Brdf> create(const ParameterValues& p) {

@@ -103,8 +103,8 @@ struct Diffraction {
     // The facet that the light meets: the surface itself where facets hardly tilt, the mirroring one where the glow is
     // narrow against them.
     const double flat = spread * v, projected = flat * cosines + (1 - flat) * cos2D * cosH * cosH;
-    const double share = -std::expm1(-phase * cos2D);
-    return share * strength * v * projected * std::exp(-exponent * std::log1p(4 * v * cos2D * sin2H));
+    const double fraction = -std::expm1(-phase * cos2D);
+    return fraction * strength * v * projected * std::exp(-exponent * std::log1p(4 * v * cos2D * sin2H));
   }
 };
 

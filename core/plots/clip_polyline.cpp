@@ -38,12 +38,12 @@ std::vector<std::vector<glm::dvec2>> clipPolyline(std::span<const glm::dvec2> po
   bool open = false;  // the last part reaches to the segment's start
   for (std::size_t i = 1; i < points.size(); ++i) {
     const glm::dvec2 &a = points[i - 1], &b = points[i];
-    const auto shares = isFinite(a) && isFinite(b) ? insideShares(a, b, min, max) : std::nullopt;
-    if (!shares) {
+    const auto fractions = isFinite(a) && isFinite(b) ? insideShares(a, b, min, max) : std::nullopt;
+    if (!fractions) {
       open = false;
       continue;
     }
-    const auto [enter, leave] = *shares;
+    const auto [enter, leave] = *fractions;
     if (!open || enter > 0) parts.push_back({a + enter * (b - a)});
     parts.back().push_back(leave == 1 ? b : a + leave * (b - a));
     open = leave == 1;

@@ -54,8 +54,8 @@ double valueAt(const Curve& curve, double angle, Channel channel) {
   if (next == curve.angles.end() || angle < curve.angles.front()) return std::numeric_limits<double>::quiet_NaN();
   const auto after = static_cast<std::size_t>(next - curve.angles.begin());
   if (*next == angle) return curve.points.at(after, channel);
-  const double share = (angle - curve.angles[after - 1]) / (*next - curve.angles[after - 1]);
-  return (1 - share) * curve.points.at(after - 1, channel) + share * curve.points.at(after, channel);
+  const double fraction = (angle - curve.angles[after - 1]) / (*next - curve.angles[after - 1]);
+  return (1 - fraction) * curve.points.at(after - 1, channel) + fraction * curve.points.at(after, channel);
 }
 
 Curve polarLobe(const Brdf& brdf, double thetaI, CosineFactor cosine, const TabulatedBrdf* coverage) {

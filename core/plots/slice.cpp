@@ -10,12 +10,12 @@
 namespace gonio::plots {
 
 double thetaHShare(ThetaHSpacing spacing, double thetaH) {
-  const double share = thetaH / halfPi;
-  return spacing == ThetaHSpacing::linear ? share : std::sqrt(std::max(0.0, share));
+  const double fraction = thetaH / halfPi;
+  return spacing == ThetaHSpacing::linear ? fraction : std::sqrt(std::max(0.0, fraction));
 }
 
-double thetaHAt(ThetaHSpacing spacing, double share) {
-  return halfPi * (spacing == ThetaHSpacing::linear ? share : share * share);
+double thetaHAt(ThetaHSpacing spacing, double fraction) {
+  return halfPi * (spacing == ThetaHSpacing::linear ? fraction : fraction * fraction);
 }
 
 double Slice::thetaH(int column) const { return thetaHAt(spacing, (column + 0.5) / width); }

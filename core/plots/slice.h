@@ -28,7 +28,7 @@ struct Slice {
 
 /// Place of theta_h along the axis, [0, 1], and back.
 double thetaHShare(ThetaHSpacing spacing, double thetaH);
-double thetaHAt(ThetaHSpacing spacing, double share);
+double thetaHAt(ThetaHSpacing spacing, double fraction);
 
 /// `size` by `size` cells (a MERL table has 90). Some ms.
 Slice halfDifferenceSlice(const Brdf& brdf, double phiD, ThetaHSpacing spacing, CosineFactor cosine,

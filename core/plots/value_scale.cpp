@@ -10,13 +10,13 @@
 
 namespace gonio::plots {
 
-double ValueScale::share(double value) const {
+double ValueScale::fraction(double value) const {
   if (!logarithmic) return (value - min) / (max - min);
   return value > 0 ? std::max(0.0, std::log(value / min) / std::log(max / min)) : 0.0;
 }
 
-double ValueScale::value(double share) const {
-  return logarithmic ? min * std::pow(max / min, share) : min + share * (max - min);
+double ValueScale::value(double fraction) const {
+  return logarithmic ? min * std::pow(max / min, fraction) : min + fraction * (max - min);
 }
 
 ValueScale scaleFor(std::span<const double> values, bool logarithmic, int maxDecades, double shown) {

@@ -27,7 +27,7 @@ struct SoftBox {
   double halfWidth, halfHeight;  ///< in units of the distance
   double corner;                 ///< radius of the corners
   double falloff;                ///< width of the soft edge, inward
-  double hotSpot;                ///< how much brighter the middle is than the rim, as a share of `radiance`
+  double hotSpot;                ///< how much brighter the middle is than the rim, as a fraction of `radiance`
   Rgb radiance;
 
   Rgb operator()(const Direction& w) const {

@@ -36,12 +36,12 @@ void forceBlockers(EffectPlan& plan, bool on, bool self) {
     }
 }
 
-void forceInterreflection(EffectPlan& plan, bool on, int mostReflections, Materials materials) {
+void forceInterreflection(EffectPlan& plan, bool on, int maxReflections, Materials materials) {
   for (auto& visible : plan.visible) visible.clear();
   if (!on && plan.reflections > 1) plan.remainder = std::numeric_limits<double>::infinity();
   plan.reflections = std::min(plan.reflections, 1);
   if (!on || plan.reflections == 0) return;
-  plan.reflections = mostReflections;
+  plan.reflections = maxReflections;
   for (std::size_t object = 0; object < materials.size(); ++object)
     for (std::size_t other = 0; other < materials.size() && materials[object]; ++other)
       if (materials[other]) plan.visible[object].push_back(other);
@@ -58,7 +58,7 @@ void applyOverrides(EffectPlan& plan, Materials materials, const EffectOverrides
   if (const auto on = forced(Effect::castShadows)) forceBlockers(plan, *on, false);
   if (const auto on = forced(Effect::selfShadowing)) forceBlockers(plan, *on, true);
   if (const auto on = forced(Effect::interreflection))
-    forceInterreflection(plan, *on, thresholds.mostReflections, materials);
+    forceInterreflection(plan, *on, thresholds.maxReflections, materials);
 }
 
 }  // namespace gonio

@@ -21,9 +21,9 @@ constexpr std::array<const char*, effectCount> ids{"emitted-light",      "direct
                                                    "anisotropic-frames", "area-light-sampling"};
 
 /// Two significant digits of a percentage.
-std::string percent(double share) {
+std::string percent(double fraction) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * fraction);
   return text;
 }
 
@@ -62,7 +62,7 @@ class Analysis {
     decideFrames();
   }
 
-  /// The reflections after which all others add less than the threshold, at most `mostReflections`; and what they add.
+  /// The reflections after which all others add less than the threshold, at most `maxReflections`; and what they add.
   std::pair<int, double> depth(const std::vector<std::vector<std::size_t>>& visible) const;
 
   EffectPlan plan;
@@ -165,7 +165,7 @@ std::pair<int, double> Analysis::depth(const std::vector<std::vector<std::size_t
   for (std::size_t i = 0; i < count; ++i)
     for (const std::size_t j : visible[i])
       sentOn[i].push_back(materials_[i]->bound().at(largestFormFactor(scene_.objects[i], scene_.objects[j])));
-  // bound[i]: what leaves object i after so many reflections, as a share of the brightest first one.
+  // bound[i]: what leaves object i after so many reflections, as a fraction of the brightest first one.
   std::vector<double> bound(count, 1), additions;
   constexpr int horizon = 4096;
   while (additions.size() < horizon) {
@@ -183,14 +183,14 @@ std::pair<int, double> Analysis::depth(const std::vector<std::vector<std::size_t
     if (!(additions.back() > 1e-9) || additions.back() > 1e9) break;
   }
   // A bound that does not fall says nothing about the rest.
-  if (additions.back() > 1e-6) return {thresholds_.mostReflections, std::numeric_limits<double>::infinity()};
+  if (additions.back() > 1e-6) return {thresholds_.maxReflections, std::numeric_limits<double>::infinity()};
   double remainder = 0;
   std::size_t reflections = additions.size() + 1;
   for (std::size_t k = additions.size(); k-- > 0; --reflections) {
     if (remainder + additions[k] > thresholds_.remainder) break;
     remainder += additions[k];
   }
-  const std::size_t most = std::size_t(thresholds_.mostReflections);
+  const std::size_t most = std::size_t(thresholds_.maxReflections);
   for (; reflections > most; --reflections) remainder += additions[reflections - 2];
   return {int(reflections), remainder};
 }

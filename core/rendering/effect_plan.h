@@ -53,7 +53,7 @@ struct EffectPlan {
   std::vector<std::vector<std::size_t>> visible;
   /// On the longest light path that is followed: 0 none, 1 direct light alone.
   int reflections = 0;
-  /// What all longer paths can add to a pixel, as a share of the brightest first reflection; infinite where nothing
+  /// What all longer paths can add to a pixel, as a fraction of the brightest first reflection; infinite where nothing
   /// bounds it.
   double remainder = 0;
 
@@ -63,10 +63,10 @@ struct EffectPlan {
 };
 
 struct EffectThresholds {
-  /// Paths are followed until all longer ones can add less than this share of the brightest first reflection: half a
+  /// Paths are followed until all longer ones can add less than this fraction of the brightest first reflection: half a
   /// step of an 8-bit display by default.
   double remainder = 1.0 / 512;
-  int mostReflections = 64;
+  int maxReflections = 64;
 };
 
 /// Decides by the shapes, the lights and the materials what can change a pixel. The analysis never leaves out what

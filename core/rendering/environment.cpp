@@ -65,7 +65,7 @@ double accumulate(std::span<const double> weights, std::span<float> cumulative) 
 struct Interval {
   std::size_t index;
   double low, high;
-  double share(double u) const { return (u - low) / (high - low); }
+  double fraction(double u) const { return (u - low) / (high - low); }
 };
 
 /// The last of the `count` intervals from `first` on that starts at u or before. A binary search without branches: they
@@ -98,8 +98,8 @@ Interval find(std::span<const float> cumulative, std::span<const std::uint32_t> 
   return {index, cumulative[index], cumulative[index + 1]};
 }
 
-std::size_t pixelOf(double share, int count) {
-  return std::size_t(std::clamp(static_cast<int>(share * count), 0, count - 1));
+std::size_t pixelOf(double fraction, int count) {
+  return std::size_t(std::clamp(static_cast<int>(fraction * count), 0, count - 1));
 }
 
 }  // namespace
@@ -181,8 +181,8 @@ EnvironmentMap::PixelDirection EnvironmentMap::sampleDirection(double u1, double
   const Interval row = find(marginal_, marginalGuide_, u1);
   const Interval column = find(std::span(conditional_).subspan(row.index * (width + 1), width + 1),
                                std::span(conditionalGuide_).subspan(row.index * rowGuide, rowGuide), u2);
-  const double cosTheta = glm::mix(cosEdges_[row.index], cosEdges_[row.index + 1], row.share(u1));
-  const double u = (double(column.index) + column.share(u2)) / image_.width;
+  const double cosTheta = glm::mix(cosEdges_[row.index], cosEdges_[row.index + 1], row.fraction(u1));
+  const double u = (double(column.index) + column.fraction(u2)) / image_.width;
   const double a = 2 * pi * (u - 0.5), sinTheta = std::sqrt(std::max(0.0, (1 - cosTheta) * (1 + cosTheta)));
   return {column.index, row.index, u, cosTheta, sinTheta, {sinTheta * std::sin(a), cosTheta, -sinTheta * std::cos(a)}};
 }

@@ -41,8 +41,8 @@ ErrorMaps errorMaps(const Image& reference, std::span<const Image> pictures) {
     std::vector<std::uint8_t>& map = result.maps.emplace_back();
     map.reserve(4 * reference.pixels.size());
     for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
-      const double share = result.range > 0 ? differenceAt(reference, picture, i) / result.range : 0;
-      const DisplayColour colour = viridis(share);
+      const double fraction = result.range > 0 ? differenceAt(reference, picture, i) / result.range : 0;
+      const DisplayColour colour = viridis(fraction);
       map.insert(map.end(), colour.begin(), colour.end());
       map.push_back(reference.alpha.empty() ? 255 : std::uint8_t(std::lround(255 * reference.alpha[i])));
     }

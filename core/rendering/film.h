@@ -57,7 +57,7 @@ class SampleLuminances {
 struct Fireflies {
   static constexpr double threshold = 100;
   double brightest = 0;  ///< luminance of the brightest sample over the mean of the samples that met something
-  double share = 0;      ///< of the picture's luminance that comes from samples of more than `threshold` means
+  double fraction = 0;   ///< of the picture's luminance that comes from samples of more than `threshold` means
 };
 
 /// The sums of a picture that grows by samples.

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int largestPass = 16;
 constexpr int trialPixels = 4096, fewSamples = 4, trialSamples = 16;
-constexpr double mostOrder = 0.75;  ///< that of jittered samples across an edge (Mitchell 1996)
+constexpr double maxOrder = 0.75;  ///< that of jittered samples across an edge (Mitchell 1996)
 
 double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -46,18 +46,18 @@ double relativeNoise(const Image& a, const Image& b) {
 
 void refinePicture(const PathTracer& tracer, Film& film, const RefinementLimits& limits, const TaskControl& control,
                    const Pause* pause) {
-  double spent = 0, share = 0;
+  double spent = 0, fraction = 0;
   do {
     if (pause) pause->wait(control.stop);
     control.throwIfStopped();
     const int pass = nextPass(film, limits, spent);
     const double bySamples = double(film.samples + pass) / limits.samples;
     const double byTime = film.samples ? spent * (film.samples + pass) / film.samples / limits.seconds : 0;
-    const double next = std::clamp(std::max(bySamples, byTime), share, 1.0);
+    const double next = std::clamp(std::max(bySamples, byTime), fraction, 1.0);
     const Clock::time_point start = Clock::now();
-    tracer.accumulate(film, pass, control.between(share, next));
+    tracer.accumulate(film, pass, control.between(fraction, next));
     spent += secondsSince(start);
-    share = next;
+    fraction = next;
   } while (film.samples < limits.samples && spent * (film.samples + 1) / film.samples <= limits.seconds);
 }
 
@@ -83,7 +83,7 @@ PictureEstimate estimatePicture(const Scene& scene, const std::vector<std::share
   const double noise = relativeNoise(many[0], many[1]);
   if (!(noise > 0)) return estimate;
   const double fall = std::log(relativeNoise(few[0], few[1]) / noise) / std::log(double(trialSamples) / fewSamples);
-  estimate.order = std::clamp(fall, 0.5, mostOrder);
+  estimate.order = std::clamp(fall, 0.5, maxOrder);
   estimate.noiseOfSample = noise * std::pow(trialSamples, estimate.order);
   return estimate;
 }

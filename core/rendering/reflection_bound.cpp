@@ -17,7 +17,7 @@ constexpr std::uint32_t samples = 512;
 /// A drawn direction stands for a piece of the hemisphere: how large that is, and what it reflects.
 struct Piece {
   double value;       ///< of the BRDF, 1/sr
-  double share;       ///< of the cosine-weighted hemisphere
+  double fraction;    ///< of the cosine-weighted hemisphere
   double reflection;  ///< of a light of radiance 1 from there
 };
 
@@ -59,26 +59,26 @@ ReflectionBound ReflectionBound::ofDiffuse(double albedo) {
 }
 
 void ReflectionBound::include(const Brdf& brdf, const Sampler& sampler, const Direction& wo) {
-  double share = 0, reflection = 0;
+  double fraction = 0, reflection = 0;
   std::size_t step = 1;
   for (const Piece& piece : drawnPieces(brdf, sampler, wo)) {
     peak_ = std::max(peak_, piece.value);
     // A step that ends within the piece has it whole: the bound errs upward.
     reflection += piece.reflection;
-    share += piece.share;
-    for (; step < steps && std::pow(double(step) / steps, 2) <= share; ++step)
+    fraction += piece.fraction;
+    for (; step < steps && std::pow(double(step) / steps, 2) <= fraction; ++step)
       bound_[step] = std::max(bound_[step], reflection);
   }
   for (; step <= steps; ++step) bound_[step] = std::max(bound_[step], reflection);
 }
 
-double ReflectionBound::at(double share) const {
-  const double place = std::sqrt(std::clamp(share, 0.0, 1.0)) * steps;
+double ReflectionBound::at(double fraction) const {
+  const double place = std::sqrt(std::clamp(fraction, 0.0, 1.0)) * steps;
   const auto step = std::min(steps - 1, std::size_t(place));
   // Within the first step mirrors rise faster than any line.
   const double bound =
       step == 0 ? bound_[1] : bound_[step] + (place - double(step)) * (bound_[step + 1] - bound_[step]);
-  return std::min(bound, pi * peak_ * std::clamp(share, 0.0, 1.0));
+  return std::min(bound, pi * peak_ * std::clamp(fraction, 0.0, 1.0));
 }
 
 }  // namespace gonio

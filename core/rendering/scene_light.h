@@ -34,7 +34,7 @@ bool mayBlock(const Scene& scene, const SceneLight& light, const SceneObject& re
 /// Whether a point of `receiver` may see a reflecting point of `other` (for the same object: itself).
 bool maySee(const SceneObject& receiver, const SceneObject& other);
 
-/// The largest share of the cosine-weighted hemisphere that `other` can fill at a point of `receiver`, in [0, 1]:
+/// The largest fraction of the cosine-weighted hemisphere that `other` can fill at a point of `receiver`, in [0, 1]:
 /// (r / d)^2 of its bounding sphere at the nearest distance d of the receiver from its centre.
 double largestFormFactor(const SceneObject& receiver, const SceneObject& other);
 

@@ -11,11 +11,11 @@ namespace gonio::study {
 
 namespace {
 
-/// Share of the progress that the reference's picture takes; the representations divide the rest evenly.
+/// Fraction of the progress that the reference's picture takes; the representations divide the rest evenly.
 constexpr double referenceShare = 0.02;
-/// Share of a representation's progress that making it takes; the rest is measuring it.
+/// Fraction of a representation's progress that making it takes; the rest is measuring it.
 constexpr double buildShare = 0.6;
-constexpr std::size_t mostFrames = 3;
+constexpr std::size_t maxFrames = 3;
 constexpr double enoughSeconds = 1;
 
 /// Renders frames until their time is known, at most `most`; `picture` is one of them.
@@ -45,7 +45,7 @@ StudiedRepresentation measure(const Representation& representation, const BuiltR
   StudyRecord& record = studied.record;
   if (options.timed) record.evaluation = measureEvaluation(*built.brdf, stop);
   ComparisonPicture picture;
-  const double milliseconds = frameMilliseconds(comparison, *built.brdf, options.timed ? mostFrames : 1, picture, stop);
+  const double milliseconds = frameMilliseconds(comparison, *built.brdf, options.timed ? maxFrames : 1, picture, stop);
   if (options.timed) record.frameMilliseconds = milliseconds;
   record.renderedSnr = comparison.signalToNoiseRatio(picture);
   studied.picture = std::move(picture.image);
@@ -67,16 +67,16 @@ std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const R
   try {
     const RenderedComparison comparison(*subject.reference, options.picture, control.between(0, referenceShare));
     RepresentationBuilder builder(subject, options.build, representations);
-    const double share = (1 - referenceShare) / double(std::max<std::size_t>(1, representations.size()));
+    const double fraction = (1 - referenceShare) / double(std::max<std::size_t>(1, representations.size()));
     for (const Representation& representation : representations) {
-      const double begin = referenceShare + double(records.size()) * share;
+      const double begin = referenceShare + double(records.size()) * fraction;
       const BuiltRepresentation built =
-          builder.build(representation, control.between(begin, begin + buildShare * share));
+          builder.build(representation, control.between(begin, begin + buildShare * fraction));
       const StudiedRepresentation studied =
           measure(representation, built, *subject.table, comparison, options, {.stop = control.stop, .progress = {}});
       records.push_back(studied.record);
       if (options.measured) options.measured(studied);
-      control.report(begin + share);
+      control.report(begin + fraction);
     }
     control.report(1);
   } catch (const Cancelled&) {

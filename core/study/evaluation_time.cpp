@@ -14,7 +14,7 @@ namespace gonio::study {
 namespace {
 
 constexpr std::size_t pairCount = 1 << 14;
-constexpr std::size_t mostRuns = 7, fewestRuns = 3;
+constexpr std::size_t maxRuns = 7, minRuns = 3;
 constexpr double enoughTimedSeconds = 0.5;
 
 std::vector<DirectionPair> randomPairs() {
@@ -44,10 +44,10 @@ double threadSeconds() {
 
 }  // namespace
 
-double quantile(std::vector<double> values, double share) {
+double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   std::ranges::sort(values);
-  const double at = share * double(values.size() - 1);
+  const double at = fraction * double(values.size() - 1);
   const auto below = std::size_t(at);
   const std::size_t above = std::min(below + 1, values.size() - 1);
   // Two equal values, of which one may be infinite, need no arithmetic.
@@ -60,7 +60,7 @@ EvaluationTime measureEvaluation(const Brdf& brdf, const TaskControl& control) {
   std::vector<Rgb> values(pairs.size());
   std::vector<double> runs;
   double total = 0;
-  while (runs.size() < fewestRuns || (runs.size() < mostRuns && total < enoughTimedSeconds)) {
+  while (runs.size() < minRuns || (runs.size() < maxRuns && total < enoughTimedSeconds)) {
     control.throwIfStopped();
     const double start = threadSeconds();
     brdf.evaluate(pairs, values);

@@ -20,8 +20,8 @@ struct EvaluationTime {
 /// @throws Cancelled.
 EvaluationTime measureEvaluation(const Brdf& brdf, const TaskControl& control = {});
 
-/// The value below which a share of the numbers lies, linear between them; NaN without numbers.
-/// @param share in [0, 1]: 0.5 is the median.
-double quantile(std::vector<double> values, double share);
+/// The value below which a fraction of the numbers lies, linear between them; NaN without numbers.
+/// @param fraction in [0, 1]: 0.5 is the median.
+double quantile(std::vector<double> values, double fraction);
 
 }  // namespace gonio::study

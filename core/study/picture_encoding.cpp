@@ -14,7 +14,7 @@ namespace {
 
 constexpr double closeEnough = 1.03;
 constexpr double firstTried = 8;
-/// Share of the progress that finding an upper bound takes.
+/// Fraction of the progress that finding an upper bound takes.
 constexpr double upwardShare = 0.7;
 
 class Search {

@@ -42,7 +42,7 @@ RepresentationBuilder::RepresentationBuilder(StudySubject subject, BuildOptions 
     : subject_(std::move(subject)), options_(std::move(options)) {
   for (const Representation& representation : planned)
     if (representation.family == RepresentationFamily::factors) {
-      int& most = mostTerms_[representation.id];
+      int& most = maxTerms_[representation.id];
       most = std::max(most, int(representation.budget));
     }
 }
@@ -102,7 +102,7 @@ BuiltRepresentation RepresentationBuilder::factors(const Representation& represe
   const int terms = int(representation.budget);
   if (known == factorizations_.end()) {
     const PdvForm form = representation.id == "factors-2d" ? PdvForm::twoFactors : PdvForm::threeFactors;
-    const int most = std::max(terms, mostTerms_[representation.id]);
+    const int most = std::max(terms, maxTerms_[representation.id]);
     factorizations_[representation.id] = factorizePdv(*subject_.table, {.form = form, .terms = most}, control);
   }
   const PdvFactorization& all = factorizations_.at(representation.id);

@@ -66,8 +66,8 @@ class RepresentationBuilder {
 
   StudySubject subject_;
   BuildOptions options_;
-  std::map<std::string, int> mostTerms_;  ///< of each form, by the id
-  std::shared_ptr<const Brdf> fitBase_;   ///< of the data below
+  std::map<std::string, int> maxTerms_;  ///< of each form, by the id
+  std::shared_ptr<const Brdf> fitBase_;  ///< of the data below
   std::optional<fitting::FitData> fitData_;
   std::map<std::string, factorization::PdvFactorization> factorizations_;
   std::shared_ptr<const TabulatedBrdf> codedTable_;  ///< the table on the dictionary's grid

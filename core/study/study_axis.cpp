@@ -10,7 +10,7 @@ namespace gonio::study {
 
 namespace {
 
-/// Share of an axis that an end takes.
+/// Fraction of an axis that an end takes.
 constexpr double endShare = 0.07;
 constexpr int mostDecades = 12;
 constexpr double decibelStep = 10;
@@ -69,7 +69,7 @@ std::optional<double> StudyAxis::position(double value) const {
   const double low = zeroEnd ? endShare : 0, high = infiniteEnd ? 1 - endShare : 1;
   if (std::isinf(value)) return value > 0 ? 1 - endShare / 3 : endShare / 3;
   if (scale.logarithmic && value <= 0) return endShare / 3;
-  return low + (high - low) * std::clamp(scale.share(value), 0.0, 1.0);
+  return low + (high - low) * std::clamp(scale.fraction(value), 0.0, 1.0);
 }
 
 std::vector<StudyAxis::Tick> StudyAxis::ticks() const {

@@ -30,7 +30,7 @@ struct StudyAxis {
   plots::ValueScale scale;
   bool zeroEnd = false, infiniteEnd = false;
 
-  /// Share of the axis's length, in [0, 1]; nothing for what is not a number.
+  /// Fraction of the axis's length, in [0, 1]; nothing for what is not a number.
   std::optional<double> position(double value) const;
 
   struct Tick {

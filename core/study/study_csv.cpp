@@ -55,7 +55,7 @@ plots::CsvTable summaryCsv(const std::string& title, std::span<const StudySummar
     medians.push_back(summary.median);
     count.values.push_back(double(summary.materials));
     least.values.push_back(summary.leastSnr);
-    most.values.push_back(summary.mostSnr);
+    most.values.push_back(summary.maxSnr);
     worst.texts.push_back(materials[summary.worst]);
   }
   plots::CsvTable table = studyCsv(title, medians, machine, pictures);

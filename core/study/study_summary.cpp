@@ -39,7 +39,7 @@ StudySummary summaryOf(const Records& records) {
   const std::vector<double> snr = numbers(records, [](R r) { return r.renderedSnr; });
   m.renderedSnr = quantile(snr, 0.5);
   summary.leastSnr = quantile(snr, 0);
-  summary.mostSnr = quantile(snr, 1);
+  summary.maxSnr = quantile(snr, 1);
   const auto worst =
       std::ranges::find(records, summary.leastSnr, [](const OfMaterial& one) { return one.record->renderedSnr; });
   summary.worst = worst == records.end() ? records.front().material : worst->material;

@@ -44,7 +44,7 @@ PyBasis learnBasis(const std::vector<std::string>& sources, const std::vector<st
     const auto training = editing::trainingMaterials(
         editing::trainingFiles(sources.empty() ? materials::libraryTrainingPaths() : sources, excluded));
     return PyBasis{std::make_shared<const dictionary::PrincipalComponents>(dictionary::learnPrincipalComponents(
-                       training.names.size(), training.load, {.mostComponents = components}, control)),
+                       training.names.size(), training.load, {.maxComponents = components}, control)),
                    training.names};
   });
 }

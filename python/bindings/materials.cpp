@@ -252,7 +252,7 @@ py::list check(const PyMaterial& material, const py::object& progress) {
     row["passed"] = one.passed;
     row["worst"] = one.worst;
     row["limit"] = one.limit;
-    row["fraction"] = one.share;
+    row["fraction"] = one.fraction;
     row["where"] = one.where;
     list.append(row);
   }

@@ -25,7 +25,7 @@ using namespace gonio::acquisition;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t syntheticMaterials = 137;
-constexpr int mostComponents = 60;
+constexpr int maxComponents = 60;
 
 std::vector<std::filesystem::path> trainingFiles() {
   std::vector<std::filesystem::path> files;
@@ -46,9 +46,9 @@ std::shared_ptr<const TabulatedBrdf> syntheticMaterial(std::size_t index) {
   for (std::size_t i = 0; i < parameters.values.size(); ++i) {
     const models::ParameterSpec& spec = model.spec().parameters[i];
     if (!spec.choices.empty()) continue;
-    Rgb shares(uniform(random));
-    if (spec.perChannel) shares = {uniform(random), uniform(random), uniform(random)};
-    parameters.values[i] = spec.softMin + (spec.softMax - spec.softMin) * shares;
+    Rgb fractions(uniform(random));
+    if (spec.perChannel) fractions = {uniform(random), uniform(random), uniform(random)};
+    parameters.values[i] = spec.softMin + (spec.softMax - spec.softMin) * fractions;
   }
   return bakeTable(*model.instantiate(parameters));
 }
@@ -71,13 +71,13 @@ struct Training {
           readSeconds += std::chrono::duration<double>(Clock::now() - begin).count();
           return table;
         },
-        {.mostComponents = components});
+        {.maxComponents = components});
     seconds = std::chrono::duration<double>(Clock::now() - start).count();
   }
 };
 
 const dictionary::PrincipalComponents& trainedBasis() {
-  static const Training training(mostComponents);
+  static const Training training(maxComponents);
   return training.basis;
 }
 

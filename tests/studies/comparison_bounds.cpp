@@ -54,7 +54,7 @@ Rgb valueAt(const Nodes& nodes, const ProjectedDeviation& at) {
     for (int mode = 0; mode < 3; ++mode) {
       const bool next = corner >> mode & 1;
       index[mode] = places[mode].index + next;
-      weight *= next ? places[mode].share : 1 - places[mode].share;
+      weight *= next ? places[mode].fraction : 1 - places[mode].fraction;
     }
     const Rgb& value = nodes.at(index[0], index[1], index[2]);
     if (value.x < 0) continue;

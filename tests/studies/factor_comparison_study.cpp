@@ -101,7 +101,7 @@ std::vector<ComparedModel> buildPdv(const TabulatedBrdf& table, std::span<const 
   const std::size_t term = bytesOf(two) - first;
   std::vector<int> terms;
   for (const std::size_t budget : budgets)
-    terms.push_back(std::clamp(1 + int((std::max(budget, first) - first) / term), 1, mostPdvTerms));
+    terms.push_back(std::clamp(1 + int((std::max(budget, first) - first) / term), 1, maxPdvTerms));
   const PdvFactors all =
       factorizePdv(table, {.form = form, .terms = *std::max_element(terms.begin(), terms.end())}).factors;
   std::vector<ComparedModel> models;

@@ -85,7 +85,7 @@ void print(const Ends& ends) {
       {.table = bakeTable(*ggx(ends.secondDiffuse, ends.secondRoughness))}};
   std::printf("\n| roughness %g and %g, truth %.3g | SNR, dB | nearest: roughness | SNR, dB |\n|---|---|---|---|\n",
               ends.firstRoughness, ends.secondRoughness, middle);
-  const auto tell = [&](const char* name, const Brdf& between) {
+  const auto printRow = [&](const char* name, const Brdf& between) {
     const Image result = renderPicture(between, scene, render);
     std::size_t nearest = 0;
     std::vector<double> snr;
@@ -101,9 +101,9 @@ void print(const Ends& ends) {
     options.model = &models::findModel(row.model);
     if (row.terms > 0) options.pdv.terms = row.terms;
     const auto between = editing::prepareInterpolation(row.space, materials, options);
-    tell(row.name, *between->table(std::vector{0.5, 0.5}));
+    printRow(row.name, *between->table(std::vector{0.5, 0.5}));
   }
-  tell("dictionary, log-plus, all coefficients", *transformedMean(*materials[0].table, *materials[1].table));
+  printRow("dictionary, log-plus, all coefficients", *transformedMean(*materials[0].table, *materials[1].table));
 }
 
 int study(int, char**) {

@@ -38,9 +38,9 @@ struct Summary {
   std::map<std::pair<std::string, int>, std::vector<double>> factors;  ///< by linear parameter and channel
 };
 
-double quantile(std::vector<double> values, double share) {
+double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0;
-  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  const auto at = values.begin() + std::ptrdiff_t(fraction * double(values.size() - 1));
   std::ranges::nth_element(values, at);
   return *at;
 }

@@ -4,8 +4,8 @@
 // gonio_studies uncertainty PLAN.csv MATERIAL...: whether the uncertainty of reconstructions is true. Materials that
 // the basis beside the plan has not learned from are measured by the plan, without noise and with 10 %, and
 // reconstructed. For each way the means over the materials: the error of the mapped values (root mean square over all
-// cells), that of samples left out, the error over its deviation (root mean square; 1 would be true), and the share of
-// the cells whose error is less than the deviation (0.68 of Gaussian errors).
+// cells), that of samples left out, the error over its deviation (root mean square; 1 would be true), and the fraction
+// of the cells whose error is less than the deviation (0.68 of Gaussian errors).
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -30,7 +30,7 @@ struct Way {
   std::optional<double> ridge;
   int components;
   double noise;
-  bool isNoiseTold;
+  bool hasKnownNoise;
 };
 const Way ways[] = {{"ridge 40, as many components as samples", publishedRidge, asSamples, 0, false},
                     {"ridge auto, as many components as samples", std::nullopt, asSamples, 0, false},
@@ -48,7 +48,7 @@ struct Figures {
 Figures figuresOf(const dictionary::PrincipalComponents& basis, const SamplingPlan& plan, const TabulatedBrdf& truth,
                   const Way& way) {
   MeasuredValues values = measure(truth, plan, {.relative = way.noise});
-  if (!way.isNoiseTold) values.noise.clear();
+  if (!way.hasKnownNoise) values.noise.clear();
   const int components = way.components == asSamples ? int(plan.samples.size()) : way.components;
   const Reconstruction found = reconstruct(basis, plan, values, {.ridge = way.ridge, .components = components});
   const dictionary::MappedCells& m = basis.mapping;

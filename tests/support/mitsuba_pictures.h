@@ -27,8 +27,8 @@ inline std::vector<std::string> mitsubaMaterials() {
 /// may be negative.
 struct Parity {
   double error = 0, standardError = 0;
-  static double decibels(double share) {
-    return share > 0 ? -10 * std::log10(share) : std::numeric_limits<double>::infinity();
+  static double decibels(double fraction) {
+    return fraction > 0 ? -10 * std::log10(fraction) : std::numeric_limits<double>::infinity();
   }
 };
 

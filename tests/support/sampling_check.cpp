@@ -102,8 +102,8 @@ double MirrorCoordinates::horizon(double cosPhi, double sinPhi) const {
 MirrorCoordinates::Point MirrorCoordinates::pointOf(const Direction& w) const {
   const double x = glm::dot(w, first_), y = glm::dot(w, second_), phi = std::atan2(y, x);
   const double r = 2 * std::asin(std::min(1.0, glm::length(w - mirror_) / 2));
-  const double share = r / horizon(std::cos(phi), std::sin(phi));
-  return {std::max(0.0, 1 + std::log(share) / decades), phi < 0 ? phi + 2 * pi : phi};
+  const double fraction = r / horizon(std::cos(phi), std::sin(phi));
+  return {std::max(0.0, 1 + std::log(fraction) / decades), phi < 0 ? phi + 2 * pi : phi};
 }
 
 Direction MirrorCoordinates::directionOf(const Point& point, double& solidAngle) const {
@@ -150,9 +150,9 @@ SamplingCheck checkSampling(const Brdf& brdf, const Direction& wo, int draws, do
   SamplingCheck check;
   std::vector<double> expected, observed(cells.size(), 0);
   for (const HemisphereCell& cell : cells) {
-    const double share = integralOfPdf(brdf, wo, cell, tolerance);
-    check.integral += share;
-    expected.push_back(share * draws);
+    const double fraction = integralOfPdf(brdf, wo, cell, tolerance);
+    check.integral += fraction;
+    expected.push_back(fraction * draws);
   }
   for (const DirectionSample& sample : drawMany(brdf, wo, draws, 2)) {
     if (sample.pdf == 0) {

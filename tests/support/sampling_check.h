@@ -10,8 +10,8 @@
 namespace gonio::test {
 
 /// The upper hemisphere in polar coordinates about the mirror direction of a viewer, where most lobes have their peak
-/// and densities of half vectors a pole: `distance` is the angle from the mirror direction as a share of the angle at
-/// which the horizon is met, [0, 1]; `phi` the azimuth about it, [0, 2 pi).
+/// and densities of half vectors a pole: `distance` is the angle from the mirror direction as a fraction of the angle
+/// at which the horizon is met, [0, 1]; `phi` the azimuth about it, [0, 2 pi).
 class MirrorCoordinates {
  public:
   struct Point {
@@ -45,7 +45,7 @@ double pearsonPValue(const std::vector<double>& expected, const std::vector<doub
 
 struct SamplingCheck {
   double integral = 0;  ///< of the density over the hemisphere: 1 - lost
-  double lost = 0;      ///< share of the draws that have the density 0
+  double lost = 0;      ///< fraction of the draws that have the density 0
   double pValue = 1;    ///< of Pearson's chi-squared test of the draws against the integrals of the cells
   bool valid = true;    ///< every other draw is a unit vector above the horizon with the positive density of pdf()
 };

@@ -78,7 +78,7 @@ class AcquisitionChartsTest : public QObject {
       return count > 0;
     };
     QVERIFY(changed(at[0]) && changed(at[1]));
-    for (const double share : {0.25, 0.5, 0.75}) QVERIFY(changed(at[0] + share * (at[1] - at[0])));
+    for (const double fraction : {0.25, 0.5, 0.75}) QVERIFY(changed(at[0] + fraction * (at[1] - at[0])));
     QVERIFY(!changed(at[1] + 0.25 * (at[1] - at[0])));
   }
 
@@ -93,8 +93,8 @@ class AcquisitionChartsTest : public QObject {
     for (int y = 0; y < int(pole.y()); ++y)
       for (int x = 0; x < before.width(); ++x) {
         if (before.pixel(x, y) == after.pixel(x, y)) continue;
-        const double share = distance({x + 0.5, y + 0.5}, pole) / (rim.x() - pole.x());
-        (share < 70 / 90.0 - 0.01 ? changedInside : changedBeyond) += 1;
+        const double fraction = distance({x + 0.5, y + 0.5}, pole) / (rim.x() - pole.x());
+        (fraction < 70 / 90.0 - 0.01 ? changedInside : changedBeyond) += 1;
       }
     QCOMPARE(changedInside, 0);
     QVERIFY(changedBeyond > 100);

@@ -53,7 +53,7 @@ class AnisotropicPreviewTest : public QObject {
     widgets::PreviewSubject subject = alone(grain);
     const auto brdf = widgets::subjectBrdf(subject);
     subject.lobe = std::make_shared<const TabulatedLobe>(*brdf);
-    QCOMPARE(subject.lobe->grain().share > 0, isSampledAlongIt);
+    QCOMPARE(subject.lobe->grain().fraction > 0, isSampledAlongIt);
     // Means of 8 x 8 pixels: the noise of single ones averages out, what a density that is not the shader's own adds or
     // loses does not.
     constexpr int samples = 1024, side = test::OffscreenSpheres::side;
@@ -74,7 +74,7 @@ class AnisotropicPreviewTest : public QObject {
     const Image converged = spheres_->drawn(subject, studio(), 4096);
     const double along = metrics::signalToNoiseRatio(converged, spheres_->drawn(subject, studio(), 64));
     subject.lobe = std::make_shared<const TabulatedLobe>(*bakeTable(*brdf));
-    QCOMPARE(subject.lobe->grain().share, 0.0);
+    QCOMPARE(subject.lobe->grain().fraction, 0.0);
     const double mean = metrics::signalToNoiseRatio(converged, spheres_->drawn(subject, studio(), 64));
     qInfo("64 samples per pixel: %.1f dB along the grain, %.1f dB by the mean over the azimuths", along, mean);
     QVERIFY(along > mean + 2);

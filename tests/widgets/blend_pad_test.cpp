@@ -38,9 +38,9 @@ class BlendPadTest : public QObject {
   QPoint at(const QPointF& place) const { return m_pad->position(place).toPoint(); }
 
  private Q_SLOTS:
-  /// Weights are shares of a whole, wherever the hand is: core takes no others.
+  /// Weights are fractions of a whole, wherever the hand is: core takes no others.
   void weightsAreSharesOfOne() {
-    for (int n = fewestBlended; n <= mostBlended; ++n)
+    for (int n = minBlended; n <= maxBlended; ++n)
       for (const QPointF& place : places()) {
         const std::vector<double> weights = weightsAt(n, nearestPlace(n, place));
         QCOMPARE(weights.size(), std::size_t(n));
@@ -51,7 +51,7 @@ class BlendPadTest : public QObject {
 
   /// A corner is that material and nothing else, to the bit; so is every place beyond it.
   void cornersAreExact() {
-    for (int n = fewestBlended; n <= mostBlended; ++n)
+    for (int n = minBlended; n <= maxBlended; ++n)
       for (int corner = 0; corner < n; ++corner) {
         std::vector<double> alone(std::size_t(n), 0.0);
         alone[std::size_t(corner)] = 1;
@@ -65,7 +65,7 @@ class BlendPadTest : public QObject {
 
   /// Barycentric and bilinear weights give the drawn point back from the drawn corners.
   void weightsSpanThePlace() {
-    for (int n = fewestBlended; n <= mostBlended; ++n) {
+    for (int n = minBlended; n <= maxBlended; ++n) {
       const std::vector<QPointF> corners = drawnCorners(n);
       for (const QPointF& any : places()) {
         const QPointF place = nearestPlace(n, any);
@@ -80,7 +80,7 @@ class BlendPadTest : public QObject {
 
   /// The nearest place is: brute force over all that there are. Places of the pad are their own.
   void theNearestPlaceIsNearest() {
-    for (int n = fewestBlended; n <= mostBlended; ++n)
+    for (int n = minBlended; n <= maxBlended; ++n)
       for (const QPointF& any : places()) {
         const QPointF drawn = drawnAt(n, any), found = nearestPlace(n, any);
         QVERIFY(distance(nearestPlace(n, found), found) < 1e-15);
@@ -99,7 +99,7 @@ class BlendPadTest : public QObject {
 
   /// The strip's way begins at the first material and stays where there are places.
   void theWayOfTheStrip() {
-    for (int n = fewestBlended; n <= mostBlended; ++n) {
+    for (int n = minBlended; n <= maxBlended; ++n) {
       QVERIFY(weightsAt(n, wayPlace(n, 0))[0] == 1);
       for (const double t : {0.0, 0.3, 1.0}) QVERIFY(distance(nearestPlace(n, wayPlace(n, t)), wayPlace(n, t)) < 1e-15);
       QVERIFY(weightsAt(n, wayPlace(n, 1))[0] == 0);

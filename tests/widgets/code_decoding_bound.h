@@ -57,10 +57,10 @@ inline int longestSum(const SparseCode& code) {
       ++perGroup[pair];
       groups[pair / sizes[1]][pair] = 1;
     }
-    int most = 0, mostGroups = 0;
+    int most = 0, maxGroups = 0;
     for (const auto& [pair, count] : perGroup) most = std::max(most, count);
-    for (const auto& [slab, members] : groups) mostGroups = std::max(mostGroups, int(members.size()));
-    longest = std::max(longest, most + mostGroups + int(groups.size()));
+    for (const auto& [slab, members] : groups) maxGroups = std::max(maxGroups, int(members.size()));
+    longest = std::max(longest, most + maxGroups + int(groups.size()));
   }
   return longest;
 }

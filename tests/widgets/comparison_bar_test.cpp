@@ -47,21 +47,21 @@ class ComparisonBarTest : public QObject {
   }
 
   void aPressedModeIsTold() {
-    QSignalSpy told(bar_.get(), &ComparisonBar::comparisonEdited);
+    QSignalSpy reported(bar_.get(), &ComparisonBar::comparisonEdited);
     bar_->findChild<QButtonGroup*>()->button(int(CompareMode::twoUp))->click();
-    QCOMPARE(told.count(), 1);
-    QCOMPARE(told.front().front().value<PreviewComparison>().mode, CompareMode::twoUp);
+    QCOMPARE(reported.count(), 1);
+    QCOMPARE(reported.front().front().value<PreviewComparison>().mode, CompareMode::twoUp);
   }
 
   /// The subject of the other side exchanges the two: a side against itself tells nothing.
   void choosingTheOtherSideExchanges() {
     bar_->setComparison({.mode = CompareMode::split});
-    std::pair<ComparedSubject, ComparedSubject> told{};
-    connect(bar_.get(), &ComparisonBar::sidesEdited, this, [&](auto a, auto b) { told = {a, b}; });
+    std::pair<ComparedSubject, ComparedSubject> reported{};
+    connect(bar_.get(), &ComparisonBar::sidesEdited, this, [&](auto a, auto b) { reported = {a, b}; });
     choose("First side", int(ComparedSubject::measured));
-    QCOMPARE(told, (std::pair{ComparedSubject::measured, ComparedSubject::edited}));
+    QCOMPARE(reported, (std::pair{ComparedSubject::measured, ComparedSubject::edited}));
     choose("Second side", int(ComparedSubject::fit));
-    QCOMPARE(told, (std::pair{ComparedSubject::edited, ComparedSubject::fit}));
+    QCOMPARE(reported, (std::pair{ComparedSubject::edited, ComparedSubject::fit}));
   }
 
   /// The last entry asks for a material and leaves the side as it was until there is one.
@@ -104,11 +104,11 @@ class ComparisonBarTest : public QObject {
     bar_->setFoundRange(0.2);
     auto* automatic = bar_->findChild<QCheckBox*>();
     QVERIFY(automatic->isChecked());
-    QSignalSpy told(bar_.get(), &ComparisonBar::comparisonEdited);
+    QSignalSpy reported(bar_.get(), &ComparisonBar::comparisonEdited);
     automatic->click();
-    QCOMPARE(told.back().front().value<PreviewComparison>().range, 0.2);
+    QCOMPARE(reported.back().front().value<PreviewComparison>().range, 0.2);
     automatic->click();
-    QCOMPARE(told.back().front().value<PreviewComparison>().range, 0.0);
+    QCOMPARE(reported.back().front().value<PreviewComparison>().range, 0.0);
   }
 
  private:

@@ -40,7 +40,7 @@ class CurveEditorTest : public QObject {
   void init() {
     m_editor = std::make_unique<CurveEditor>();
     m_editor->resize(500, 320);
-    m_editor->setAxis({.title = "F2", .label = "|Dp|", .valueLabel = "share", .tick = 0.5, .squareRoot = true});
+    m_editor->setAxis({.title = "F2", .label = "|Dp|", .valueLabel = "fraction", .tick = 0.5, .squareRoot = true});
     m_editor->setCurves(nodes(), curves(), curves());
     m_editor->show();
     m_editor->setFocus();
@@ -124,11 +124,11 @@ class CurveEditorTest : public QObject {
     QVERIFY(m_editor->selected()[1] && !m_editor->selected()[0]);
     QVERIFY(m_editor->accessibleDescription().startsWith("Point 2 of"));
     const QPointF before = m_editor->pointPosition(1);
-    const QString told = m_editor->accessibleDescription();
+    const QString reported = m_editor->accessibleDescription();
     QTest::keyClick(m_editor.get(), Qt::Key_Up, Qt::ShiftModifier);
     const double fine = before.y() - m_editor->pointPosition(1).y();
     QVERIFY(std::abs(fine - 1) < 0.2);
-    QVERIFY(m_editor->accessibleDescription() != told);
+    QVERIFY(m_editor->accessibleDescription() != reported);
     QTest::keyClick(m_editor.get(), Qt::Key_Right);
     QVERIFY(std::abs(m_editor->pointPosition(1).x() - before.x() - 10) < 0.5);
     QCOMPARE(ended.count(), 3);

@@ -112,10 +112,10 @@ class EditStackTest : public QObject {
   void aDropAsksForAMove() {
     m_stack->setEntries({{"a"}, {"b"}, {"c"}}, 0, "None");
     QSignalSpy moved(m_stack.get(), &EditStack::moveRequested);
-    const auto drop = [this](int from, int over, double share) {
+    const auto drop = [this](int from, int over, double fraction) {
       list()->setCurrentRow(from);
       const QRect row = list()->visualItemRect(list()->item(over));
-      const QPointF place(row.center().x(), row.top() + share * row.height());
+      const QPointF place(row.center().x(), row.top() + fraction * row.height());
       const std::unique_ptr<QMimeData> data(list()->model()->mimeData({list()->currentIndex()}));
       QDropEvent event(place, Qt::MoveAction, data.get(), Qt::LeftButton, {});
       // Without a drag under way QApplication delivers no drop.

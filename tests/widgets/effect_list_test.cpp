@@ -15,7 +15,7 @@ class EffectListTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  /// A cost is a time and its share of the picture's; one that is not above its uncertainty gives no figure.
+  /// A cost is a time and its fraction of the picture's; one that is not above its uncertainty gives no figure.
   void costsAreTimesUnlessTheyAreNoise() {
     EffectCosts costs{.seconds = 0.2, .effects = {}};
     for (std::size_t i = 0; i < effectCount; ++i) costs.effects.push_back({.effect = Effect(i)});

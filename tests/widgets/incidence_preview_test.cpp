@@ -18,8 +18,8 @@ using Axis = IncidenceTable::Axis;
 std::vector<double> uneven(double first, double last, int count) {
   std::vector<double> angles;
   for (int i = 0; i < count; ++i) {
-    const double share = i / (count - 1.0);
-    angles.push_back(first + (last - first) * (0.4 * share + 0.6 * share * share));
+    const double fraction = i / (count - 1.0);
+    angles.push_back(first + (last - first) * (0.4 * fraction + 0.6 * fraction * fraction));
   }
   return angles;
 }

@@ -25,23 +25,23 @@ class MaterialEstimatorTest : public QObject {
   /// Of many requests the last one is told, once: what came between is left out.
   void theNewestRequestWins() {
     MaterialEstimator estimator;
-    QSignalSpy told(&estimator, &MaterialEstimator::estimated);
+    QSignalSpy reported(&estimator, &MaterialEstimator::estimated);
     for (const double roughness : {0.9, 0.5, 0.3, 0.05}) estimator.request(ggx(roughness));
     QVERIFY(estimator.isBusy());
     QTRY_VERIFY(!estimator.isBusy());
-    QCOMPARE(told.count(), 1);
-    const auto estimate = told.front().front().value<widgets::MaterialEstimate>();
+    QCOMPARE(reported.count(), 1);
+    const auto estimate = reported.front().front().value<widgets::MaterialEstimate>();
     QVERIFY(areSimilar(*estimate.lobe, TabulatedLobe(*widgets::subjectBrdf(ggx(0.05)))));
     QVERIFY(!areSimilar(*estimate.lobe, TabulatedLobe(*widgets::subjectBrdf(ggx(0.9)))));
   }
 
   void cancelledRequestsAreNotTold() {
     MaterialEstimator estimator;
-    QSignalSpy told(&estimator, &MaterialEstimator::estimated);
+    QSignalSpy reported(&estimator, &MaterialEstimator::estimated);
     estimator.request(ggx(0.3));
     estimator.cancel();
     QTRY_VERIFY(!estimator.isBusy());
-    QCOMPARE(told.count(), 0);
+    QCOMPARE(reported.count(), 0);
     estimator.request({});  // nothing to estimate
     QVERIFY(!estimator.isBusy());
   }
@@ -55,12 +55,12 @@ class MaterialEstimatorTest : public QObject {
       estimator.request(wrong);  // destroyed with the failure
     }
     MaterialEstimator estimator;
-    QSignalSpy told(&estimator, &MaterialEstimator::estimated), failures(&estimator, &MaterialEstimator::failed);
+    QSignalSpy reported(&estimator, &MaterialEstimator::estimated), failures(&estimator, &MaterialEstimator::failed);
     estimator.request(wrong);
     QTRY_COMPARE(failures.count(), 1);
     QVERIFY(!failures[0][0].toString().isEmpty() && !estimator.isBusy());
     estimator.request(ggx(0.3));
-    QTRY_COMPARE(told.count(), 1);
+    QTRY_COMPARE(reported.count(), 1);
     QCOMPARE(failures.count(), 1);
   }
 

@@ -87,11 +87,11 @@ class ParameterPanelTest : public QObject {
       for (const models::ParameterSpec& spec : model->spec().parameters) {
         QVERIFY((sliderRange(spec, spec.softMin) == std::pair{spec.softMin, spec.softMax}));
         QVERIFY((sliderRange(spec, spec.softMax) == std::pair{spec.softMin, spec.softMax}));
-        for (const double share : {0.01, 0.5, 1.0}) {
-          const double above = std::lerp(spec.softMax, spec.hardMax, share);
+        for (const double fraction : {0.01, 0.5, 1.0}) {
+          const double above = std::lerp(spec.softMax, spec.hardMax, fraction);
           const auto [low, high] = sliderRange(spec, above);
           QVERIFY(low == spec.softMin && high >= above && high <= spec.hardMax);
-          const double below = std::lerp(spec.softMin, spec.hardMin, share);
+          const double below = std::lerp(spec.softMin, spec.hardMin, fraction);
           const auto [least, most] = sliderRange(spec, below);
           QVERIFY(most == spec.softMax && least <= below && least >= spec.hardMin);
         }

@@ -16,7 +16,7 @@ using namespace gonio::widgets;
 using metrics::PlausibilityCheck;
 
 std::vector<PlausibilityCheck> checks() {
-  PlausibilityCheck energy{.name = "energy", .passed = false, .worst = 1.4, .limit = 1.01, .share = 0.3};
+  PlausibilityCheck energy{.name = "energy", .passed = false, .worst = 1.4, .limit = 1.01, .fraction = 0.3};
   energy.at = DirectionPair{{0, 0, 1}, fromSpherical(radians(75), 0)};
   PlausibilityCheck negative{.name = "negative", .passed = false, .worst = 0.02};
   negative.at = DirectionPair{fromSpherical(radians(30), 0), fromSpherical(radians(60), pi)};

@@ -54,7 +54,7 @@ class PreviewScenesTest : public QObject {
       const Scene scene = openScene(name, 2);
       if (!widgets::SceneUniforms::canDraw(scene)) continue;
       EffectPlan plan = widgets::previewPlan(scene, material);
-      plan.reflections = std::min(plan.reflections, widgets::SceneUniforms::mostReflections);
+      plan.reflections = std::min(plan.reflections, widgets::SceneUniforms::maxReflections);
       renderer_->setSubject(widgets::measuredSubject(table, std::make_shared<const TabulatedLobe>(*table)));
       renderer_->setScene(scene, plan);
       constexpr int small = side / 4;

@@ -277,14 +277,14 @@ class PreviewWidgetTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     QSignalSpy frames(widget_.get(), &PreviewWidget::frameRendered);
     const models::Model& model = models::findModel("cook-torrance");
-    bool toldWhy = false;
+    bool hasReason = false;
     content().setSubject({widgets::ModelAlone{&model, models::defaultParameters(model.spec())}});
     while (frames.isEmpty()) {
       QVERIFY(widget_->picture().pixelColor(110, 110).red() > 60);
       QTest::qWait(1);
-      toldWhy = toldWhy || status().contains("Compiling");
+      hasReason = hasReason || status().contains("Compiling");
     }
-    QVERIFY(toldWhy);
+    QVERIFY(hasReason);
     QTRY_VERIFY_WITH_TIMEOUT(widget_->converged(), 60000);
     QVERIFY(!status().contains("Compiling"));
   }

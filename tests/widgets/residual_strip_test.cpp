@@ -15,9 +15,9 @@ class ResidualStripTest : public QObject {
  private:
   CurveEditor m_editor;
 
-  QString told(std::vector<double> shares) {
+  QString reported(std::vector<double> fractions) {
     ResidualStrip strip(m_editor);
-    strip.setShares(shares, "1 term");
+    strip.setShares(fractions, "1 term");
     return strip.accessibleDescription();
   }
 
@@ -27,17 +27,18 @@ class ResidualStripTest : public QObject {
     m_editor.setCurves({0, 0.5, 1}, {curve, curve, curve}, {});
   }
 
-  /// Two digits or so of any share, none with an exponent.
+  /// Two digits or so of any fraction, none with an exponent.
   void sharesAreWrittenForPeople() {
-    for (const auto& [share, text] : {std::pair(1.0, "100 %"),
-                                      {2.34, "234 %"},
-                                      {0.5, "50 %"},
-                                      {0.123, "12 %"},
-                                      {0.036, "3.6 %"},
-                                      {0.01, "1 %"},
-                                      {0.00071, "0.07 %"},
-                                      {0.0, "0 %"}})
-      QVERIFY2(told({0, share, 0}).contains(QString("at most %1,").arg(text)), qPrintable(told({0, share, 0})));
+    for (const auto& [fraction, text] : {std::pair(1.0, "100 %"),
+                                         {2.34, "234 %"},
+                                         {0.5, "50 %"},
+                                         {0.123, "12 %"},
+                                         {0.036, "3.6 %"},
+                                         {0.01, "1 %"},
+                                         {0.00071, "0.07 %"},
+                                         {0.0, "0 %"}})
+      QVERIFY2(reported({0, fraction, 0}).contains(QString("at most %1,").arg(text)),
+               qPrintable(reported({0, fraction, 0})));
   }
 
   /// The scale is a round share above the largest; what is above 1 is drawn up to the frame's top.

@@ -200,9 +200,9 @@ void HalfDifferenceChart::drawColourBar(QPainter& painter) const {
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(bar);
   for (int i = 0; i <= 4; ++i) {
-    const double share = i / 4.0;
-    const QString text = (i == 4 ? tr("≥%1") : QStringLiteral("%1")).arg(formatNumber(share * m_range));
-    painter.drawText(QRectF(bar.right() + 3, bar.bottom() - share * bar.height() - em / 2, 2.4 * em, em),
+    const double fraction = i / 4.0;
+    const QString text = (i == 4 ? tr("≥%1") : QStringLiteral("%1")).arg(formatNumber(fraction * m_range));
+    painter.drawText(QRectF(bar.right() + 3, bar.bottom() - fraction * bar.height() - em / 2, 2.4 * em, em),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, text);
   }
   painter.save();

@@ -51,8 +51,8 @@ QRectF HemisphereChart::disc() const {
 
 QPointF HemisphereChart::placeOf(const Direction& direction) const {
   const QRectF at = disc();
-  const double share = polarAngle(direction) / halfPi, phi = azimuth(direction);
-  return at.center() + 0.5 * at.width() * share * QPointF(std::cos(phi), -std::sin(phi));
+  const double fraction = polarAngle(direction) / halfPi, phi = azimuth(direction);
+  return at.center() + 0.5 * at.width() * fraction * QPointF(std::cos(phi), -std::sin(phi));
 }
 
 QList<QPointF> HemisphereChart::places(int sample) const {
@@ -63,8 +63,8 @@ QList<QPointF> HemisphereChart::places(int sample) const {
 void HemisphereChart::drawGrid(QPainter& painter) const {
   const PlotStyle style = PlotStyle::of(palette());
   const QRectF rim = disc();
-  const auto ring = [&](double share) {
-    const double r = 0.5 * rim.width() * share;
+  const auto ring = [&](double fraction) {
+    const double r = 0.5 * rim.width() * fraction;
     return QRectF(rim.center() - QPointF(r, r), QSizeF(2 * r, 2 * r));
   };
   if (m_largestPolarAngle < halfPi) {

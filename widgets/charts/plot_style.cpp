@@ -6,8 +6,8 @@ namespace gonio::widgets {
 
 namespace {
 
-QColor blended(const QColor& a, const QColor& b, double share) {
-  const auto mix = [share](int x, int y) { return int(x + (y - x) * share); };
+QColor blended(const QColor& a, const QColor& b, double fraction) {
+  const auto mix = [fraction](int x, int y) { return int(x + (y - x) * fraction); };
   return QColor(mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue()));
 }
 

@@ -31,24 +31,24 @@ void CurveView::fitTo(const ChannelCurves& curves, const ChannelCurves& ghost) {
 }
 
 double CurveView::toX(double place) const {
-  const double share = std::max(0.0, place / last);
-  return area.left() + area.width() * (axis.squareRoot ? std::sqrt(share) : share);
+  const double fraction = std::max(0.0, place / last);
+  return area.left() + area.width() * (axis.squareRoot ? std::sqrt(fraction) : fraction);
 }
 
 double CurveView::toPlace(double x) const {
-  const double share = std::clamp((x - area.left()) / area.width(), 0.0, 1.0);
-  return last * (axis.squareRoot ? share * share : share);
+  const double fraction = std::clamp((x - area.left()) / area.width(), 0.0, 1.0);
+  return last * (axis.squareRoot ? fraction * fraction : fraction);
 }
 
 double CurveView::toY(double value) const {
-  const double share =
+  const double fraction =
       logarithmic ? std::log(std::max(value, low) / low) / std::log(high / low) : (value - low) / (high - low);
-  return area.bottom() - area.height() * share;
+  return area.bottom() - area.height() * fraction;
 }
 
 double CurveView::toValue(double y) const {
-  const double share = (area.bottom() - y) / area.height();
-  return logarithmic ? low * std::pow(high / low, share) : std::max(0.0, low + (high - low) * share);
+  const double fraction = (area.bottom() - y) / area.height();
+  return logarithmic ? low * std::pow(high / low, fraction) : std::max(0.0, low + (high - low) * fraction);
 }
 
 void CurveView::drawFrame(QPainter& painter, const PlotStyle& style) const {

@@ -13,8 +13,8 @@ namespace gonio::widgets {
 
 namespace {
 
-QString percent(double share) {
-  const double value = 100 * share;
+QString percent(double fraction) {
+  const double value = 100 * fraction;
   const int decimals = value >= 10 || value == std::round(value) ? 0 : value >= 1 ? 1 : 2;
   return ResidualStrip::tr("%1 %").arg(value, 0, 'f', decimals);
 }
@@ -31,16 +31,16 @@ ResidualStrip::ResidualStrip(const CurveEditor& editor, QWidget* parent) : QWidg
 
 QSize ResidualStrip::sizeHint() const { return {200, int(2.9 * fontMetrics().height())}; }
 
-void ResidualStrip::setShares(const std::vector<double>& shares, const QString& title) {
-  if (shares == m_shares && title == m_title) return;
-  m_shares = shares;
+void ResidualStrip::setShares(const std::vector<double>& fractions, const QString& title) {
+  if (fractions == m_shares && title == m_title) return;
+  m_shares = fractions;
   m_title = title;
-  const auto largest = std::max_element(shares.begin(), shares.end());
+  const auto largest = std::max_element(fractions.begin(), fractions.end());
   setAccessibleDescription(
-      shares.empty() ? QString()
-                     : tr("%1: at most %2, at %3")
-                           .arg(title, percent(*largest),
-                                m_editor.axis().place(m_editor.nodes()[std::size_t(largest - shares.begin())])));
+      fractions.empty() ? QString()
+                        : tr("%1: at most %2, at %3")
+                              .arg(title, percent(*largest),
+                                   m_editor.axis().place(m_editor.nodes()[std::size_t(largest - fractions.begin())])));
   update();
 }
 

@@ -9,7 +9,7 @@ namespace gonio::widgets {
 
 class CurveEditor;
 
-/// A low chart under a curve editor, on its axis: at each of the curve's nodes the share of the material that its
+/// A low chart under a curve editor, on its axis: at each of the curve's nodes the fraction of the material that its
 /// curves leave unexplained.
 class ResidualStrip : public QWidget {
   Q_OBJECT
@@ -20,8 +20,8 @@ class ResidualStrip : public QWidget {
 
   /// @param shares [0, infinity), one a node of the editor: above 1 where the curves are farther from the material than
   /// black is. None: nothing is known.
-  void setShares(const std::vector<double>& shares, const QString& title);
-  const std::vector<double>& shares() const { return m_shares; }
+  void setShares(const std::vector<double>& fractions, const QString& title);
+  const std::vector<double>& fractions() const { return m_shares; }
   /// The upper end of the scale: a round share above the largest, at most 1; what is larger is drawn as 1.
   double scale() const;
 

@@ -61,20 +61,20 @@ double ParameterSlider::shareOf(double value) const {
   if (!(m_max > m_min)) return 0;
   if (m_scale == models::ParameterScale::logarithmic)
     return value <= m_min ? 0 : std::clamp(std::log(value / m_min) / std::log(m_max / m_min), 0.0, 1.0);
-  const double share = std::clamp((value - m_min) / (m_max - m_min), 0.0, 1.0);
-  return m_scale == models::ParameterScale::lightness ? std::cbrt(share) : share;
+  const double fraction = std::clamp((value - m_min) / (m_max - m_min), 0.0, 1.0);
+  return m_scale == models::ParameterScale::lightness ? std::cbrt(fraction) : fraction;
 }
 
-double ParameterSlider::valueAt(double share) const {
+double ParameterSlider::valueAt(double fraction) const {
   // The ends exactly, so that the slider reaches its limits bit by bit.
-  if (share <= 0) return m_min;
-  if (share >= 1) return m_max;
-  if (m_scale == models::ParameterScale::logarithmic) return m_min * std::pow(m_max / m_min, share);
-  const double spread = m_scale == models::ParameterScale::lightness ? share * share * share : share;
+  if (fraction <= 0) return m_min;
+  if (fraction >= 1) return m_max;
+  if (m_scale == models::ParameterScale::logarithmic) return m_min * std::pow(m_max / m_min, fraction);
+  const double spread = m_scale == models::ParameterScale::lightness ? fraction * fraction * fraction : fraction;
   return m_min + spread * (m_max - m_min);
 }
 
-double ParameterSlider::snapped(double share) const { return std::round(share * snapSteps) / snapSteps; }
+double ParameterSlider::snapped(double fraction) const { return std::round(fraction * snapSteps) / snapSteps; }
 
 void ParameterSlider::begin() {
   if (m_editing) return;
@@ -89,8 +89,8 @@ void ParameterSlider::end() {
   Q_EMIT editingFinished();
 }
 
-void ParameterSlider::editTo(double share, bool snap) {
-  const double value = valueAt(snap ? snapped(share) : share);
+void ParameterSlider::editTo(double fraction, bool snap) {
+  const double value = valueAt(snap ? snapped(fraction) : fraction);
   if (value == m_number) return;
   setNumber(value);
   Q_EMIT numberEdited(value);
@@ -179,27 +179,27 @@ void ParameterSlider::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void ParameterSlider::keyPressEvent(QKeyEvent* event) {
   const double step = keyShare * (event->modifiers() & Qt::ShiftModifier ? fineFactor : 1);
-  double share = shareOf(m_number);
+  double fraction = shareOf(m_number);
   switch (event->key()) {
     case Qt::Key_Left:
     case Qt::Key_Down:
-      share -= step;
+      fraction -= step;
       break;
     case Qt::Key_Right:
     case Qt::Key_Up:
-      share += step;
+      fraction += step;
       break;
     case Qt::Key_PageDown:
-      share -= pageShare;
+      fraction -= pageShare;
       break;
     case Qt::Key_PageUp:
-      share += pageShare;
+      fraction += pageShare;
       break;
     case Qt::Key_Home:
-      share = 0;
+      fraction = 0;
       break;
     case Qt::Key_End:
-      share = 1;
+      fraction = 1;
       break;
     case Qt::Key_Backspace:
       Q_EMIT resetRequested();
@@ -208,7 +208,7 @@ void ParameterSlider::keyPressEvent(QKeyEvent* event) {
       return event->ignore();
   }
   begin();
-  editTo(share, false);
+  editTo(fraction, false);
 }
 
 void ParameterSlider::keyReleaseEvent(QKeyEvent* event) {

@@ -49,13 +49,13 @@ class ParameterSlider : public QAbstractSlider {
 
  private:
   double shareOf(double value) const;
-  double valueAt(double share) const;
-  double snapped(double share) const;
+  double valueAt(double fraction) const;
+  double snapped(double fraction) const;
   QRectF groove() const;
   int handleRadius() const;
   void begin();
   void end();
-  void editTo(double share, bool snap);
+  void editTo(double fraction, bool snap);
   void syncAccessibleValue();
 
   double m_min = 0, m_max = 1, m_number = 0;

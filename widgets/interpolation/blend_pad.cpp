@@ -213,7 +213,7 @@ void BlendPad::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
   QPolygonF outline;
-  for (const int corner : materials() == mostBlended ? std::vector{0, 1, 3, 2} : std::vector{0, 1, 2})
+  for (const int corner : materials() == maxBlended ? std::vector{0, 1, 3, 2} : std::vector{0, 1, 2})
     if (corner < materials()) outline << position(cornerPlace(corner));
   painter.setPen(QPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::Mid), hasFocus() ? 2 : 1));
   painter.setBrush(palette().color(QPalette::Base));

@@ -9,10 +9,10 @@ namespace gonio::widgets {
 
 /// Where the hand is between two to four materials, and what each of them weighs there. A place is
 ///   of two materials    (t, 0): t = 0 is the first, 1 the second
-///   of three            (u, v), u + v <= 1: the shares of the second and the third
+///   of three            (u, v), u + v <= 1: the fractions of the second and the third
 ///   of four             (u, v): from the first to the second, from the first to the third; (1, 1) is the fourth
 /// with u, v in [0, 1].
-inline constexpr int fewestBlended = 2, mostBlended = 4;
+inline constexpr int minBlended = 2, maxBlended = 4;
 
 /// One weight a material, in [0, 1], with the sum 1; at a corner exactly 1 and 0. Three: barycentric; four: bilinear.
 std::vector<double> weightsAt(int materials, const QPointF& place);

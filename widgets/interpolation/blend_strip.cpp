@@ -16,7 +16,7 @@ namespace gonio::widgets {
 
 namespace {
 constexpr double smallestSide = 30, largestSide = 96, usualSide = 56, gap = 3;
-constexpr int fewestRows = 4, usualRows = 5;
+constexpr int minRows = 4, usualRows = 5;
 }  // namespace
 
 BlendStrip::BlendStrip(QWidget* parent) : QWidget(parent) {
@@ -55,9 +55,9 @@ void BlendStrip::setCurrentRow(int row) {
   updateRow(row);
 }
 
-void BlendStrip::setMark(double share) {
-  if (share == m_mark) return;
-  m_mark = share;
+void BlendStrip::setMark(double fraction) {
+  if (fraction == m_mark) return;
+  m_mark = fraction;
   update(QRectF(0, 0, width(), headerHeight()).toAlignedRect());
 }
 
@@ -100,7 +100,7 @@ QSize BlendStrip::sizeHint() const {
 
 QSize BlendStrip::minimumSizeHint() const {
   return {int(labelWidth() + double(m_steps.size()) * (smallestSide + gap)),
-          int(headerHeight() + fewestRows * (smallestSide + gap))};
+          int(headerHeight() + minRows * (smallestSide + gap))};
 }
 
 BlendStrip::Cell BlendStrip::cellAt(const QPointF& position) const {

@@ -33,7 +33,7 @@ class BlendStrip : public QWidget {
   void setCurrentRow(int row);
   int currentRow() const { return m_currentRow; }
   /// Marks a place among the columns, in [0, 1]; a negative one is not on the strip.
-  void setMark(double share);
+  void setMark(double fraction);
   /// Shown while there are no rows.
   void setEmptyText(const QString& text);
   QRectF cell(int row, int step) const;

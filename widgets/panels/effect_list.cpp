@@ -38,8 +38,8 @@ constexpr EffectText texts[effectCount] = {
 
 QString costText(const EffectCosts& costs, const EffectCost& cost) {
   if (cost.isWithinNoise()) return EffectList::tr("within noise");
-  const double share = costs.seconds > 0 ? 100 * cost.seconds / costs.seconds : 0;
-  return EffectList::tr("%1 ms (%2 %)").arg(1000 * cost.seconds, 0, 'f', 1).arg(share, 0, 'f', 0);
+  const double fraction = costs.seconds > 0 ? 100 * cost.seconds / costs.seconds : 0;
+  return EffectList::tr("%1 ms (%2 %)").arg(1000 * cost.seconds, 0, 'f', 1).arg(fraction, 0, 'f', 0);
 }
 
 QString costToolTip(const EffectCost& cost) {

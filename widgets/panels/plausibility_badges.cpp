@@ -34,9 +34,11 @@ PlausibilityBadge::PlausibilityBadge(QWidget* parent) : QAbstractButton(parent) 
 
 void PlausibilityBadge::setState(State state) {
   m_state = state;
-  const QString told = state == State::passed ? tr("passed") : state == State::failed ? tr("failed") : tr("checking");
-  setAccessibleName(tr("%1: %2").arg(text(), told));
-  setToolTip(tr("%1: %2. Press for an explanation.").arg(text(), told));
+  const QString outcome = state == State::passed   ? tr("passed")
+                          : state == State::failed ? tr("failed")
+                                                   : tr("checking");
+  setAccessibleName(tr("%1: %2").arg(text(), outcome));
+  setToolTip(tr("%1: %2. Press for an explanation.").arg(text(), outcome));
   update();
 }
 

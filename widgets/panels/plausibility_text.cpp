@@ -14,7 +14,7 @@ struct PlausibilityText {
   Q_DECLARE_TR_FUNCTIONS(PlausibilityText)
 };
 QString number(double value) { return QString::number(value, 'g', 3); }
-QString percent(double share) { return QStringLiteral("%1 %").arg(number(100 * share)); }
+QString percent(double fraction) { return QStringLiteral("%1 %").arg(number(100 * fraction)); }
 
 struct Text {
   QString word, meaning, worst, remedy;
@@ -50,7 +50,7 @@ Text textOf(const metrics::PlausibilityCheck& check) {
             PlausibilityText::tr(
                 "The edit subtracts more than was measured there. The picture shows 0 instead, as black patches."),
             PlausibilityText::tr("Lowest value: %1 1/sr, at %2 of the directions")
-                .arg(number(-check.worst), percent(check.share)),
+                .arg(number(-check.worst), percent(check.fraction)),
             PlausibilityText::tr("Reduce the edit, or fit a model that explains the measurement better.")};
   if (check.name == "non-finite")
     return {PlausibilityText::tr("Finite"), PlausibilityText::tr("Every value is a number."),

@@ -55,9 +55,9 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   clear();
 }
 
-void ProgressStrip::showProgress(const QString& text, double share, bool canCancel, Pausing pausing) {
+void ProgressStrip::showProgress(const QString& text, double fraction, bool canCancel, Pausing pausing) {
   m_text->setText(text);
-  m_bar->setValue(int(std::lround(share * barSteps)));
+  m_bar->setValue(int(std::lround(fraction * barSteps)));
   m_bar->setAccessibleName(text);
   m_cancel->setVisible(canCancel);
   m_pause->setVisible(pausing != Pausing::no);

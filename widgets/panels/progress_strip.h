@@ -27,7 +27,7 @@ class ProgressStrip : public QWidget {
   };
 
   enum class Pausing { no, running, paused };
-  void showProgress(const QString& text, double share, bool canCancel, Pausing pausing = Pausing::no);
+  void showProgress(const QString& text, double fraction, bool canCancel, Pausing pausing = Pausing::no);
   void clear();
   /// Shown as a list where there are two or more.
   void setEntries(const std::vector<Entry>& entries);

@@ -61,12 +61,12 @@ void ColourSwatch::openDialog() {
   // Qt's own has an eyedropper (Pick Screen Colour), which reads the preview too; not every native one has.
   dialog.setOption(QColorDialog::DontUseNativeDialog);
   dialog.setWindowTitle(tr("%1: tint").arg(accessibleName()));
-  const auto tell = [&](const QColor& chosen) {
+  const auto emitColour = [&](const QColor& chosen) {
     const Rgb linear(fromSrgb(chosen.redF()), fromSrgb(chosen.greenF()), fromSrgb(chosen.blueF()));
     setColour(linear * scale);
     Q_EMIT colourEdited(m_colour);
   };
-  connect(&dialog, &QColorDialog::currentColorChanged, this, tell);
+  connect(&dialog, &QColorDialog::currentColorChanged, this, emitColour);
   Q_EMIT editingStarted();
   if (dialog.exec() != QDialog::Accepted) {
     setColour(before);

@@ -13,7 +13,7 @@ namespace gonio::widgets {
 
 namespace {
 constexpr int labelEms = 9;
-/// Arrow keys in the number field step by this share of the slider's range.
+/// Arrow keys in the number field step by this fraction of the slider's range.
 constexpr double fieldStepShare = 0.01;
 }  // namespace
 

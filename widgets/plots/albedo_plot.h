@@ -6,7 +6,7 @@
 
 namespace gonio::widgets {
 
-/// Directional albedo (the share of light from one direction that is reflected, or by reciprocity of even light that
+/// Directional albedo (the fraction of light from one direction that is reflected, or by reciprocity of even light that
 /// reaches a viewer) against the polar angle. Above the line at 1 a material would give off more than it gets.
 class AlbedoPlot final : public CurveChart {
   Q_OBJECT

@@ -86,7 +86,7 @@ void drawArrowHead(QPainter& painter, const QPointF& from, const QPointF& to, do
   painter.drawPolygon(QPolygonF{to, to + step + aside, to + step - aside});
 }
 
-/// How far the surface reaches along a direction, as a share of the unit hemisphere.
+/// How far the surface reaches along a direction, as a fraction of the unit hemisphere.
 double reachAlong(const LobePicture& picture, const Direction& direction) {
   const std::vector<Direction>& directions = picture.series.data.directions;
   const auto nearest = std::max_element(directions.begin(), directions.end(), [&](const auto& a, const auto& b) {
@@ -156,7 +156,7 @@ QPointF LobePlace::at(const Direction& point) const {
 Direction lobePoint(const LobePicture& picture, std::size_t index) {
   const plots::LobeSurface& lobe = picture.series.data;
   const double value = lobe.points.at(index, picture.settings.channel);
-  return (std::isnan(value) ? 0.0 : picture.scale.share(value)) * lobe.directions[index];
+  return (std::isnan(value) ? 0.0 : picture.scale.fraction(value)) * lobe.directions[index];
 }
 
 void drawLobe(QPainter& painter, const QRectF& cell, const LobePlace& place, const LobePicture& picture,

@@ -21,8 +21,8 @@ void drawCentred(QPainter& painter, const QPointF& at, const QString& text) {
   painter.drawText(QRectF(at - QPointF(size.width(), size.height()) / 2, size), Qt::AlignCenter, text);
 }
 
-QRectF discRect(const PolarGeometry& geometry, double share) {
-  const double r = geometry.radius * share;
+QRectF discRect(const PolarGeometry& geometry, double fraction) {
+  const double r = geometry.radius * fraction;
   return QRectF(geometry.centre - QPointF(r, r), QSizeF(2 * r, 2 * r));
 }
 
@@ -31,7 +31,7 @@ void drawGrid(QPainter& painter, const PolarGeometry& geometry, const PolarPictu
   painter.setBrush(Qt::NoBrush);
   for (int i = -6; i <= 6; ++i) painter.drawLine(geometry.centre, geometry.at(i * rayStep, 1));
   for (const double tick : plots::scaleTicks(picture.scale))
-    painter.drawArc(discRect(geometry, picture.scale.share(tick)), 0, 180 * 16);
+    painter.drawArc(discRect(geometry, picture.scale.fraction(tick)), 0, 180 * 16);
   painter.setPen(QPen(style.text, 1));
   painter.drawArc(discRect(geometry, 1), 0, 180 * 16);
   painter.drawLine(geometry.at(-halfPi, 1), geometry.at(halfPi, 1));
@@ -50,17 +50,17 @@ void drawAngles(QPainter& painter, const PolarGeometry& geometry, double thetaI,
 void drawValues(QPainter& painter, const PolarGeometry& geometry, const PolarPicture& picture, const PlotStyle& style) {
   painter.setPen(style.text);
   const double below = 0.7 * fontHeight(painter);
-  const auto label = [&](double share, double value) {
+  const auto label = [&](double fraction, double value) {
     for (const double side : {-1.0, 1.0})
-      drawCentred(painter, geometry.centre + QPointF(side * share * geometry.radius, below), formatNumber(value));
+      drawCentred(painter, geometry.centre + QPointF(side * fraction * geometry.radius, below), formatNumber(value));
   };
   const auto width = [&](double value) { return painter.fontMetrics().horizontalAdvance(formatNumber(value)); };
   const double gap = 0.5 * fontHeight(painter);
   double free = width(picture.scale.min) / 2.0 + gap;  // from there on no label stands, from the centre outwards
   for (const double tick : plots::scaleTicks(picture.scale)) {
-    const double at = picture.scale.share(tick) * geometry.radius, half = width(tick) / 2.0;
+    const double at = picture.scale.fraction(tick) * geometry.radius, half = width(tick) / 2.0;
     if (at - half < free) continue;
-    label(picture.scale.share(tick), tick);
+    label(picture.scale.fraction(tick), tick);
     free = at + half + gap;
   }
   drawCentred(painter, geometry.centre + QPointF(0, below), formatNumber(picture.scale.min));
@@ -81,7 +81,7 @@ void drawCurve(QPainter& painter, const PolarGeometry& geometry, const PolarPict
     if (std::isnan(value))
       flush();
     else
-      line << geometry.at(curve.angles[i], picture.scale.share(value));
+      line << geometry.at(curve.angles[i], picture.scale.fraction(value));
   }
   flush();
 }
@@ -116,8 +116,8 @@ PolarGeometry PolarGeometry::filling(const QSizeF& size, double height) {
   return {{size.width() / 2, top + (size.height() - bottom - top + radius) / 2}, radius};
 }
 
-QPointF PolarGeometry::at(double angle, double share) const {
-  return centre + radius * share * QPointF(std::sin(angle), -std::cos(angle));
+QPointF PolarGeometry::at(double angle, double fraction) const {
+  return centre + radius * fraction * QPointF(std::sin(angle), -std::cos(angle));
 }
 
 double PolarGeometry::angleOf(const QPointF& point) const {

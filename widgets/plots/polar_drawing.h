@@ -18,7 +18,7 @@ struct PolarGeometry {
 
   /// The half disc that fills a picture, with room for labels of a font of this height.
   static PolarGeometry filling(const QSizeF& size, double fontHeight);
-  QPointF at(double angle, double share) const;
+  QPointF at(double angle, double fraction) const;
   /// Signed polar angle of a point, rad, (-pi, pi].
   double angleOf(const QPointF& point) const;
   double shareOf(const QPointF& point) const;

@@ -73,7 +73,7 @@ void PolarPlot::drawCrosshair(QPainter& painter) const {
     if (std::isnan(value)) continue;
     painter.setPen(QPen(style().colour(series.role), 2));
     painter.setBrush(style().background);
-    painter.drawEllipse(place.at(*m_pointed, m_scale.share(value)), 3.5, 3.5);
+    painter.drawEllipse(place.at(*m_pointed, m_scale.fraction(value)), 3.5, 3.5);
   }
 }
 
@@ -101,9 +101,9 @@ bool PolarPlot::isOnLight(const QPointF& position) const {
   const QPointF toHandle = position - handle();
   const double em = fontMetrics().height();
   if (std::hypot(toHandle.x(), toHandle.y()) < em) return true;
-  const double share = place.shareOf(position);
-  const double aside = share * place.radius * std::abs(std::sin(place.angleOf(position) + settings().thetaI));
-  return share > 0.3 && share < 1.05 && place.angleOf(position) < 0 && aside < 0.4 * em;
+  const double fraction = place.shareOf(position);
+  const double aside = fraction * place.radius * std::abs(std::sin(place.angleOf(position) + settings().thetaI));
+  return fraction > 0.3 && fraction < 1.05 && place.angleOf(position) < 0 && aside < 0.4 * em;
 }
 
 void PolarPlot::mousePressEvent(QMouseEvent* event) {

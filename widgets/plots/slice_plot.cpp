@@ -125,7 +125,7 @@ void SlicePlot::refresh() {
 }
 
 void SlicePlot::fillPanel(const Panel& panel, const plots::Slice& slice) {
-  // Keys are shares of the theta_h axis, values degrees of theta_d, both at the middle of cells.
+  // Keys are fractions of the theta_h axis, values degrees of theta_d, both at the middle of cells.
   const QCPRange across(0.5 / slice.width, 1 - 0.5 / slice.width);
   const QCPRange up(45.0 / slice.height, 90 - 45.0 / slice.height);
   for (QCPColorMap* map : {panel.values, panel.notMeasured}) {
@@ -248,9 +248,9 @@ void SlicePlot::pointerMoved(const QPointF& at) {
   if (!under) return showReadout({});
   const Panel& panel = m_panels[*under];
   const plots::Slice& slice = m_series[*under].data;
-  const double share = panel.rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x()), thetaD = thetaDAt(panel, at);
-  const int column = int(share * slice.width), row = int(thetaD / halfPi * slice.height);
-  if (share < 0 || thetaD < 0 || column >= slice.width || row >= slice.height) return showReadout({});
+  const double fraction = panel.rect->axis(QCPAxis::atBottom)->pixelToCoord(at.x()), thetaD = thetaDAt(panel, at);
+  const int column = int(fraction * slice.width), row = int(thetaD / halfPi * slice.height);
+  if (fraction < 0 || thetaD < 0 || column >= slice.width || row >= slice.height) return showReadout({});
   QStringList lines{tr("θh = %1, θd = %2").arg(degreesText(slice.thetaH(column)), degreesText(slice.thetaD(row)))};
   for (const auto& series : m_series) {
     const std::size_t i = series.data.index(column, row);

@@ -69,7 +69,7 @@ QWidget* ComparisonBar::buildModes() {
   layout->addStretch();
   connect(m_modes, &QButtonGroup::idClicked, this, [this](int id) {
     m_comparison.mode = CompareMode(id);
-    tell();
+    emitComparison();
   });
   return row;
 }
@@ -117,13 +117,13 @@ QWidget* ComparisonBar::buildDifference() {
   connect(m_kind, &QComboBox::activated, this, [this](int kind) {
     m_comparison.difference = DifferenceKind(kind);
     m_comparison.range = 0;
-    tell();
+    emitComparison();
   });
   m_automatic = new QCheckBox(tr("Automatic range to"), row);
   m_automatic->setToolTip(tr("Sets the scale to the next round number above 99.5 % of the differences"));
   connect(m_automatic, &QCheckBox::clicked, this, [this](bool automatic) {
     m_comparison.range = automatic ? 0 : m_range->value();
-    tell();
+    emitComparison();
   });
   m_range = new NumberField(row);
   m_range->setAccessibleName(tr("Scale maximum"));
@@ -131,7 +131,7 @@ QWidget* ComparisonBar::buildDifference() {
   m_range->setRange(smallestRange, largestRange);
   connect(m_range, &NumberField::valueEdited, this, [this](double range) {
     m_comparison.range = range;
-    tell();
+    emitComparison();
   });
   layout->addWidget(m_kind, 1);
   layout->addWidget(m_automatic);
@@ -178,7 +178,7 @@ void ComparisonBar::tellSides(int changed) {
   Q_EMIT sidesEdited(after[0], after[1]);
 }
 
-void ComparisonBar::tell() {
+void ComparisonBar::emitComparison() {
   refresh();
   Q_EMIT comparisonEdited(m_comparison);
 }

@@ -51,7 +51,7 @@ class ComparisonBar : public QWidget {
   QWidget* buildSides();
   QWidget* buildDifference();
   void tellSides(int changed);
-  void tell();
+  void emitComparison();
   void refresh();
 
   PreviewComparison m_comparison;

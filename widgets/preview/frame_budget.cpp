@@ -12,7 +12,7 @@ FrameBudget::Frame FrameBudget::next(double pixels, int accumulated, int wanted,
     return std::clamp(static_cast<int>(budget / std::max(1.0, nsPerSample_ * atPixels)), 1, maxSamplesPerFrame);
   };
   const int full = affordable(pixels);
-  if (accumulated == 0 && !resting && full < fewestFirstSamples) {
+  if (accumulated == 0 && !resting && full < minFirstSamples) {
     const double scale = nsPerSample_ * pixels / 4 > longestFirstMs * 1e6 ? 0.25 : 0.5;
     return {affordable(pixels * scale * scale), scale};
   }

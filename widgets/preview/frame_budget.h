@@ -13,7 +13,7 @@ class FrameBudget {
   static constexpr int maxSamplesPerFrame = 64;
   /// Below this many samples the first frame is drawn at half the resolution instead; at a quarter of it where a sample
   /// at half takes longer than this.
-  static constexpr int fewestFirstSamples = 6;
+  static constexpr int minFirstSamples = 6;
   static constexpr double longestFirstMs = 100;
 
   struct Frame {

@@ -23,17 +23,17 @@ class PictureThread::Worker : public QObject {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] {
       if (const std::optional<PictureState> state = draw())
-        tell([state = *state](PictureThread& owner) { Q_EMIT owner.drawn(state); });
+        postToOwner([state = *state](PictureThread& owner) { Q_EMIT owner.drawn(state); });
     });
   }
 
   void initialize() {
-    m_drawer.setCompileListener([this] { tell([](PictureThread& owner) { Q_EMIT owner.compiling(); }); });
+    m_drawer.setCompileListener([this] { postToOwner([](PictureThread& owner) { Q_EMIT owner.compiling(); }); });
     m_broken = TaskFailure::of([this] {
       if (!m_context->create()) throw Error("the graphics driver gives no OpenGL context");
       makeCurrent();
       if (!m_gl.initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
-      tell([graphics = graphics(), software = CodeDecoder::isSoftware(m_gl)](PictureThread& owner) {
+      postToOwner([graphics = graphics(), software = CodeDecoder::isSoftware(m_gl)](PictureThread& owner) {
         Q_EMIT owner.started(graphics, software);
       });
       m_drawer.initialize();
@@ -63,7 +63,7 @@ class PictureThread::Worker : public QObject {
   std::optional<PictureState> draw() {
     const std::shared_ptr<const PictureRequest> request = newest();
     if (!request) return std::nullopt;
-    if (!m_works) tell([broken = m_broken](PictureThread& owner) { Q_EMIT owner.failed(broken); });
+    if (!m_works) postToOwner([broken = m_broken](PictureThread& owner) { Q_EMIT owner.failed(broken); });
     if (!m_works) return std::nullopt;
     std::optional<PictureState> state;
     guarded([&] {
@@ -107,10 +107,10 @@ class PictureThread::Worker : public QObject {
   template <typename Work>
   void guarded(const Work& work) {
     const QString failure = TaskFailure::of(work);
-    if (!failure.isEmpty()) tell([failure](PictureThread& owner) { Q_EMIT owner.failed(failure); });
+    if (!failure.isEmpty()) postToOwner([failure](PictureThread& owner) { Q_EMIT owner.failed(failure); });
   }
   template <typename Say>
-  void tell(const Say& say) {
+  void postToOwner(const Say& say) {
     QMetaObject::invokeMethod(
         &m_owner, [&owner = m_owner, say] { say(owner); }, Qt::QueuedConnection);
   }

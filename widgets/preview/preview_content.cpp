@@ -12,7 +12,7 @@ namespace gonio::widgets {
 namespace {
 
 /// A film with fewer is noisier than what a graphics card has drawn by then.
-constexpr int fewestFilmSamples = 16;
+constexpr int minFilmSamples = 16;
 
 bool hasMeshes(const Scene& scene) {
   return std::ranges::any_of(scene.objects,
@@ -236,7 +236,7 @@ bool PreviewContent::isWorthShowing(const PreviewSide& side) const {
   if (tracing() == Tracing::always) return tracer.film() != nullptr;
   return tracing() == Tracing::atRest && tracer.isCurrent() &&
          QSize(tracer.film()->width, tracer.film()->height) == pictureSize() &&
-         tracer.film()->samples >= (m_software ? 1 : fewestFilmSamples);
+         tracer.film()->samples >= (m_software ? 1 : minFilmSamples);
 }
 
 PictureRequest PreviewContent::request() const {

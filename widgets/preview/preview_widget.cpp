@@ -33,11 +33,11 @@ PreviewWidget::PreviewWidget(QWidget* parent)
   setAccessibleDescription(tr("The material on a sphere. Drag to orbit, wheel to zoom."));
   connectContent();
   connectThread();
-  connect(m_overlay->splitBar(), &SplitBar::moved, this, [this](double share) {
+  connect(m_overlay->splitBar(), &SplitBar::moved, this, [this](double fraction) {
     PreviewComparison comparison = m_content.comparison();
-    comparison.split = share;
+    comparison.split = fraction;
     m_content.setComparison(comparison);
-    Q_EMIT splitMoved(share);
+    Q_EMIT splitMoved(fraction);
   });
   showOverlay();
 }
@@ -199,7 +199,7 @@ void PreviewWidget::showStatus(double milliseconds) {
   const QString curve = QString::fromUtf8(toneMapName(m_settings.toneMap).data());
   const bool second = m_flickering && m_content.isComparing();
   const PictureState::Side& shown = m_state.sides[second ? 1 : 0];
-  const int followed = shown.isTraced ? m_content.plan().reflections : SceneUniforms::mostReflections;
+  const int followed = shown.isTraced ? m_content.plan().reflections : SceneUniforms::maxReflections;
   const QString& name = (second ? m_content.second() : m_content.first()).name();
   m_overlay->setStatus(tr("%1%2 | exposure %3 | %4 | %5 ms%6 | %7%8\n%9")
                            .arg(name.isEmpty() ? QString() : tr("%1 | ").arg(name))

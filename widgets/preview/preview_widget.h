@@ -66,7 +66,7 @@ class PreviewWidget : public QWidget {
   void frameRendered(double milliseconds, int samplesPerPixel);
   void failed(const QString& message);
   /// By the user, on the picture.
-  void splitMoved(double share);
+  void splitMoved(double fraction);
 
  protected:
   void showEvent(QShowEvent* event) override;

@@ -12,18 +12,18 @@ namespace gonio::widgets {
 
 namespace {
 
-/// Sizes of the pictures before the full one, as shares of its sides.
+/// Sizes of the pictures before the full one, as fractions of its sides.
 constexpr int coarseDivisors[] = {4, 2};
 
-using Told = std::function<void(std::shared_ptr<const Film>, double milliseconds)>;
+using ProgressCallback = std::function<void(std::shared_ptr<const Film>, double milliseconds)>;
 
 void traceProgressively(const PathTracer& tracer, const QSize& size, int samples, const TaskControl& control,
-                        const Told& tell) {
+                        const ProgressCallback& onProgress) {
   const auto pass = [&](Film& film, int count) {
     const auto start = std::chrono::steady_clock::now();
     tracer.accumulate(film, count, control);
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-    tell(std::make_shared<const Film>(film), elapsed.count() / count);
+    onProgress(std::make_shared<const Film>(film), elapsed.count() / count);
   };
   for (const int divisor : coarseDivisors) {
     Film coarse(std::max(1, size.width() / divisor), std::max(1, size.height() / divisor));
@@ -58,7 +58,8 @@ void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials
   stop();
   m_stop = std::stop_source();
   m_samples = samples;
-  const Told tell = [this, request = m_request](const std::shared_ptr<const Film>& film, double milliseconds) {
+  const ProgressCallback onProgress = [this, request = m_request](const std::shared_ptr<const Film>& film,
+                                                                  double milliseconds) {
     QMetaObject::invokeMethod(
         this, [this, request, film, milliseconds] { adopt(request, film, milliseconds); }, Qt::QueuedConnection);
   };
@@ -70,7 +71,8 @@ void SceneTracer::trace(const Scene& scene, const RenderMaterials& slotMaterials
   };
   m_future = QtConcurrent::run(&m_pool, [=, control = TaskControl{m_stop.get_token(), {}}] {
     const QString failure = TaskFailure::of([&] {
-      traceProgressively(PathTracer(scene, bindMaterials(scene, slotMaterials), plan), size, samples, control, tell);
+      traceProgressively(PathTracer(scene, bindMaterials(scene, slotMaterials), plan), size, samples, control,
+                         onProgress);
     });
     if (!failure.isEmpty()) tellFailure(failure);
   });

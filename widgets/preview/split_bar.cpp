@@ -30,14 +30,14 @@ void SplitBar::place() {
   setGeometry(centre - thickness / 2, 0, thickness, parentWidget()->height());
 }
 
-void SplitBar::setPosition(double share) {
-  m_position = std::clamp(share, 0.0, 1.0);
+void SplitBar::setPosition(double fraction) {
+  m_position = std::clamp(fraction, 0.0, 1.0);
   place();
 }
 
-void SplitBar::moveTo(double share) {
+void SplitBar::moveTo(double fraction) {
   const double before = m_position;
-  setPosition(share);
+  setPosition(fraction);
   if (m_position != before) Q_EMIT moved(m_position);
 }
 

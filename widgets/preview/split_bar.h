@@ -14,12 +14,12 @@ class SplitBar : public QWidget {
  public:
   explicit SplitBar(QWidget* parent);
 
-  /// Share of the parent's width, [0, 1]. Emits nothing.
-  void setPosition(double share);
+  /// Fraction of the parent's width, [0, 1]. Emits nothing.
+  void setPosition(double fraction);
   double position() const { return m_position; }
 
  Q_SIGNALS:
-  void moved(double share);
+  void moved(double fraction);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -30,7 +30,7 @@ class SplitBar : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void moveTo(double share);
+  void moveTo(double fraction);
   void place();
 
   double m_position = 0.5;

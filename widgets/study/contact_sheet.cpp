@@ -13,7 +13,7 @@
 namespace gonio::widgets {
 
 namespace {
-constexpr int textLines = 4, mostSelected = 2;
+constexpr int textLines = 4, maxSelected = 2;
 }
 
 /// Where things stand, in pixels of the drawing.
@@ -87,7 +87,7 @@ void ContactSheet::toggle(int tile) {
   if (tile < 0 || tile >= int(m_tiles.size())) return;
   m_current = tile;
   if (std::erase(m_selected, tile) == 0) m_selected.push_back(tile);
-  if (m_selected.size() > mostSelected) m_selected.erase(m_selected.begin());
+  if (m_selected.size() > maxSelected) m_selected.erase(m_selected.begin());
   update();
   Q_EMIT selectionChanged();
 }

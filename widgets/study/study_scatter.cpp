@@ -119,7 +119,7 @@ void StudyScatter::setCurrent(int record) {
 
 void StudyScatter::setHint(const QString& hint) { m_hint->setText(hint); }
 
-std::optional<QPointF> StudyScatter::share(int record) const {
+std::optional<QPointF> StudyScatter::fraction(int record) const {
   if (record < 0 || record >= int(m_records.size())) return std::nullopt;
   const study::StudyRecord& one = m_records[std::size_t(record)];
   const auto x = m_costs.position(study::costOf(one, m_axes.cost));
@@ -129,7 +129,7 @@ std::optional<QPointF> StudyScatter::share(int record) const {
 }
 
 std::optional<QPointF> StudyScatter::place(int record) const {
-  const auto at = share(record);
+  const auto at = fraction(record);
   if (!at) return std::nullopt;
   return QPointF(m_chart->xAxis->coordToPixel(at->x()), m_chart->yAxis->coordToPixel(at->y()));
 }
@@ -176,7 +176,7 @@ void StudyScatter::addSeries(const PlotStyle& style) {
       curve->setScatterStyle(QCPScatterStyle(shapeOf(look.marker), QPen(colour, 1.5),
                                              look.hollow ? QBrush(style.background) : QBrush(colour), fitMarkerSize));
     }
-    if (const auto at = share(i)) curve->addData(i, at->x(), at->y());
+    if (const auto at = fraction(i)) curve->addData(i, at->x(), at->y());
   }
 }
 
@@ -190,7 +190,7 @@ void StudyScatter::addFront(const PlotStyle& style) {
   std::optional<QPointF> last;
   int t = 0;
   for (const std::size_t i : study::paretoFront(study::tradesOf(m_records, m_axes.cost, m_axes.quality))) {
-    const auto at = share(int(i));
+    const auto at = fraction(int(i));
     // Steps: between two points there is nothing to be had but the cheaper one.
     if (last) front->addData(t++, at->x(), last->y());
     front->addData(t++, at->x(), at->y());
@@ -199,7 +199,7 @@ void StudyScatter::addFront(const PlotStyle& style) {
 }
 
 void StudyScatter::addMark(int record, const QString& word, const QPen& pen, double size, bool square) {
-  const auto at = share(record);
+  const auto at = fraction(record);
   if (!at) return;
   auto* ring = new QCPCurve(m_chart->xAxis, m_chart->yAxis);
   ring->removeFromLegend();
@@ -235,7 +235,7 @@ int StudyScatter::nearest(const QPointF& position) const {
 void StudyScatter::step(int by) {
   std::vector<std::pair<double, int>> order;
   for (int i = 0; i < int(m_records.size()); ++i)
-    if (const auto at = share(i)) order.emplace_back(at->x(), i);
+    if (const auto at = fraction(i)) order.emplace_back(at->x(), i);
   if (order.empty()) return;
   std::ranges::sort(order);
   const auto found = std::ranges::find(order, m_current, &std::pair<double, int>::second);

@@ -57,7 +57,7 @@ class StudyScatter : public QWidget {
   void addFront(const PlotStyle& style);
   void addMark(int record, const QString& word, const QPen& pen, double size, bool square);
   void addAxes(const PlotStyle& style);
-  std::optional<QPointF> share(int record) const;
+  std::optional<QPointF> fraction(int record) const;
   int nearest(const QPointF& position) const;
   void step(int by);
 

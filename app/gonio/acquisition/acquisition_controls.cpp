@@ -30,7 +30,7 @@ void AcquisitionControls::buildReconstruction(QFormLayout& form) {
   const std::pair<QString, QString> methods[] = {
       {tr("Ridge, automatic η"), tr("Tikhonov regularisation over up to %1 components, with the η that predicts each "
                                     "sample best from all others (leave-one-out)")
-                                     .arg(mostComponents)},
+                                     .arg(maxComponents)},
       {tr("Ridge, published η = %1").arg(acquisition::publishedRidge),
        tr("Ridge with the published η, over the same number of components. It was found for about 400 training signals "
           "and smooths too much with fewer.")},
@@ -78,7 +78,7 @@ acquisition::ReconstructionOptions AcquisitionControls::reconstruction() const {
   const int index = m_reconstruction->currentIndex();
   if (index == sparse) options.method = acquisition::ReconstructionMethod::sparse;
   if (index != chosenRidge) options.ridge = acquisition::publishedRidge;
-  options.components = mostComponents;
+  options.components = maxComponents;
   return options;
 }
 

@@ -39,7 +39,7 @@ class AcquisitionControls : public QWidget {
   enum ReconstructionItem { chosenRidge, publishedRidge, sparse };
   /// Of a ridge that is chosen: more than samples, since the ridge keeps them in check. The time of the uncertainty
   /// grows with their square.
-  static constexpr int mostComponents = 100;
+  static constexpr int maxComponents = 100;
 
   void buildReconstruction(QFormLayout& form);
   void connectRows();

@@ -151,7 +151,7 @@ void AcquisitionPanel::refresh() {
   m_start->setText(startCancels(m_session, *m_controls) ? tr("Cancel") : tr("&Start"));
   m_controls->setBusy(busy && !m_session.planner().hasPlan());
   m_progress->setVisible(busy);
-  m_progress->setValue(int(std::lround(m_progress->maximum() * m_session.share())));
+  m_progress->setValue(int(std::lround(m_progress->maximum() * m_session.fraction())));
   m_status->setText(acquisitionStatus(m_session, *m_controls));
   m_charts->refresh();
   m_samples->refresh();

@@ -68,7 +68,7 @@ void AcquisitionPlanner::choose() {
   options.samples = m_settings.samples;
   options.measurable = m_settings.measurable;
   options.seed = m_settings.seed;
-  const auto tell = [planner = QPointer(this), tasks = &m_tasks, run = m_run](std::uint32_t cell) {
+  const auto showCell = [planner = QPointer(this), tasks = &m_tasks, run = m_run](std::uint32_t cell) {
     QMetaObject::invokeMethod(
         tasks,
         [planner, run, cell] {
@@ -79,8 +79,8 @@ void AcquisitionPlanner::choose() {
   using Planned = std::pair<acquisition::SampleSelection, acquisition::SamplingPlan>;
   m_tasks.run<Planned>(
       {tr("Choosing %n directions", nullptr, options.samples), m_taskKey},
-      [basis = m_basis, options, tell](const TaskControl& control) {
-        auto selection = acquisition::selectSamples(*basis, options, control, tell);
+      [basis = m_basis, options, showCell](const TaskControl& control) {
+        auto selection = acquisition::selectSamples(*basis, options, control, showCell);
         auto plan = acquisition::planFor(basis->mapping.grid, selection.cells);
         return Planned(std::move(selection), std::move(plan));
       },

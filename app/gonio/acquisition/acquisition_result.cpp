@@ -18,7 +18,7 @@ namespace gonio::app {
 namespace {
 
 constexpr int comparedSide = 192, comparedSamples = 32;
-constexpr int mostCounts = 12;
+constexpr int maxCounts = 12;
 
 /// What a picture of comparisonScene() shows, on a transparent ground.
 QImage withoutSurroundings(const Image& picture) {
@@ -107,7 +107,7 @@ AcquisitionResultPtr acquire(const AcquisitionInput& input, const AcquisitionRef
 
 std::vector<int> curveCounts(int m) {
   std::set<int> counts;
-  for (int k = 1; k <= mostCounts; ++k) counts.insert(std::max(1, int(std::lround(double(m) * k / mostCounts))));
+  for (int k = 1; k <= maxCounts; ++k) counts.insert(std::max(1, int(std::lround(double(m) * k / maxCounts))));
   return {counts.begin(), counts.end()};
 }
 

@@ -80,9 +80,9 @@ void AcquisitionSession::setStep(Step step) {
   Q_EMIT progressed();
 }
 
-double AcquisitionSession::share() const {
+double AcquisitionSession::fraction() const {
   const auto task = m_tasks.topmost();
-  return task && isBusy() ? task->share : 0;
+  return task && isBusy() ? task->fraction : 0;
 }
 
 std::function<void(const QString&)> AcquisitionSession::failure(const QString& title) {
@@ -183,8 +183,8 @@ void AcquisitionSession::reconstruct() {
 }
 
 void AcquisitionSession::startCurve(const AcquisitionInput& input) {
-  const auto tell = [session = QPointer(this), tasks = &m_tasks, result = m_result](int samples,
-                                                                                    const AcquisitionError& error) {
+  const auto showError = [session = QPointer(this), tasks = &m_tasks, result = m_result](
+                             int samples, const AcquisitionError& error) {
     QMetaObject::invokeMethod(
         tasks,
         [session, result, samples, error] {
@@ -196,8 +196,8 @@ void AcquisitionSession::startCurve(const AcquisitionInput& input) {
   };
   m_tasks.run<bool>(
       {tr("Measuring the error vs. the number of samples"), stepKey},
-      [input, reference = m_referenceReader.reference(), tell](const TaskControl& control) {
-        measureCurve(input, reference, tell, control);
+      [input, reference = m_referenceReader.reference(), showError](const TaskControl& control) {
+        measureCurve(input, reference, showError, control);
         return true;
       },
       [this](bool) { setStep(Step::idle); }, failure(tr("Cannot measure the error vs. the number of samples")),

@@ -17,7 +17,7 @@ class AcquisitionSession : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int fewestSamples = 5, mostSamples = 60;
+  static constexpr int minSamples = 5, maxSamples = 60;
   /// How many points a curve has at most.
   struct CurvePoint {
     int samples;
@@ -40,8 +40,8 @@ class AcquisitionSession : public QObject {
   void cancel();
   Step step() const { return m_step; }
   bool isBusy() const { return m_step != Step::idle; }
-  /// Share of the current step, [0, 1].
-  double share() const;
+  /// Fraction of the current step, [0, 1].
+  double fraction() const;
   /// Whether the reference, or a copy of it, is among the materials that were learned.
   bool isReferenceLearned() const { return m_planner.hasLearned(m_referenceReader.id()); }
 

@@ -26,16 +26,15 @@ DirectionRows::DirectionRows(QFormLayout& form) : QObject(&form) {
 void DirectionRows::buildSamples(QFormLayout& form) {
   form.addRow(rowHeading(tr("Directions")));
   const QString toolTip = tr("Number m of direction pairs to measure, %1 to %2; more samples lower the error")
-                              .arg(AcquisitionSession::fewestSamples)
-                              .arg(AcquisitionSession::mostSamples);
+                              .arg(AcquisitionSession::minSamples)
+                              .arg(AcquisitionSession::maxSamples);
   m_samplesSlider = new widgets::ParameterSlider;
-  m_samplesSlider->setRange(AcquisitionSession::fewestSamples, AcquisitionSession::mostSamples,
+  m_samplesSlider->setRange(AcquisitionSession::minSamples, AcquisitionSession::maxSamples,
                             models::ParameterScale::linear);
   m_samplesSlider->setReference(PlanSettings().samples);
   m_samplesSlider->setAccessibleName(tr("Samples"));
   m_samplesSlider->setToolTip(toolTip);
-  m_samples =
-      rowField(tr("Samples"), toolTip, AcquisitionSession::fewestSamples, AcquisitionSession::mostSamples, 1, {});
+  m_samples = rowField(tr("Samples"), toolTip, AcquisitionSession::minSamples, AcquisitionSession::maxSamples, 1, {});
   m_samples->setFixedWidth(3 * m_samples->fontMetrics().height());
   auto* row = new QHBoxLayout;
   row->addWidget(m_samplesSlider, 1);

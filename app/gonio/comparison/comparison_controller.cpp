@@ -37,8 +37,8 @@ ComparisonController::ComparisonController(Document& document, BackgroundTasks& 
   connect(&bar, &widgets::ComparisonBar::referenceWanted, this, &ComparisonController::referenceWanted);
   connect(&bar, &widgets::ComparisonBar::referenceDropped, this, &ComparisonController::openReference);
   connect(&bar, &widgets::ComparisonBar::flickerHeld, &preview, &widgets::PreviewWidget::setFlickering);
-  connect(&preview, &widgets::PreviewWidget::splitMoved, this, [this](double share) {
-    m_comparison.split = share;
+  connect(&preview, &widgets::PreviewWidget::splitMoved, this, [this](double fraction) {
+    m_comparison.split = fraction;
     m_bar.setComparison(m_comparison);
   });
   connect(&preview, &widgets::PreviewWidget::frameRendered, this, [this] {

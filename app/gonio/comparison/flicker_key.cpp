@@ -15,15 +15,15 @@ bool takesText(const QWidget* widget) {
 }
 }  // namespace
 
-FlickerKey::FlickerKey(QWidget* window, std::function<void(bool held)> tell)
-    : QObject(window), m_window(window), m_tell(std::move(tell)) {
+FlickerKey::FlickerKey(QWidget* window, std::function<void(bool held)> callback)
+    : QObject(window), m_window(window), m_callback(std::move(callback)) {
   qApp->installEventFilter(this);
 }
 
 void FlickerKey::set(bool held) {
   if (held == m_held) return;
   m_held = held;
-  m_tell(held);
+  m_callback(held);
 }
 
 bool FlickerKey::eventFilter(QObject* watched, QEvent* event) {

@@ -15,7 +15,7 @@ class FlickerKey : public QObject {
   Q_OBJECT
 
  public:
-  FlickerKey(QWidget* window, std::function<void(bool held)> tell);
+  FlickerKey(QWidget* window, std::function<void(bool held)> callback);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -24,7 +24,7 @@ class FlickerKey : public QObject {
   void set(bool held);
 
   QWidget* m_window;
-  std::function<void(bool)> m_tell;
+  std::function<void(bool)> m_callback;
   bool m_held = false;
 };
 

@@ -18,7 +18,7 @@ constexpr int foregroundThreads = 2, liveThreads = 2;
 struct BackgroundTasks::Task {
   TaskRequest request;
   std::stop_source stop;
-  std::atomic<double> share{0};
+  std::atomic<double> fraction{0};
   std::atomic<bool> waiting{true};
   int id = 0;
   Callbacks callbacks;
@@ -62,7 +62,7 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
     QString error;
     task->waiting = false;
     try {
-      const TaskControl control{task->stop.get_token(), [task](double share) { task->share = share; }};
+      const TaskControl control{task->stop.get_token(), [task](double fraction) { task->fraction = fraction; }};
       control.throwIfStopped();
       work(control);
     } catch (const Cancelled&) {
@@ -94,7 +94,7 @@ void BackgroundTasks::start(const TaskRequest& request, std::function<void(const
   Q_EMIT changed();
 }
 
-void BackgroundTasks::hold(int mostMilliseconds) { m_holdTimer.start(mostMilliseconds); }
+void BackgroundTasks::hold(int maxMilliseconds) { m_holdTimer.start(maxMilliseconds); }
 
 void BackgroundTasks::release() {
   m_holdTimer.stop();
@@ -128,7 +128,7 @@ std::shared_ptr<BackgroundTasks::Task> BackgroundTasks::newestShown() const {
 
 BackgroundTasks::Info BackgroundTasks::infoOf(const Task& task) {
   const auto& pause = task.request.pause;
-  return {task.request.title, task.share,       task.request.quiet,    task.id,
+  return {task.request.title, task.fraction,    task.request.quiet,    task.id,
           task.waiting,       pause != nullptr, pause && pause->isOn()};
 }
 
@@ -157,7 +157,7 @@ bool BackgroundTasks::isRunning(const QString& key) const {
 std::optional<double> BackgroundTasks::progress(const QString& key) const {
   const auto found = std::find_if(m_tasks.begin(), m_tasks.end(), [&](const auto& t) { return t->request.key == key; });
   if (found == m_tasks.end()) return std::nullopt;
-  return (*found)->share;
+  return (*found)->fraction;
 }
 
 void BackgroundTasks::cancel(const QString& key) {

@@ -53,7 +53,7 @@ class BackgroundTasks : public QObject {
 
   struct Info {
     QString title;
-    double share;  ///< [0, 1]
+    double fraction;  ///< [0, 1]
     bool quiet;
     int id;        ///< for cancel()
     bool waiting;  ///< for those before it
@@ -71,7 +71,7 @@ class BackgroundTasks : public QObject {
   bool isIdle() const { return m_tasks.empty(); }
 
   /// Work that is asked for from now on waits for release(), at most this long: what is urgent has the processors.
-  void hold(int mostMilliseconds);
+  void hold(int maxMilliseconds);
   void release();
 
   /// Asks a task to stop; its `cancelled` or `done` still comes.

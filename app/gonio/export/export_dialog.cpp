@@ -259,9 +259,9 @@ void ExportDialog::showTrial() {
 }
 
 void ExportDialog::showProgress() {
-  const auto share = m_controller.trialProgress();
-  m_progress->setVisible(share.has_value());
-  if (share) m_progress->setValue(int(100 * *share));
+  const auto fraction = m_controller.trialProgress();
+  m_progress->setVisible(fraction.has_value());
+  if (fraction) m_progress->setValue(int(100 * *fraction));
 }
 
 void ExportDialog::showFiles() {

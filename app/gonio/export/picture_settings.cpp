@@ -16,7 +16,7 @@ namespace gonio::app {
 
 namespace {
 
-constexpr int mostPixelsOfSide = 8192, mostSamples = 1 << 20, mostSeconds = 86'400;
+constexpr int maxPixelsOfSide = 8192, maxSamples = 1 << 20, maxSeconds = 86'400;
 const QString pictureSettingsGroup = QStringLiteral("image/");
 
 /// Sizes that are offered; that of the preview comes first.
@@ -60,8 +60,8 @@ QWidget* PictureSettings::sizeRow() {
   for (const QSize& size : offeredSizes)
     m_sizes->addItem(QStringLiteral("%1 x %2").arg(size.width()).arg(size.height()));
   m_sizes->addItem(tr("Other"));
-  m_width = countField(mostPixelsOfSide);
-  m_height = countField(mostPixelsOfSide);
+  m_width = countField(maxPixelsOfSide);
+  m_height = countField(maxPixelsOfSide);
   m_width->setAccessibleName(tr("Width in pixels"));
   m_height->setAccessibleName(tr("Height in pixels"));
   row->addWidget(m_sizes, 1);
@@ -76,11 +76,11 @@ QWidget* PictureSettings::qualityRow() {
   auto* box = new QWidget;
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
-  m_samples = countField(mostSamples, tr(" per pixel"));
+  m_samples = countField(maxSamples, tr(" per pixel"));
   m_samples->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   m_limited = new QCheckBox(tr("Stop &after"));
   m_limited->setToolTip(tr("Stops rendering after this time and saves the picture with the samples rendered so far"));
-  m_seconds = countField(mostSeconds, tr(" s"));
+  m_seconds = countField(maxSeconds, tr(" s"));
   m_seconds->setAccessibleName(tr("Max. time in seconds"));
   row->addWidget(m_samples, 1);
   row->addWidget(m_limited);

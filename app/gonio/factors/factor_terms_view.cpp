@@ -56,7 +56,7 @@ class FactorTermsView::Chart : public QWidget {
 
 FactorTermsView::FactorTermsView(QWidget* parent)
     : QWidget(parent), m_chart(new Chart(*this)), m_slider(new QSlider(Qt::Horizontal)), m_text(new QLabel) {
-  m_slider->setRange(1, mostEditedTerms);
+  m_slider->setRange(1, maxEditedTerms);
   m_slider->setPageStep(1);
   m_slider->setTickPosition(QSlider::TicksBelow);
   m_slider->setAccessibleName(tr("Number of terms"));

@@ -13,7 +13,7 @@ MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const Measured
   measured.material = material;
   const auto table = material->table(control);
   measured.factorization = factorization::factorizePdv(
-      *table, {.form = kind.form, .transform = kind.transform, .terms = mostEditedTerms}, control);
+      *table, {.form = kind.form, .transform = kind.transform, .terms = maxEditedTerms}, control);
   measured.along = factorization::residualsAlong(*table, measured.factorization.factors,
                                                  factorization::PdvOptions().weights, control);
   for (int terms = 1; terms <= measured.factorization.factors.terms(); ++terms) {

@@ -22,11 +22,11 @@ struct MeasuredFactors {
   std::vector<std::size_t> bytes;                       ///< of a file with the factors
   std::vector<double> nanoseconds;  ///< of one evaluation on one core, the median of some runs on this machine
 
-  /// The share of the transformed reflectance that so many terms leave unexplained, in [0, 1].
+  /// The fraction of the transformed reflectance that so many terms leave unexplained, in [0, 1].
   double residual(int terms) const { return factorization.residuals[std::size_t(terms)]; }
 };
 
-inline constexpr int mostEditedTerms = 10;
+inline constexpr int maxEditedTerms = 10;
 
 /// Factorises and measures: some seconds in the 3-D form. @throws Cancelled.
 MeasuredFactors measureFactors(const LoadedMaterialPtr& material, const MeasuredFactors::Kind& kind,

@@ -18,7 +18,7 @@ struct SourceFactsText {
   Q_DECLARE_TR_FUNCTIONS(SourceFacts)
 };
 QString number(double value) { return QString::number(value, 'g', 3); }
-QString percent(double share) { return QStringLiteral("%1 %").arg(QString::number(100 * share, 'f', 1)); }
+QString percent(double fraction) { return QStringLiteral("%1 %").arg(QString::number(100 * fraction, 'f', 1)); }
 
 QString gridText(const std::vector<int>& grid) {
   QStringList sizes;

@@ -11,7 +11,7 @@
 
 namespace gonio::app {
 
-/// What the source section shows of a material: file, hash, grid, range of values, invalid share, albedo.
+/// What the source section shows of a material: file, hash, grid, range of values, invalid fraction, albedo.
 /// @param tableSnr the error of the material's table where it is sampled, dB. @param measuring whether it is on its
 /// way.
 std::vector<widgets::Fact> sourceFacts(const LoadedMaterial& material, std::optional<double> tableSnr, bool measuring);

@@ -54,7 +54,7 @@ BlendEnd readBlendEnd(const QString& id, const TaskControl& control) {
 
 BlendEnds::BlendEnds(Document& document, BackgroundTasks& tasks, QObject* parent)
     : QObject(parent), m_document(document), m_tasks(tasks) {
-  for (int i = 0; i < widgets::fewestBlended; ++i) m_places.push_back({{}, {}, m_nextKey++});
+  for (int i = 0; i < widgets::minBlended; ++i) m_places.push_back({{}, {}, m_nextKey++});
 }
 
 QString BlendEnds::taskKey(int key) const { return QStringLiteral("blend-end-%1").arg(key); }
@@ -131,13 +131,13 @@ void BlendEnds::clear(int place) {
 }
 
 void BlendEnds::addPlace() {
-  if (count() == widgets::mostBlended) return;
+  if (count() == widgets::maxBlended) return;
   m_places.push_back({{}, {}, m_nextKey++});
   Q_EMIT changed();
 }
 
 void BlendEnds::removePlace(int place) {
-  if (count() == widgets::fewestBlended) return;
+  if (count() == widgets::minBlended) return;
   m_tasks.drop(taskKey(m_places[std::size_t(place)].key));
   m_places.erase(m_places.begin() + place);
   Q_EMIT changed();

@@ -54,7 +54,7 @@ QWidget* BlendPlaceEditor::buildLine() {
 }
 
 void BlendPlaceEditor::setCorners(std::vector<widgets::BlendCorner> corners) {
-  setCurrentIndex(int(corners.size()) > widgets::fewestBlended ? 1 : 0);
+  setCurrentIndex(int(corners.size()) > widgets::minBlended ? 1 : 0);
   m_pad->setCorners(std::move(corners));
 }
 

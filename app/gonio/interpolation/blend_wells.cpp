@@ -27,7 +27,7 @@ constexpr int wellEms = 17;
 BlendWells::BlendWells(const Document& document, BlendEnds& ends)
     : m_document(document), m_ends(ends), m_swap(new QToolButton), m_add(new QToolButton) {
   build();
-  for (int i = 0; i < widgets::mostBlended; ++i) connectWell(i);
+  for (int i = 0; i < widgets::maxBlended; ++i) connectWell(i);
   connect(m_swap, &QToolButton::clicked, this, [this] { m_ends.swap(0, 1); });
   connect(m_add, &QToolButton::clicked, &m_ends, &BlendEnds::addPlace);
 }
@@ -77,7 +77,7 @@ void BlendWells::build() {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 4, 0);
   column->setSpacing(4);
-  for (int i = 0; i < widgets::mostBlended; ++i) {
+  for (int i = 0; i < widgets::maxBlended; ++i) {
     m_wells.push_back(new widgets::MaterialWell(QChar(u'A' + i)));
     column->addWidget(m_wells.back());
   }
@@ -113,7 +113,7 @@ void BlendWells::connectWell(int place) {
   });
   connect(&well(place), &widgets::MaterialWell::fileWanted, this, [this, place] { askForFile(place); });
   connect(&well(place), &widgets::MaterialWell::clearWanted, this, [this, place] {
-    if (m_ends.count() > widgets::fewestBlended)
+    if (m_ends.count() > widgets::minBlended)
       m_ends.removePlace(place);
     else
       m_ends.clear(place);
@@ -134,18 +134,18 @@ void BlendWells::askForFile(int place) {
 }
 
 void BlendWells::showEnds(const std::vector<double>& weights) {
-  for (int i = 0; i < widgets::mostBlended; ++i) {
+  for (int i = 0; i < widgets::maxBlended; ++i) {
     well(i).setVisible(i < m_ends.count());
     well(i).setCurrentAvailable(m_document.material() != nullptr);
     if (i < m_ends.count()) showEnd(i, weights[std::size_t(i)]);
   }
-  m_add->setEnabled(m_ends.count() < widgets::mostBlended);
+  m_add->setEnabled(m_ends.count() < widgets::maxBlended);
 }
 
 void BlendWells::showEnd(int place, double weight) {
   widgets::WellContent content;
   if (const BlendEnd* end = m_ends.at(place)) content = {end->name, end->description, end->picture, {}};
-  content.removable = m_ends.count() > widgets::fewestBlended;
+  content.removable = m_ends.count() > widgets::minBlended;
   content.note = m_ends.isReading(place)  ? tr("Opening...")
                  : content.name.isEmpty() ? QString()
                                           : widgets::weightText(weight);

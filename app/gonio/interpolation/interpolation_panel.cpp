@@ -31,7 +31,7 @@ InterpolationPanel::InterpolationPanel(Document& document, BackgroundTasks& task
       m_tasks(tasks),
       m_ends(document, tasks),
       m_spaces(tasks, nullptr, pictures),
-      m_place(widgets::middlePlace(widgets::fewestBlended)),
+      m_place(widgets::middlePlace(widgets::minBlended)),
       m_wells(new BlendWells(document, m_ends)),
       m_placeEditor(new BlendPlaceEditor),
       m_overview(new BlendOverview(m_spaces)),
@@ -134,12 +134,12 @@ std::optional<widgets::PreviewSubject> InterpolationPanel::subject() const {
 }
 
 QString InterpolationPanel::description() const {
-  QStringList shares;
+  QStringList fractions;
   const std::vector<double> all = weights();
   for (int i = 0; i < m_ends.count(); ++i)
     if (const BlendEnd* end = m_ends.at(i); end && all[std::size_t(i)] > 0)
-      shares << tr("%1 %2").arg(widgets::weightText(all[std::size_t(i)]), end->name);
-  return tr("%1 (%2)").arg(shares.join(QStringLiteral(", ")), widgets::spaceName(m_space));
+      fractions << tr("%1 %2").arg(widgets::weightText(all[std::size_t(i)]), end->name);
+  return tr("%1 (%2)").arg(fractions.join(QStringLiteral(", ")), widgets::spaceName(m_space));
 }
 
 void InterpolationPanel::setSpace(Space space) {
@@ -171,9 +171,9 @@ void InterpolationPanel::moveTo(const QPointF& place) {
 }
 
 void InterpolationPanel::take(const QStringList& ids) {
-  if (ids.size() > widgets::mostBlended)
+  if (ids.size() > widgets::maxBlended)
     return Q_EMIT failed(tr("Cannot interpolate %1 materials").arg(ids.size()),
-                         tr("At most %1 can be blended. Select fewer.").arg(widgets::mostBlended));
+                         tr("At most %1 can be blended. Select fewer.").arg(widgets::maxBlended));
   touched();
   if (ids.size() > 1) {
     const int count = int(ids.size());

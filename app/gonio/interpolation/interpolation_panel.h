@@ -52,7 +52,7 @@ class InterpolationPanel : public QWidget {
   bool isShownInPreview() const;
 
   /// Puts a material, by its id, in the next empty place: the last one when all are filled. Of several the places
-  /// are made to fit, and each is filled anew; more than widgets::mostBlended fail.
+  /// are made to fit, and each is filled anew; more than widgets::maxBlended fail.
   void take(const QStringList& ids);
   /// The document's material in the first place, if that is empty.
   void begin();

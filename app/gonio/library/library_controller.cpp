@@ -29,7 +29,7 @@ struct Made {
 
 /// The first of the pictures: as many as take a tenth of a second. One at a time would wait for a frame of the preview
 /// each.
-std::vector<Made> madeInABatch(const LibraryController::LookMaker& make, const QStringList& ids,
+std::vector<Made> madeInABatch(const LibraryController::ThumbnailFactory& make, const QStringList& ids,
                                const TaskControl& control) {
   constexpr std::chrono::milliseconds batchTime(100);
   const auto start = std::chrono::steady_clock::now();
@@ -115,7 +115,8 @@ std::vector<widgets::LibraryItem> materialsIn(const QString& folder, const QStri
 
 }  // namespace
 
-LibraryController::LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QString ownFolder, QObject* parent)
+LibraryController::LibraryController(BackgroundTasks& tasks, ThumbnailFactory makeLook, QString ownFolder,
+                                     QObject* parent)
     : QObject(parent), m_tasks(tasks), m_makeLook(std::move(makeLook)), m_ownFolder(std::move(ownFolder)) {
   // While a file is written its folder changes many times.
   constexpr int quietMilliseconds = 500;

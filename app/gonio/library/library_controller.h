@@ -19,10 +19,11 @@ class LibraryController : public QObject {
   Q_OBJECT
 
  public:
-  using LookMaker = std::function<widgets::LibraryLook(const QString& id, const TaskControl&)>;
+  using ThumbnailFactory = std::function<widgets::LibraryLook(const QString& id, const TaskControl&)>;
 
   /// @param ownFolder whose materials stand beside the bundled ones; it need not be there. Empty: none.
-  LibraryController(BackgroundTasks& tasks, LookMaker makeLook, QString ownFolder = {}, QObject* parent = nullptr);
+  LibraryController(BackgroundTasks& tasks, ThumbnailFactory makeLook, QString ownFolder = {},
+                    QObject* parent = nullptr);
 
   widgets::LibraryModel& model() { return m_model; }
   /// The bundled materials, and those of the user's own folder.
@@ -63,7 +64,7 @@ class LibraryController : public QObject {
   QStringList nextOnes() const;
 
   BackgroundTasks& m_tasks;
-  LookMaker m_makeLook;
+  ThumbnailFactory m_makeLook;
   widgets::LibraryModel m_model;
   QStringList m_visible;
   QString m_title, m_folder;

@@ -23,7 +23,7 @@ namespace gonio::app {
 
 namespace {
 
-constexpr double mostStops = 5, hardStops = 10;
+constexpr double maxStops = 5, hardStops = 10;
 constexpr QSize iconSize(48, 24);
 /// What a list holds beside names: the scene's own light, no environment, a file.
 const QString own = QStringLiteral("own"), directional = QStringLiteral("directional"), file = QStringLiteral("file");
@@ -78,7 +78,7 @@ void ViewStrip::build() {
   m_backgrounds->addItem(tr("Environment"));
   m_backgrounds->addItem(tr("Environment, blurred"));
   m_backgrounds->setToolTip(tr("Background behind the object"));
-  m_slider->setRange(-mostStops, mostStops, models::ParameterScale::linear);
+  m_slider->setRange(-maxStops, maxStops, models::ParameterScale::linear);
   m_slider->setReference(0);
   m_slider->setToolTip(tr("Exposure in stops; double-click for 0 (Ctrl+[, Ctrl+], Ctrl+\\)"));
   m_slider->setAccessibleName(tr("Exposure"));

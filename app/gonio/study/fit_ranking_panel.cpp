@@ -99,7 +99,7 @@ void FitRankingPanel::fitAll() {
   if (!material) return;
   m_model.clear();
   // A row is reported as it is done: through the tasks' thread, to a panel that may be gone by then.
-  const auto tell = [panel = QPointer(this), tasks = &m_tasks, material](const study::RankedFit& ranked) {
+  const auto showFit = [panel = QPointer(this), tasks = &m_tasks, material](const study::RankedFit& ranked) {
     QMetaObject::invokeMethod(
         tasks,
         [panel, material, ranked] {
@@ -109,9 +109,9 @@ void FitRankingPanel::fitAll() {
   };
   m_tasks.run<bool>(
       {tr("Fitting all models"), rankingKey},
-      [material, tell](const TaskControl& control) {
+      [material, showFit](const TaskControl& control) {
         study::RankingOptions options;
-        options.modelDone = tell;
+        options.modelDone = showFit;
         study::rankFits({material->table(control), material->material.brdf}, options, control);
         return true;
       },

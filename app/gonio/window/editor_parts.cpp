@@ -38,7 +38,7 @@ const QString sortKey = QStringLiteral("library/sort"), groupKey = QStringLitera
               overlayKey = QStringLiteral("preview/overlay"), noiseKey = QStringLiteral("preview/noiseFilter"),
               chipsKey = QStringLiteral("library/filter"), favouritesKey = QStringLiteral("library/favourites");
 
-LibraryController::LookMaker lookMaker() {
+LibraryController::ThumbnailFactory thumbnailFactory() {
   return [folder = thumbnailCacheFolder()](const QString& id, const TaskControl& control) {
     return materialLook(id, folder, control);
   };
@@ -52,7 +52,7 @@ EditorParts::EditorParts()
       controller(document, tasks),
       exports(document, tasks),
       exporter(document, tasks),
-      library(tasks, lookMaker(), ownMaterialsFolder()),
+      library(tasks, thumbnailFactory(), ownMaterialsFolder()),
       preview(*new widgets::PreviewWidget),
       environment(tasks, preview.content()),
       libraryView(*new widgets::LibraryView(&library.model())),
@@ -159,11 +159,11 @@ void EditorParts::connectPlots() {
 }
 
 void EditorParts::connectFirstPicture() {
-  constexpr int mostMilliseconds = 2000;
+  constexpr int maxMilliseconds = 2000;
   QObject::connect(&controller, &DocumentController::installing, &preview, [this] {
     if (!preview.isVisible()) return;
     m_requestsBefore = preview.lastRequest();
-    tasks.hold(mostMilliseconds);
+    tasks.hold(maxMilliseconds);
   });
   QObject::connect(&preview, &widgets::PreviewWidget::frameRendered, &controller, [this] {
     if (preview.shownRequest() > m_requestsBefore) tasks.release();

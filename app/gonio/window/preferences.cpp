@@ -29,7 +29,7 @@ namespace {
 const QString themeKey = QStringLiteral("theme"), historyKey = QStringLiteral("history/megabytes"),
               threadsKey = QStringLiteral("threads"), roughnessKey = QStringLiteral("units/roughness"),
               squareRoot = QStringLiteral("square root");
-constexpr int defaultHistoryMegabytes = int(History::defaultByteLimit >> 20), mostHistoryMegabytes = 1 << 14;
+constexpr int defaultHistoryMegabytes = int(History::defaultByteLimit >> 20), maxHistoryMegabytes = 1 << 14;
 
 int coreCount() { return std::max(1, int(std::thread::hardware_concurrency())); }
 
@@ -45,7 +45,7 @@ QHBoxLayout* rowOf(QWidget* wide, QWidget* narrow) {
 Preferences Preferences::read(const QSettings& settings) {
   return {.theme = themeByName(settings.value(themeKey).toString()),
           .historyMegabytes =
-              std::clamp(settings.value(historyKey, defaultHistoryMegabytes).toInt(), 1, mostHistoryMegabytes),
+              std::clamp(settings.value(historyKey, defaultHistoryMegabytes).toInt(), 1, maxHistoryMegabytes),
           .threads = std::clamp(settings.value(threadsKey, 0).toInt(), 0, coreCount()),
           .roughness = settings.value(roughnessKey).toString() == squareRoot ? widgets::RoughnessDisplay::squareRoot
                                                                              : widgets::RoughnessDisplay::alpha};
@@ -78,7 +78,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const QStri
   m_roughness->addItems({tr("α, as in the models"), tr("√α, as in Blender and Unreal")});
   m_roughness->setCurrentIndex(int(preferences.roughness));
   m_roughness->setToolTip(tr("Form in which All parameters shows and accepts roughness; it does not change materials"));
-  m_history->setRange(1, mostHistoryMegabytes);
+  m_history->setRange(1, maxHistoryMegabytes);
   m_history->setSuffix(tr(" MB"));
   m_history->setValue(preferences.historyMegabytes);
   m_history->setToolTip(tr("Memory for undo in each window; the oldest steps are deleted first"));

@@ -59,7 +59,7 @@ QLabel* StatusLine::addPermanent(QStatusBar& bar, const QString& toolTip) {
 
 void StatusLine::showProgress() {
   if (const auto task = m_tasks.topmost())
-    m_progress->showProgress(task->title, task->share, !task->quiet,
+    m_progress->showProgress(task->title, task->fraction, !task->quiet,
                              !task->canPause ? widgets::ProgressStrip::Pausing::no
                              : task->paused  ? widgets::ProgressStrip::Pausing::paused
                                              : widgets::ProgressStrip::Pausing::running);
@@ -68,7 +68,7 @@ void StatusLine::showProgress() {
   std::vector<widgets::ProgressStrip::Entry> entries;
   for (const BackgroundTasks::Info& task : m_tasks.shown())
     entries.push_back({task.id, task.waiting ? tr("%1, waiting").arg(task.title)
-                                             : tr("%1, %2 %").arg(task.title).arg(100 * task.share, 0, 'f', 0)});
+                                             : tr("%1, %2 %").arg(task.title).arg(100 * task.fraction, 0, 'f', 0)});
   m_progress->setEntries(entries);
 }
 

@@ -77,8 +77,8 @@ void restoreView(widgets::PreviewWidget& preview, const nlohmann::json& view) {
 }
 
 QString sceneNameOf(const nlohmann::json& view) {
-  const bool told = view.is_object() && view.contains("scene") && view["scene"].is_string();
-  const std::string scene = told ? view["scene"].get<std::string>() : "";
+  const bool hasScene = view.is_object() && view.contains("scene") && view["scene"].is_string();
+  const std::string scene = hasScene ? view["scene"].get<std::string>() : "";
   return QString::fromStdString(scene.empty() ? bundledSceneNames().front() : scene);
 }
 

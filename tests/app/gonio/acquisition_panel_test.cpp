@@ -197,10 +197,10 @@ class AcquisitionPanelTest : public QObject {
                                                {with("4,0.1,0.1,0.1"), "4"},
                                                {with("99,0.1,0.1,0.1"), place},
                                                {QStringLiteral(" \n"), "clipboard"}};
-    for (const auto& [pasted, told] : bad) {
+    for (const auto& [pasted, reported] : bad) {
       panel.files().paste(pasted);
       const QString failure = editor.failure();
-      QVERIFY2(failure.contains(told), qPrintable(failure));
+      QVERIFY2(failure.contains(reported), qPrintable(failure));
       QVERIFY(panel.session().isSimulated());
     }
     // With tabs, as spreadsheets copy them.

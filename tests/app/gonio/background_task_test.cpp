@@ -142,15 +142,15 @@ class BackgroundTaskTest : public QObject {
   void aNewerTaskReplacesAnOlderOne() {
     BackgroundTasks tasks;
     QList<int> results;
-    bool told = false;
+    bool reported = false;
     tasks.run<int>(
-        {"Old", "load"}, untilStopped, [&](int v) { results << v; }, {}, [&] { told = true; });
+        {"Old", "load"}, untilStopped, [&](int v) { results << v; }, {}, [&] { reported = true; });
     tasks.run<int>(
         {"New", "load"}, [](const TaskControl&) { return 2; }, [&](int v) { results << v; });
     QTRY_COMPARE(results, QList<int>{2});
     QVERIFY(tasks.isIdle());  // the old one is no longer waited for
     QTest::qWait(20);
-    QVERIFY(!told);
+    QVERIFY(!reported);
     QCOMPARE(results, QList<int>{2});
   }
 
@@ -166,7 +166,7 @@ class BackgroundTaskTest : public QObject {
         },
         [](int) {});
     QSignalSpy changed(&tasks, &BackgroundTasks::changed);
-    QTRY_VERIFY(tasks.topmost() && tasks.topmost()->share == 0.5);
+    QTRY_VERIFY(tasks.topmost() && tasks.topmost()->fraction == 0.5);
     QTRY_VERIFY(changed.count() > 0);
     go = true;
     QTRY_VERIFY(tasks.isIdle());

@@ -88,12 +88,12 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
   /// The limits of F2 are those of the angle that is pointed at in F1: 1 -+ sin theta_R.
   void theLimitsFollowTheAngle() {
     widgets::CurveEditor& strength = editor(FactorAxis::theta);
-    for (const double share : {0.2, 0.5, 0.9}) {
+    for (const double fraction : {0.2, 0.5, 0.9}) {
       const double left = strength.pointPosition(0).x();
       const double right = strength.pointPosition(strength.points().size() - 1).x();
-      test::pointAt(strength, QPoint(int(left + share * (right - left)), strength.height() / 2));
+      test::pointAt(strength, QPoint(int(left + fraction * (right - left)), strength.height() / 2));
       const double theta = strength.limits().at(0).place;
-      QVERIFY(std::abs(theta - share * strength.nodes().back()) < 0.01);
+      QVERIFY(std::abs(theta - fraction * strength.nodes().back()) < 0.01);
       const auto& limits = editor(FactorAxis::deviation).limits();
       QVERIFY(std::abs(limits.at(0).place - (1 - std::sin(theta))) < 1e-12);
       QVERIFY(std::abs(limits.at(1).place - (1 + std::sin(theta))) < 1e-12);
@@ -151,8 +151,8 @@ class FactorCurvesPanelTest : public QObject, private OpenFactorCurves {
       const auto along = factorization::residualsAlong(*m_document.material()->table(), found.factors);
       for (const FactorAxis axis : {FactorAxis::theta, FactorAxis::deviation}) {
         const auto& strip = m_panel->column(axis).residuals();
-        QVERIFY(strip.shares() == along[std::size_t(terms - 1)][std::size_t(axis)]);
-        QVERIFY(strip.scale() >= *std::max_element(strip.shares().begin(), strip.shares().end()));
+        QVERIFY(strip.fractions() == along[std::size_t(terms - 1)][std::size_t(axis)]);
+        QVERIFY(strip.scale() >= *std::max_element(strip.fractions().begin(), strip.fractions().end()));
         QCOMPARE(strip.width(), editor(axis).width());
       }
     }

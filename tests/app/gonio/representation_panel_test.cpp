@@ -65,13 +65,13 @@ class RepresentationPanelTest : public QObject {
     QVERIFY(std::ranges::equal(code->table->values(), table->values()));
     QCOMPARE(code->encoded.code.transform, expected.code.transform);
     QCOMPARE(code->logError, metrics::brdfError(metrics::BrdfMetric::log, *m_document.material()->table(), *table));
-    const QString told = texts();
-    QVERIFY(told.contains(QString::number(code->logError, 'g', 3)));
-    QVERIFY(told.contains(QString::number(double(file.size()) * 1e-3, 'f', 1) + " kB"));
+    const QString reported = texts();
+    QVERIFY(reported.contains(QString::number(code->logError, 'g', 3)));
+    QVERIFY(reported.contains(QString::number(double(file.size()) * 1e-3, 'f', 1) + " kB"));
     for (const auto& candidate : expected.candidates)
-      QVERIFY2(told.contains(QString::number(candidate.gammaError, 'g', 3)), qPrintable(told));
+      QVERIFY2(reported.contains(QString::number(candidate.gammaError, 'g', 3)), qPrintable(reported));
     for (const auto& channel : expected.code.channels)
-      QVERIFY(told.contains(QStringLiteral("no. %1 ").arg(channel.dictionary + 1)));
+      QVERIFY(reported.contains(QStringLiteral("no. %1 ").arg(channel.dictionary + 1)));
   }
 
   /// The file has the bytes of the code that is shown.

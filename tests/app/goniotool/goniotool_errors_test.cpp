@@ -129,8 +129,8 @@ class GoniotoolErrorsTest : public QObject {
     const ToolResult result = runJson(arguments);
     QCOMPARE(result.code, 1);
     QCOMPARE(result.errorLines(), 1);
-    const QString told = result.error.mid(QString("goniotool: ").size());
-    QVERIFY2(result.error.startsWith("goniotool: ") && told.count(names) == 1, qPrintable(result.error));
+    const QString reported = result.error.mid(QString("goniotool: ").size());
+    QVERIFY2(result.error.startsWith("goniotool: ") && reported.count(names) == 1, qPrintable(result.error));
     QVERIFY(result.out.isEmpty());
   }
 

@@ -99,9 +99,9 @@ class GoniotoolRenderTest : public QObject {
   }
 
   void effectsAreToldWithoutAPicture() {
-    const ToolResult told = runTool({"render", matte_, "--scene", "bowl", "--effects"});
-    VERIFY_SUCCESS(told);
-    QVERIFY(told.out.contains("self-shadowing: yes, the bowl is not convex"));
+    const ToolResult reported = runTool({"render", matte_, "--scene", "bowl", "--effects"});
+    VERIFY_SUCCESS(reported);
+    QVERIFY(reported.out.contains("self-shadowing: yes, the bowl is not convex"));
     const ToolResult json = runJson({"render", matte_, "--scene", "bowl", "--effects"});
     VERIFY_SUCCESS(json);
     QVERIFY(!json.json.contains("counters") && json.json["plan"].size() == effectCount);

@@ -135,9 +135,9 @@ class DictionaryReconstructionTest : public QObject {
     const SamplingPlan plan = planFor(smallGrid, truth.cells);
     MeasuredValues values = valuesOf(truth);
     const auto geometry = GridGeometry::of(smallGrid);
-    for (const bool isNoiseTold : {false, true}) {
-      VectorXd told = VectorXd::Zero(20);
-      if (isNoiseTold)
+    for (const bool hasKnownNoise : {false, true}) {
+      VectorXd reported = VectorXd::Zero(20);
+      if (hasKnownNoise)
         for (std::size_t s = 0; s < 20; ++s) {
           const std::uint32_t cell = truth.cells[s];
           values.noise.push_back(0.03 * double(s) * values.rgb[s]);
@@ -147,7 +147,7 @@ class DictionaryReconstructionTest : public QObject {
             const double slope = (transformed(DataTransform::cosineLog, rho + step, w) -
                                   transformed(DataTransform::cosineLog, rho - step, w)) /
                                  (2 * step);
-            told[Eigen::Index(s)] +=
+            reported[Eigen::Index(s)] +=
                 std::pow(importanceOfCell(smallGrid, *geometry, cell) * slope * values.noise[s][c], 2) / 3;
           }
         }
@@ -158,7 +158,7 @@ class DictionaryReconstructionTest : public QObject {
       const MatrixXd covariance = atoms * one.variances.cast<double>().asDiagonal() * atoms.transpose();
       const VectorXd mean = atoms * one.means.cast<double>();
       MatrixXd ofSamples = covariance(truth.cells, truth.cells);
-      ofSamples.diagonal().array() += noise * (restVariance + told.array());
+      ofSamples.diagonal().array() += noise * (restVariance + reported.array());
       const MatrixXd residuals = (truth.signals.colwise() - mean)(truth.cells, Eigen::all);
       const MatrixXd dual = test::solved(ofSamples, residuals);
       const MatrixXd expected = (covariance(Eigen::all, truth.cells) * dual).colwise() + mean;
@@ -168,7 +168,7 @@ class DictionaryReconstructionTest : public QObject {
           QVERIFY(std::abs(double(signals[std::size_t(c)][Eigen::Index(cell)]) *
                                importanceOfCell(smallGrid, *geometry, cell) -
                            expected(Eigen::Index(cell), c)) < 1e-4 * expected.cwiseAbs().maxCoeff());
-      if (isNoiseTold) continue;
+      if (hasKnownNoise) continue;
       const double energy = residuals.cwiseProduct(dual).sum();
       const double evidence =
           -0.5 * (61 * std::log((energy + 1) / 61) + 3 * test::singularValues(ofSamples).array().log().sum());

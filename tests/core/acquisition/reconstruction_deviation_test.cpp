@@ -62,11 +62,11 @@ class ReconstructionDeviationTest : public QObject {
   /// Where the samples tell nothing the deviation is that of the training signals, whatever is used or was kept.
   void untoldIsTheTrainingSet() {
     const auto tables = test::smoothMaterials(6);
-    const ReconstructionOptions untold{.ridge = std::numeric_limits<double>::infinity()};
+    const ReconstructionOptions withoutNoise{.ridge = std::numeric_limits<double>::infinity()};
     for (const int kept : {0, 1, 5, basis_.count()}) {
-      const PrincipalComponents truncated = test::learnFrom(tables, {.mostComponents = kept});
+      const PrincipalComponents truncated = test::learnFrom(tables, {.maxComponents = kept});
       for (const int components : {1, 4, 0}) {
-        ReconstructionOptions options = untold;
+        ReconstructionOptions options = withoutNoise;
         options.components = components;
         const std::vector<float> found = reconstruct(truncated, plan_, values_, options).deviation;
         if (kept == 0) {
@@ -88,18 +88,18 @@ class ReconstructionDeviationTest : public QObject {
         return reconstruct(basis_, plan_, values, {.ridge = ridge}).deviation;
       };
       const std::vector<float> drowned = found(1e9),
-                               untold = reconstruct(basis_, plan_, values_, {.ridge = ridge}).deviation,
+                               withoutNoise = reconstruct(basis_, plan_, values_, {.ridge = ridge}).deviation,
                                none = found(0);
       for (std::size_t i = 0; i < drowned.size(); ++i) {
         QVERIFY(std::abs(drowned[i] - std::sqrt(varianceFrom(basis_, i, 0))) < 1e-3);
-        QCOMPARE(none[i], untold[i]);
+        QCOMPARE(none[i], withoutNoise[i]);
       }
     }
   }
 
   /// A basis that kept five components and five of all: the same.
   void keptOrUsed() {
-    const PrincipalComponents truncated = test::learnFrom(test::smoothMaterials(6), {.mostComponents = 5});
+    const PrincipalComponents truncated = test::learnFrom(test::smoothMaterials(6), {.maxComponents = 5});
     for (const std::optional<double> ridge : {std::optional<double>(), std::optional<double>(40)}) {
       const Reconstruction used = reconstruct(basis_, plan_, values_, {.ridge = ridge, .components = 5});
       const Reconstruction kept = reconstruct(truncated, plan_, values_, {.ridge = ridge});

@@ -134,7 +134,7 @@ class SampleSelectionTest : public QObject {
     }
   }
 
-  /// Orthonormal training signals: whatever is chosen, each choice explains the same share.
+  /// Orthonormal training signals: whatever is chosen, each choice explains the same fraction.
   void residualsOfOrthonormalSignals() {
     const SampleSelection selection =
         selectSamples(randomBasis(200, 40, 10, 3), {.samples = 10, .measurable = everything});
@@ -158,15 +158,15 @@ class SampleSelectionTest : public QObject {
 
   void tellsEachChoiceAndProgress() {
     const auto basis = randomBasis(300, 30, 10, 4);
-    std::vector<std::uint32_t> told;
+    std::vector<std::uint32_t> reported;
     double last = -1;
-    const TaskControl control{.progress = [&](double share) {
-      QVERIFY(share >= last && share <= 1);
-      last = share;
+    const TaskControl control{.progress = [&](double fraction) {
+      QVERIFY(fraction >= last && fraction <= 1);
+      last = fraction;
     }};
     const SampleSelection selection =
-        selectSamples(basis, {.samples = 8}, control, [&](std::uint32_t cell) { told.push_back(cell); });
-    QVERIFY(told == selection.cells);
+        selectSamples(basis, {.samples = 8}, control, [&](std::uint32_t cell) { reported.push_back(cell); });
+    QVERIFY(reported == selection.cells);
     QVERIFY(last == 1);
   }
 

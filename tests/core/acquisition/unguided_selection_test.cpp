@@ -48,7 +48,8 @@ class UnguidedSelectionTest : public QObject {
     for (const int count : counts) QVERIFY(std::abs(count - 1000) < 5 * std::sqrt(900.0));
   }
 
-  /// The share of the samples in any slab of an axis is the slab's share of the measure, far closer than chance has it.
+  /// The fraction of the samples in any slab of an axis is the slab's fraction of the measure, far closer than chance
+  /// has it.
   void spreadFollowsTheMeasure() {
     const HalfDifferenceGrid grid{.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 60};
     const auto cells = cellsAboveHorizon(grid);
@@ -67,8 +68,8 @@ class UnguidedSelectionTest : public QObject {
       for (std::size_t i = 0; i < cells.size(); ++i) measure[coordinate(i, axis)] += grid.cellMeasure(cells[i]) / total;
       for (const std::size_t i : chosen) found[coordinate(i, axis)] += 1.0 / samples;
       double expected = 0, seen = 0;
-      for (const auto& [at, share] : measure) {
-        expected += share;
+      for (const auto& [at, fraction] : measure) {
+        expected += fraction;
         seen += found[at];
         // By chance 0.025 is one standard deviation in the middle.
         QVERIFY2(std::abs(seen - expected) < 0.02, qPrintable(QString::number(seen - expected)));

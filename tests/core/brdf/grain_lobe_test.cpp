@@ -35,13 +35,13 @@ class GrainLobeTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void isotropicSurfacesHaveNone() {
-    QCOMPARE(TabulatedLobe(*test::ggx(Rgb(0.1), Rgb(1), 0.2, 0.5)).grain().share, 0.0);
+    QCOMPARE(TabulatedLobe(*test::ggx(Rgb(0.1), Rgb(1), 0.2, 0.5)).grain().fraction, 0.0);
     // One that may be anisotropic, and is not, gains nothing by it.
     const auto round = test::ggx(Rgb(0.1), Rgb(1), 0.2, 0.5);
     const test::FunctionBrdf unsure([&](const Direction& wi, const Direction& wo) { return round->evaluate(wi, wo); },
                                     false);
     const GrainLobe grain = TabulatedLobe(unsure).grain();
-    if (grain.share > 0) QVERIFY(std::abs(std::log(grain.alphaX / grain.alphaY)) < 0.3);
+    if (grain.fraction > 0) QVERIFY(std::abs(std::log(grain.alphaX / grain.alphaY)) < 0.3);
   }
 
   /// Of a metal it is the lobe that the surface has.
@@ -61,12 +61,12 @@ class GrainLobeTest : public QObject {
     GrainLobe grain = TabulatedLobe(*test::grainBrdf({"ggx-anisotropic", x, y, radians(degrees)})).grain();
     const QByteArray found = QByteArray::number(grain.alphaX) + " " + QByteArray::number(grain.alphaY) + ", " +
                              QByteArray::number(gonio::degrees(grain.rotation)) + " degrees, share " +
-                             QByteArray::number(grain.share);
+                             QByteArray::number(grain.fraction);
     if (grain.alphaX > grain.alphaY) {
       std::swap(grain.alphaX, grain.alphaY);
       grain.rotation += halfPi;
     }
-    QVERIFY2(grain.share >= 0.4, found);
+    QVERIFY2(grain.fraction >= 0.4, found);
     QVERIFY2(std::abs(std::log(grain.alphaX / x)) < 0.4 && std::abs(std::log(grain.alphaY / y)) < 0.4, found);
     QVERIFY2(std::abs(std::remainder(grain.rotation - radians(degrees), pi)) < 0.5 * x / y, found);
   }
@@ -79,7 +79,7 @@ class GrainLobeTest : public QObject {
   void hardCase41DrawsFollowTheDensity() {
     QFETCH(double, theta);
     static const Sampled sampled(*test::grainBrdf({"beckmann-anisotropic", 0.1, 0.4, 0.7}));
-    QVERIFY(sampled.grain().share > 0);
+    QVERIFY(sampled.grain().fraction > 0);
     const auto check = test::checkSampling(sampled, fromSpherical(radians(theta), 0.9), 1 << 20, 1e-5);
     const QByteArray found = "integral " + QByteArray::number(check.integral, 'g', 8) + ", lost " +
                              QByteArray::number(check.lost) + ", p " + QByteArray::number(check.pValue);

@@ -24,9 +24,9 @@ double trilinear(const Eigen::ArrayXf& signal, const HalfDifferenceGrid::Positio
   for (int corner = 0; corner < 8; ++corner) {
     const int i = int(at.thetaH) + (corner & 1), j = int(at.thetaD) + (corner >> 1 & 1),
               k = int(at.phiD) + (corner >> 2);
-    const auto share = [](double position, int node) { return 1 - std::abs(position - node); };
+    const auto fraction = [](double position, int node) { return 1 - std::abs(position - node); };
     sum +=
-        share(at.thetaH, i) * share(at.thetaD, j) * share(at.phiD, k) *
+        fraction(at.thetaH, i) * fraction(at.thetaD, j) * fraction(at.phiD, k) *
         double(signal[Eigen::Index(smallGrid.index(std::min(i, smallGrid.thetaHCount - 1),
                                                    std::min(j, smallGrid.thetaDCount - 1), k % smallGrid.phiDCount))]);
   }

@@ -130,7 +130,7 @@ class PrincipalComponentsTest : public QObject {
       QVERIFY((whole.truncated(3).channels[c] - few.channels[c]).norm() < 1e-5f * whole.channels[c].norm());
     QCOMPARE(few.bytes(), std::size_t(3 * 3 * 4));
     QCOMPARE(pca.bytes(3), pca.mean.size() * 5 * 4);
-    QCOMPARE(learn(materials(5), {.mostComponents = 3}).count(), 3);
+    QCOMPARE(learn(materials(5), {.maxComponents = 3}).count(), 3);
   }
 
   /// One material many times, or one value everywhere: nothing varies, and the mean is all.
@@ -156,7 +156,7 @@ class PrincipalComponentsTest : public QObject {
     const PrincipalComponents all = learn(tables);
     QVERIFY(all.leftOut.empty());
     for (const int kept : {0, 1, 5, all.count()}) {
-      const PrincipalComponents pca = learn(tables, {.mostComponents = kept});
+      const PrincipalComponents pca = learn(tables, {.maxComponents = kept});
       const std::vector<float> total = leftOutVariance(pca, 0, 0, pca.mean.size());
       const std::vector<float> left = leftOutVariance(pca, pca.count(), 0, pca.mean.size());
       QVERIFY(pca.leftOut.empty() || pca.leftOut == left);

@@ -29,7 +29,7 @@ class TrainingTest : public QObject {
     const TrainingMaterials materials = ggxMaterials(8);
     std::vector<double> progress;
     const TrainingResult result =
-        train(materials, options, {.stop = {}, .progress = [&](double share) { progress.push_back(share); }});
+        train(materials, options, {.stop = {}, .progress = [&](double fraction) { progress.push_back(fraction); }});
     QVERIFY(result.complete);
     QCOMPARE(result.ensemble.dictionaries.size(), std::size_t(6));
     QCOMPARE(result.ensemble.dictionaries[0].sparsity, 8);

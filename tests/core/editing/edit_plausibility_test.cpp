@@ -48,7 +48,7 @@ class EditPlausibilityTest : public QObject {
     const auto& energy = find(checks, "energy");
     QVERIFY(!energy.passed && energy.at);
     QVERIFY2(std::abs(energy.worst - 1.4) < 0.01, qPrintable(QString::number(energy.worst)));
-    QCOMPARE(energy.share, 1.0);
+    QCOMPARE(energy.fraction, 1.0);
   }
 
   /// The clamp hides nothing: 0.2 - 0.5 albedo is -0.3 / pi per sr everywhere, though 0 is shown.
@@ -59,7 +59,7 @@ class EditPlausibilityTest : public QObject {
     const auto& negative = find(checks, "negative");
     QVERIFY(!negative.passed && negative.at);
     QVERIFY(std::abs(negative.worst - 0.3 / pi) < 1e-6);
-    QVERIFY(negative.share > 0.95);
+    QVERIFY(negative.fraction > 0.95);
     const Direction up{0, 0, 1};
     QCOMPARE(applyEdits(base, std::span(&edit, 1))->evaluate(up, up), Rgb(0));
     QVERIFY(applyEditsUnclamped(base, std::span(&edit, 1))->evaluate(up, up).x < -0.09);
@@ -71,7 +71,7 @@ class EditPlausibilityTest : public QObject {
     QVERIFY(find(checkEditPlausibility(constantTable(0.3), std::span(&edit, 1)), "negative").passed);
   }
 
-  /// A table without data for theta_d beyond 45 degrees: the share that is missing is told, and where it begins.
+  /// A table without data for theta_d beyond 45 degrees: the fraction that is missing is told, and where it begins.
   void holesAreTold() {
     const HalfDifferenceGrid grid;
     std::vector<TabulatedBrdf::Value> values(grid.size(), glm::vec3(0.2f));

@@ -24,9 +24,9 @@ PdvFactors gaussian(double strength, double width, int deviations = 90) {
     f.deviationNodes.push_back(2.0 * i * i / ((deviations - 1.0) * (deviations - 1)));
   f.phiNodes = {0, 1, 2, pi};
   for (std::size_t c = 0; c < 3; ++c)
-    for (const double share : {1.0, -0.1}) {
+    for (const double fraction : {1.0, -0.1}) {
       factorization::PdvTerm term{.f1 = {}, .f2 = {}, .f3 = {1, 0.9, 0.8, 0.7}};
-      for (const double theta : f.thetaNodes) term.f1.push_back(share * strength * double(c + 1) * (1 + theta));
+      for (const double theta : f.thetaNodes) term.f1.push_back(fraction * strength * double(c + 1) * (1 + theta));
       for (const double deviation : f.deviationNodes) term.f2.push_back(std::exp(-std::pow(deviation / width, 2)));
       f.channels[c].push_back(term);
     }

@@ -28,14 +28,14 @@ class PublishedReader {
     const double turn = azimuth(m) - azimuth(incident);
     const double x = std::sqrt(polarAngle(m) * 2 / pi), y = turn / (2 * pi) + 0.5;
     const double u = y - std::floor(y);
-    const auto [low, share] = bracket(polarAngle(incident));
-    const auto s = warped(low, share, x, u);
+    const auto [low, fraction] = bracket(polarAngle(incident));
+    const auto s = warped(low, fraction, x, u);
     const double sigma = at(sigma_, 0, std::sqrt(polarAngle(incident) * 2 / pi), (azimuth(incident) + pi) / (2 * pi));
     Rgb value(0);
     for (int channel = 0; channel < 3; ++channel) {
       const double below = at(rgb_, 3 * low + std::size_t(channel), s.x, s.y);
-      const double above = share > 0 ? at(rgb_, 3 * (low + 1) + std::size_t(channel), s.x, s.y) : 0;
-      value[channel] = std::max(0.0, (1 - share) * below + share * above);  // powitacq clips colours
+      const double above = fraction > 0 ? at(rgb_, 3 * (low + 1) + std::size_t(channel), s.x, s.y) : 0;
+      value[channel] = std::max(0.0, (1 - fraction) * below + fraction * above);  // powitacq clips colours
     }
     return value * at(ndf_, 0, x, u) / (4 * sigma * outgoing.z);
   }
@@ -47,7 +47,7 @@ class PublishedReader {
   };
   struct Bracket {
     std::size_t low;
-    double share;
+    double fraction;
   };
 
   Grid grid(const char* name, std::size_t dimensions) const {
@@ -86,7 +86,7 @@ class PublishedReader {
   }
 
   /// The marginal of the rows and the conditional inside a row of the vndf between two slices, each of integral 1.
-  glm::dvec2 warped(std::size_t low, double share, double x, double y) const {
+  glm::dvec2 warped(std::size_t low, double fraction, double x, double y) const {
     const std::size_t width = vndf_.width, height = vndf_.height;
     const auto node = [&](std::size_t slice, std::size_t row, std::size_t column) {
       return double(vndf_.values[(slice * height + row) * width + column]);
@@ -97,7 +97,7 @@ class PublishedReader {
     const double lastColumn = double(width - 1), lastRow = double(height - 1);
     double along = 0, across = 0, total = 0;
     for (const bool upper : {false, true}) {
-      const double weight = upper ? share : 1 - share;
+      const double weight = upper ? fraction : 1 - fraction;
       if (weight == 0) continue;
       const std::size_t slice = low + std::size_t(upper);
       const auto marginal = [&](std::size_t row) { return rowTotal(slice, row, lastColumn); };

@@ -14,7 +14,7 @@ namespace masked_rank_one_test {
 using namespace gonio;
 using namespace gonio::factorization;
 
-/// Uniform entries; `keep` is the share of the cells that count.
+/// Uniform entries; `keep` is the fraction of the cells that count.
 MaskedTensor randomTensor(int m, int n, int p, bool positive, double keep, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);

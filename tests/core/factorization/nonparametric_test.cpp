@@ -49,10 +49,10 @@ class NonparametricTest : public QObject {
     const double cosine = std::cos(radians(10)) * std::cos(radians(20));
     const double position = degrees(std::acos(cosine)) - 0.5;
     const auto node = std::size_t(position);
-    const double share = position - double(node);
+    const double fraction = position - double(node);
     for (std::size_t channel = 0; channel < 3; ++channel) {
       const NonparametricFactors::Channel& c = f.channels[channel];
-      const double g = (1 - share) * c.g[node] + share * c.g[node + 1];
+      const double g = (1 - fraction) * c.g[node] + fraction * c.g[node + 1];
       const double expected = (c.diffuse + c.specular * c.d[30] * c.f[20] * g * g / (cosine * cosine)) / pi;
       const double found = makeNonparametricBrdf(f)->evaluate(at.wi, at.wo)[int(channel)];
       QVERIFY(std::abs(found - expected) < 1e-9 * expected);

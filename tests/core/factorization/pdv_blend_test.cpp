@@ -141,9 +141,9 @@ class PdvBlendTest : public QObject {
   }
 
   /// There is room for twenty: the first of each material.
-  void mostTerms() {
+  void maxTerms() {
     const PdvFactors a = factors(1, 0.4, 21, 20), b = factors(2, 0.4, 21, 20), c = blend(a, b, 0.5);
-    QCOMPARE(c.terms(), mostPdvTerms);
+    QCOMPARE(c.terms(), maxPdvTerms);
     for (std::size_t l = 1; l < 20; ++l) {
       const PdvFactors& end = l % 2 == 1 ? a : b;
       QVERIFY(largestDifference(c.channels[0][l].f1, scaled(end.channels[0][(l + 1) / 2].f1, 0.5)) < 1e-15);

@@ -46,8 +46,8 @@ class PdvResidualsTest : public QObject {
         for (std::size_t count = 1; count <= terms; ++count) {
           double left = 0, all = 0;
           for (std::size_t node = 0; node < energy.size(); ++node) {
-            const double share = along[count - 1][std::size_t(axis)][node];
-            left += energy[node] * share * share;
+            const double fraction = along[count - 1][std::size_t(axis)][node];
+            left += energy[node] * fraction * fraction;
             all += energy[node];
           }
           QVERIFY(std::abs(std::sqrt(left / all) - found.residuals[count]) < 1e-4);
@@ -77,7 +77,7 @@ class PdvResidualsTest : public QObject {
                               std::vector<std::uint8_t>(grid.size(), 1));
     const auto along = residualsAlong(black, factorizePdv(black, {.terms = 1}).factors);
     for (const auto& axis : along[0])
-      for (const double share : axis) QCOMPARE(share, 0.0);
+      for (const double fraction : axis) QCOMPARE(fraction, 0.0);
   }
 };
 

@@ -101,8 +101,8 @@ double integral(const Sampler& sampler, double thetaR, const std::vector<double>
 std::size_t cellOf(const DirectionSample& sample, const Direction& wo, const std::vector<double>& edges) {
   const ProjectedDeviation at = toProjectedDeviation(sample.wi, wo);
   const auto bin = std::size_t(std::upper_bound(edges.begin(), edges.end(), at.deviation) - edges.begin()) - 1;
-  const double share = at.phi / azimuthLimit(at.deviation, std::hypot(wo.x, wo.y));
-  return bin * sectors + std::size_t(std::clamp((share + 1) / 2 * sectors, 0.0, sectors - 1.0));
+  const double fraction = at.phi / azimuthLimit(at.deviation, std::hypot(wo.x, wo.y));
+  return bin * sectors + std::size_t(std::clamp((fraction + 1) / 2 * sectors, 0.0, sectors - 1.0));
 }
 
 class PdvSamplerTest : public QObject {

@@ -209,9 +209,9 @@ class FitTest : public QObject {
   void progressNeverFalls() {
     double last = 0;
     bool falls = false;
-    const TaskControl control{{}, [&](double share) {
-                                falls = falls || share < last || share > 1;
-                                last = share;
+    const TaskControl control{{}, [&](double fraction) {
+                                falls = falls || fraction < last || fraction > 1;
+                                last = fraction;
                               }};
     fit(*likeMeasured(), models::findModel("sgd"), {}, control);
     QVERIFY(!falls);
@@ -226,8 +226,8 @@ class FitTest : public QObject {
     for (const double stopAt : {0.0, 0.2, 0.5, 2.0}) {
       std::stop_source source;
       if (stopAt == 0) source.request_stop();
-      const TaskControl control{source.get_token(), [&](double share) {
-                                  if (share > stopAt) source.request_stop();
+      const TaskControl control{source.get_token(), [&](double fraction) {
+                                  if (fraction > stopAt) source.request_stop();
                                 }};
       const FitResult result = fit(*table, ggx, {}, control);
       QCOMPARE(result.cancelled, stopAt < 1);

@@ -34,7 +34,7 @@ int checkNode(const BoundingVolumes& volumes, std::uint32_t node, const AxisBox*
   for (const BoundingVolumes::Child& child : volumes.nodes[node].children) {
     if (child.count == 0 && child.first == 0) continue;
     if (outer && !contains(*outer, child.box)) return -1;
-    if (child.count > BoundingVolumes::mostInLeaf) return -1;
+    if (child.count > BoundingVolumes::maxInLeaf) return -1;
     for (std::uint32_t i = 0; i < child.count; ++i) {
       const std::uint32_t primitive = volumes.order[child.first + i];
       ++met[primitive];

@@ -17,7 +17,7 @@ using namespace gonio::test;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// By Möller and Trumbore 1997 over all triangles, in double: the least t > 0, infinite where there is none. `margin`
-/// is the least share of an edge by which the ray passes any edge of a triangle that it comes near.
+/// is the least fraction of an edge by which the ray passes any edge of a triangle that it comes near.
 struct PlainHit {
   double t = infinity, margin = infinity;
   std::size_t triangle = 0;

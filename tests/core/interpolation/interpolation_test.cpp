@@ -275,9 +275,9 @@ class InterpolationTest : public QObject, private ThreeMaterials {
       if (space == InterpolationSpace::linear) continue;
       double last = 0;
       bool falls = false;
-      const TaskControl control{{}, [&](double share) {
-                                  falls = falls || share < last;
-                                  last = share;
+      const TaskControl control{{}, [&](double fraction) {
+                                  falls = falls || fraction < last;
+                                  last = fraction;
                                 }};
       prepareInterpolation(space, ends_, options(), control);
       QVERIFY(!falls);

@@ -153,10 +153,10 @@ class ObjFileTest : public QObject {
     std::stop_source stop;
     double last = 0;
     bool rose = true;
-    const TaskControl control{stop.get_token(), [&](double share) {
-                                rose = rose && share >= last && share <= 1;
-                                last = share;
-                                if (share > 0.3) stop.request_stop();
+    const TaskControl control{stop.get_token(), [&](double fraction) {
+                                rose = rose && fraction >= last && fraction <= 1;
+                                last = fraction;
+                                if (fraction > 0.3) stop.request_stop();
                               }};
     QVERIFY_THROWS_EXCEPTION(Cancelled, read(text, control));
     QVERIFY(rose && last > 0.3);

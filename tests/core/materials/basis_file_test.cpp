@@ -58,7 +58,7 @@ class BasisFileTest : public QObject {
 
   /// What a file leaves out comes back, also of what had left something out before; of all that there is it is nothing.
   void leftOut() {
-    const PrincipalComponents truncated = test::learnFrom(test::smoothMaterials(6), {.mostComponents = 5});
+    const PrincipalComponents truncated = test::learnFrom(test::smoothMaterials(6), {.maxComponents = 5});
     for (const BasisPrecision precision : {BasisPrecision::single, BasisPrecision::half})
       for (const int components : {0, 3, 5}) {
         const std::vector<float> expected = dictionary::leftOutVariance(basis_, components, 0, basis_.mean.size());

@@ -102,9 +102,9 @@ class GramSvdTest : public QObject {
   void progressAndStop() {
     double last = 0;
     bool falls = false;
-    decomposeGramSvd(randomTall(5000, 3, 5), all, {{}, [&](double share) {
-                                                     falls = falls || share < last;
-                                                     last = share;
+    decomposeGramSvd(randomTall(5000, 3, 5), all, {{}, [&](double fraction) {
+                                                     falls = falls || fraction < last;
+                                                     last = fraction;
                                                    }});
     QVERIFY(!falls);
     QVERIFY(std::abs(last - 1) < 1e-12);

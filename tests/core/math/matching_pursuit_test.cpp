@@ -125,7 +125,7 @@ class MatchingPursuitTest : public QObject {
       QVERIFY(steps == 0 || code.residualNorm < before);
       before = code.residualNorm;
     }
-    // A share of the norm: as few atoms as reach it.
+    // A fraction of the norm: as few atoms as reach it.
     const PursuitResult half = orthogonalMatchingPursuit(AtomSet(atoms), signal, {.steps = 10, .residual = 0.5});
     QCOMPARE(half.end, PursuitEnd::residual);
     QVERIFY(half.residualNorm <= 0.5 * signal.norm());

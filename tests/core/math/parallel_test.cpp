@@ -46,9 +46,9 @@ class ParallelTest : public QObject {
     double last = 0;
     bool fell = false;
     TaskControl control;
-    control.progress = [&](double share) {
-      fell = fell || share < last;
-      last = share;
+    control.progress = [&](double fraction) {
+      fell = fell || fraction < last;
+      last = fraction;
     };
     parallelForBlocks(
         1000, 7, [](std::size_t, std::size_t) {}, control);

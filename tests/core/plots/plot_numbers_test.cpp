@@ -50,10 +50,11 @@ class PlotNumbersTest : public QObject {
     QVERIFY(linear.min == 0 && linear.max > 350 && linear.max < 400);
     QVERIFY(std::abs(logarithmic.min - 0.01) < 1e-12 && std::abs(logarithmic.max - 1000) < 1e-9);
     for (const ValueScale& scale : {linear, logarithmic})
-      for (const double share : {0.0, 0.25, 1.0}) QVERIFY(std::abs(scale.share(scale.value(share)) - share) < 1e-12);
-    QVERIFY(std::abs(logarithmic.share(1) - 0.4) < 1e-12);
-    QCOMPARE(logarithmic.share(0), 0.0);
-    QCOMPARE(logarithmic.share(-3), 0.0);
+      for (const double fraction : {0.0, 0.25, 1.0})
+        QVERIFY(std::abs(scale.fraction(scale.value(fraction)) - fraction) < 1e-12);
+    QVERIFY(std::abs(logarithmic.fraction(1) - 0.4) < 1e-12);
+    QCOMPARE(logarithmic.fraction(0), 0.0);
+    QCOMPARE(logarithmic.fraction(-3), 0.0);
   }
 
   void scalesOfOddValues() {

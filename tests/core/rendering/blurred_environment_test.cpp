@@ -17,8 +17,8 @@ Rgb meanRadiance(const EnvironmentMap& map) {
   const Image& image = map.image();
   Rgb sum(0);
   for (int y = 0; y < image.height; ++y) {
-    const double share = (std::cos(pi * y / image.height) - std::cos(pi * (y + 1) / image.height)) / 2 / image.width;
-    for (int x = 0; x < image.width; ++x) sum += share * Rgb(image.at(x, y));
+    const double fraction = (std::cos(pi * y / image.height) - std::cos(pi * (y + 1) / image.height)) / 2 / image.width;
+    for (int x = 0; x < image.width; ++x) sum += fraction * Rgb(image.at(x, y));
   }
   return sum;
 }

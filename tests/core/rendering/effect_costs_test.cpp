@@ -73,9 +73,9 @@ class EffectCostsTest : public QObject {
   void progressAndCancel() {
     double last = 0;
     int calls = 0;
-    measure("sphere", {}, small, {{}, [&](double share) {
-                                    QVERIFY(share >= last && share <= 1);
-                                    last = share;
+    measure("sphere", {}, small, {{}, [&](double fraction) {
+                                    QVERIFY(fraction >= last && fraction <= 1);
+                                    last = fraction;
                                     ++calls;
                                   }});
     QVERIFY(last == 1 && calls >= int(effectCount));

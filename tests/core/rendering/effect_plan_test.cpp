@@ -192,7 +192,7 @@ class EffectPlanTest : public QObject {
           while (std::pow(factor, expected) / (1 - factor) > threshold) ++expected;
           const EffectPlan plan = planOf(with({sphereAt(0), sphereAt(distance)}), diffuseMaterial(Rgb(albedo)), {},
                                          {.remainder = threshold});
-          // The bound is a line between steps of the share: a little above the closed form.
+          // The bound is a line between steps of the fraction: a little above the closed form.
           QVERIFY2(plan.reflections == expected || plan.reflections == expected + 1,
                    qPrintable(QString("%1, expected %2").arg(plan.reflections).arg(expected)));
           QVERIFY(plan.remainder >= 0.999 * std::pow(factor, plan.reflections) && plan.remainder <= threshold);
@@ -259,7 +259,7 @@ class EffectPlanTest : public QObject {
     const auto gaining =
         std::make_shared<const RenderMaterial>(ward.instantiate(leadingParameters(ward, {Rgb(0), Rgb(1), Rgb(0.4)})));
     for (const auto& material : {diffuseMaterial(Rgb(1)), gaining}) {
-      const EffectPlan plan = planOf(with({mesh(bowlMesh())}), material, {}, {.mostReflections = 20});
+      const EffectPlan plan = planOf(with({mesh(bowlMesh())}), material, {}, {.maxReflections = 20});
       QCOMPARE(plan.reflections, 20);
       QVERIFY(std::isinf(plan.remainder));
       QVERIFY(plan[Effect::interreflection].reason.find("reflections do not die out; limited to 20") !=
@@ -289,7 +289,7 @@ class EffectPlanTest : public QObject {
     QVERIFY((plan.blockers[0][0] == std::vector<std::size_t>{2, 0}));
     QVERIFY((plan.blockers[0][1] == std::vector<std::size_t>{1, 2, 0}));
     QVERIFY((plan.visible[0] == std::vector<std::size_t>{0, 2} && plan.visible[1].empty()));
-    QCOMPARE(plan.reflections, EffectThresholds().mostReflections);
+    QCOMPARE(plan.reflections, EffectThresholds().maxReflections);
     for (std::size_t i = 0; i < effectCount; ++i) {
       QVERIFY(plan.decisions[i].simulated);
       QCOMPARE(plan.decisions[i].calledFor, analysed.decisions[i].calledFor);

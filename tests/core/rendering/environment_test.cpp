@@ -182,8 +182,8 @@ class EnvironmentTest : public QObject {
         onIt += dx == 0 && dy == 0;
       }
       // Of its light (3/4)^2 falls into the pixel itself, by solid angle somewhat less at the pole.
-      const double share = double(onIt) / (perAxis * perAxis);
-      QVERIFY(share > 0.5 && share < 0.65);
+      const double fraction = double(onIt) / (perAxis * perAxis);
+      QVERIFY(fraction > 0.5 && fraction < 0.65);
     }
   }
 

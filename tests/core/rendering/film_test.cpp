@@ -69,8 +69,8 @@ class FilmTest : public QObject {
     film.luminances.add(9001);
     const Fireflies found = film.fireflies();
     QVERIFY(std::abs(found.brightest - 900.1) < 1e-6);
-    QVERIFY(std::abs(found.share - 0.9001) < 0.07);
-    QVERIFY(Film(4, 4).fireflies().brightest == 0 && Film().fireflies().share == 0);
+    QVERIFY(std::abs(found.fraction - 0.9001) < 0.07);
+    QVERIFY(Film(4, 4).fireflies().brightest == 0 && Film().fireflies().fraction == 0);
   }
 };
 

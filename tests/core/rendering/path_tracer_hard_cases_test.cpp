@@ -145,7 +145,7 @@ class PathTracerHardCasesTest : public QObject {
     Scene furnace = with(Sphere{});
     furnace.environment = furnaceEnvironment();
     const Fireflies none = trace(furnace, grey).fireflies();
-    QVERIFY(none.brightest >= 1 && none.brightest < 4 && none.share == 0);
+    QVERIFY(none.brightest >= 1 && none.brightest < 4 && none.fraction == 0);
     Scene lamp = openScene("sphere-under-lamp");
     auto& rectangle = std::get<Rectangle>(lamp.objects[2].shape);
     rectangle.halfU *= 0.15;
@@ -153,9 +153,9 @@ class PathTracerHardCasesTest : public QObject {
     lamp.objects[2].radiance *= 44;
     const Fireflies found = trace(lamp, grey, {.samples = 64, .strategy = PathTracer::Strategy::materials}).fireflies(),
                     sampled = trace(lamp, grey).fireflies();
-    QVERIFY2(found.brightest > 300 && found.share > 0.9,
-             qPrintable(QString("%1 %2").arg(found.brightest).arg(found.share)));
-    QVERIFY(sampled.brightest < 60 && sampled.share == 0);
+    QVERIFY2(found.brightest > 300 && found.fraction > 0.9,
+             qPrintable(QString("%1 %2").arg(found.brightest).arg(found.fraction)));
+    QVERIFY(sampled.brightest < 60 && sampled.fraction == 0);
   }
 
   /// A spike of 1e6: finite, the two strategies that can find it agree.

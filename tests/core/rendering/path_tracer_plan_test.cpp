@@ -140,12 +140,12 @@ class PathTracerPlanTest : public QObject {
     };
     const Tiles whole = tiles(1e-6, 1);
     int last = 100;
-    for (const double share : {0.01, 0.1, 0.5}) {
-      const EffectPlan plan = planEffects(scene, bound, {}, {.remainder = share});
-      QVERIFY(plan.reflections < last && plan.remainder <= share);
+    for (const double fraction : {0.01, 0.1, 0.5}) {
+      const EffectPlan plan = planEffects(scene, bound, {}, {.remainder = fraction});
+      QVERIFY(plan.reflections < last && plan.remainder <= fraction);
       last = plan.reflections;
       const QString text =
-          disagreement(whole, tiles(share, 101), plan.remainder * brightest(trace(scene, grey).image()));
+          disagreement(whole, tiles(fraction, 101), plan.remainder * brightest(trace(scene, grey).image()));
       QVERIFY2(text.isEmpty(), qPrintable(text));
     }
   }

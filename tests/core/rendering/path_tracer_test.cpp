@@ -80,7 +80,7 @@ class PathTracerTest : public QObject {
           if (strategy == lights && !sampled) continue;
           TraceOptions options{.size = 8, .samples = 256, .strategy = strategy};
           options.overrides[std::size_t(Effect::areaLightSampling)] = sampled;
-          // Directions of the material find the lamp by chance: a binomial share of them.
+          // Directions of the material find the lamp by chance: a binomial fraction of them.
           const bool byChance = strategy == materials || !sampled;
           const double finds = irradiance / pi * options.samples * options.size * options.size;
           const double tolerance = byChance ? 5 / std::sqrt(finds) : 5e-3;
@@ -162,7 +162,7 @@ class PathTracerTest : public QObject {
         QCOMPARE(film->counters.shadow, whole.counters.shadow);
         QCOMPARE(film->counters.bounce, whole.counters.bounce);
         QCOMPARE(film->fireflies().brightest, whole.fireflies().brightest);
-        QCOMPARE(film->fireflies().share, whole.fireflies().share);
+        QCOMPARE(film->fireflies().fraction, whole.fireflies().fraction);
       }
       const Image image = whole.image(),
                   other = trace(scene, glossy, {.size = 20, .seed = std::uint64_t(1) << 40}).image();
@@ -176,8 +176,8 @@ class PathTracerTest : public QObject {
     tracer.accumulate(film, 2);
     const Film before = film;
     std::stop_source source;
-    TaskControl control{source.get_token(), [&](double share) {
-                          if (share > 0.3) source.request_stop();
+    TaskControl control{source.get_token(), [&](double fraction) {
+                          if (fraction > 0.3) source.request_stop();
                         }};
     QVERIFY_THROWS_EXCEPTION(Cancelled, tracer.accumulate(film, 64, control));
     QVERIFY(film.radiance == before.radiance && film.samples == 2 && film.counters.camera == before.counters.camera);

@@ -61,9 +61,10 @@ class PictureRefinementTest : public QObject {
     Film film(16, 16);
     double last = 0;
     bool rises = true;
-    refinePicture(picture.tracer(), film, {.samples = 50, .seconds = 100}, {{}, [&](double share) {
-                                                                              rises &= share >= last && share <= 1;
-                                                                              last = share;
+    refinePicture(picture.tracer(), film, {.samples = 50, .seconds = 100}, {{}, [&](double fraction) {
+                                                                              rises &=
+                                                                                  fraction >= last && fraction <= 1;
+                                                                              last = fraction;
                                                                             }});
     QVERIFY(rises);
     QCOMPARE(last, 1.0);

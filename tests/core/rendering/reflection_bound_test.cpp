@@ -26,7 +26,7 @@ double largestAlbedo(const Brdf& brdf) {
 }
 
 /// A(F) of one viewer by brute force: all cells of a grid of the hemisphere, the brightest first.
-std::vector<double> bruteForce(const Brdf& brdf, double theta, const std::vector<double>& shares) {
+std::vector<double> bruteForce(const Brdf& brdf, double theta, const std::vector<double>& fractions) {
   constexpr int rings = 300, sectors = 300;  // a half: models are symmetric about the plane of the viewer
   std::vector<double> values;
   const Direction wo = fromSpherical(radians(theta), 0);
@@ -37,9 +37,9 @@ std::vector<double> bruteForce(const Brdf& brdf, double theta, const std::vector
     }
   std::ranges::sort(values, std::greater());
   std::vector<double> result;
-  for (const double share : shares) {
+  for (const double fraction : fractions) {
     double sum = 0;
-    for (std::size_t i = 0; i < std::size_t(share * double(values.size())); ++i) sum += values[i];
+    for (std::size_t i = 0; i < std::size_t(fraction * double(values.size())); ++i) sum += values[i];
     result.push_back(pi * sum / double(values.size()));
   }
   return result;
@@ -53,9 +53,9 @@ class ReflectionBoundTest : public QObject {
     const Rgb reflectance(0.3, 0.7, 0.1);
     const ReflectionBound drawn = boundOf(models::findModel("lambert").instantiate({{reflectance}}));
     for (const ReflectionBound& bound : {diffuseMaterial(reflectance)->bound(), drawn}) {
-      for (double share = 0; share <= 1; share += 1.0 / 256) {
-        QVERIFY(bound.at(share) >= 0.7 * share * (1 - 1e-12));
-        QVERIFY(bound.at(share) <= 0.7 * share * (1 + 1e-9));
+      for (double fraction = 0; fraction <= 1; fraction += 1.0 / 256) {
+        QVERIFY(bound.at(fraction) >= 0.7 * fraction * (1 - 1e-12));
+        QVERIFY(bound.at(fraction) <= 0.7 * fraction * (1 + 1e-9));
       }
       QVERIFY(std::abs(bound.largestAlbedo() - 0.7) < 1e-9);
     }
@@ -105,17 +105,18 @@ class ReflectionBoundTest : public QObject {
     for (const double roughness : {0.1, 0.3, 0.6}) {
       const auto brdf = test::ggx(Rgb(0.2), Rgb(1), roughness, 0.3);
       const ReflectionBound bound = boundOf(test::ggx(Rgb(0.2), Rgb(1), roughness, 0.3));
-      const std::vector<double> shares{0.001, 0.01, 0.1, 0.3, 1.0};
-      std::vector<double> expected(shares.size(), 0);
+      const std::vector<double> fractions{0.001, 0.01, 0.1, 0.3, 1.0};
+      std::vector<double> expected(fractions.size(), 0);
       for (const double theta : {0, 30, 60, 75, 80, 85, 89}) {
-        const std::vector<double> one = bruteForce(*brdf, theta, shares);
-        for (std::size_t i = 0; i < shares.size(); ++i) expected[i] = std::max(expected[i], one[i]);
+        const std::vector<double> one = bruteForce(*brdf, theta, fractions);
+        for (std::size_t i = 0; i < fractions.size(); ++i) expected[i] = std::max(expected[i], one[i]);
       }
-      for (std::size_t i = 0; i < shares.size(); ++i) {
-        const double found = bound.at(shares[i]);
+      for (std::size_t i = 0; i < fractions.size(); ++i) {
+        const double found = bound.at(fractions[i]);
         QVERIFY2(
             found > 0.93 * expected[i] && found < 1.15 * expected[i] + 1.0 / 512,
-            qPrintable(QString("%1 at %2: %3, expected %4").arg(roughness).arg(shares[i]).arg(found).arg(expected[i])));
+            qPrintable(
+                QString("%1 at %2: %3, expected %4").arg(roughness).arg(fractions[i]).arg(found).arg(expected[i])));
       }
     }
   }

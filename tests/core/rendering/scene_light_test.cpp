@@ -160,7 +160,7 @@ class SceneLightTest : public QObject {
     QVERIFY(counts.noes > 0.7 * counts.freePairs);
   }
 
-  /// Share of the cosine-weighted hemisphere that an object fills at points by chance: never above the bound.
+  /// Fraction of the cosine-weighted hemisphere that an object fills at points by chance: never above the bound.
   void formFactorsAreBounds() {
     std::mt19937_64 random(2);
     const std::vector<Shape> known = meshes();
@@ -178,9 +178,9 @@ class SceneLightTest : public QObject {
           const Ray ray{point.position + 1e-6 * point.normal, glm::normalize(point.normal + randomDirection(random))};
           hits += blocks(other.shape, ray, 0, infinity);
         }
-        const double share = double(hits) / rays, deviation = std::sqrt(bound * (1 - bound) / rays);
-        QVERIFY(share <= bound + 5 * deviation + 1e-12);
-        close += share > 0.3 * bound && bound < 0.9;
+        const double fraction = double(hits) / rays, deviation = std::sqrt(bound * (1 - bound) / rays);
+        QVERIFY(fraction <= bound + 5 * deviation + 1e-12);
+        close += fraction > 0.3 * bound && bound < 0.9;
       }
     }
     QVERIFY(close > 20);

@@ -70,11 +70,11 @@ class AccuracyStudyTest : public QObject {
   /// Each record holds what its parts give when they are called by themselves.
   void recordsHoldWhatTheirPartsGiveAlone() {
     const auto representations = few();
-    std::vector<std::string> told;
+    std::vector<std::string> reported;
     StudyOptions options = smallPictures();
     const RenderedComparison comparison(*plastic().table, options.picture);
     options.measured = [&](const StudiedRepresentation& studied) {
-      told.push_back(studied.record.representation.fullLabel());
+      reported.push_back(studied.record.representation.fullLabel());
       const ComparisonPicture picture = comparison.render(*studied.brdf);
       QVERIFY(picture.image.pixels == studied.picture.pixels);
       QVERIFY(studied.tabulated({})->grid() == smallGrid);
@@ -86,7 +86,7 @@ class AccuracyStudyTest : public QObject {
     for (std::size_t i = 0; i < records.size(); ++i) {
       const StudyRecord& record = records[i];
       QVERIFY(record.representation == representations[i]);
-      QCOMPARE(told[i], representations[i].fullLabel());
+      QCOMPARE(reported[i], representations[i].fullLabel());
       QVERIFY(record.evaluation.lowerQuartile > 0 && record.evaluation.lowerQuartile <= record.evaluation.median &&
               record.evaluation.median <= record.evaluation.upperQuartile);
       QVERIFY(record.frameMilliseconds > 0);
@@ -179,9 +179,9 @@ class AccuracyStudyTest : public QObject {
   void progressNeverFalls() {
     double last = 0;
     bool falls = false;
-    runStudy(plastic(), few(), smallPictures(), {{}, [&](double share) {
-                                                   falls = falls || share < last || share > 1;
-                                                   last = share;
+    runStudy(plastic(), few(), smallPictures(), {{}, [&](double fraction) {
+                                                   falls = falls || fraction < last || fraction > 1;
+                                                   last = fraction;
                                                  }});
     QVERIFY(!falls);
     QCOMPARE(last, 1.0);

@@ -81,17 +81,17 @@ class FitRankingTest : public QObject {
 
   void progressNeverFallsAndEveryRowIsTold() {
     RankingOptions options = fewModels();
-    std::vector<std::string_view> told;
-    options.modelDone = [&](const RankedFit& row) { told.push_back(row.fit.model->spec().id); };
+    std::vector<std::string_view> reported;
+    options.modelDone = [&](const RankedFit& row) { reported.push_back(row.fit.model->spec().id); };
     double last = 0;
     bool falls = false;
-    rankFits({plastic(), plastic()}, options, {{}, [&](double share) {
-                                                 falls = falls || share < last || share > 1;
-                                                 last = share;
+    rankFits({plastic(), plastic()}, options, {{}, [&](double fraction) {
+                                                 falls = falls || fraction < last || fraction > 1;
+                                                 last = fraction;
                                                }});
     QVERIFY(!falls);
     QCOMPARE(last, 1.0);
-    QCOMPARE(told, (std::vector<std::string_view>{"lambert", "ggx", "blinn-phong"}));
+    QCOMPARE(reported, (std::vector<std::string_view>{"lambert", "ggx", "blinn-phong"}));
   }
 
   void cancelReturnsWhatIsDone() {

@@ -56,7 +56,7 @@ class PictureEncodingTest : public QObject {
     std::vector<double> progress;
     const PictureEncoding found =
         encodeForPictures(studied().encoder, *studied().table, target, {.coefficients = 1000},
-                          {.stop = {}, .progress = [&](double share) { progress.push_back(share); }}, picture);
+                          {.stop = {}, .progress = [&](double fraction) { progress.push_back(fraction); }}, picture);
     const SparseCode& code = found.encoded.code;
     QVERIFY(found.renderedSnr >= target);
     QVERIFY2(code.coefficients() > 8 && code.coefficients() < 1000, qPrintable(QString::number(code.coefficients())));

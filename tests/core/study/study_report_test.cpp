@@ -73,7 +73,7 @@ class StudyReportTest : public QObject {
     QCOMPARE(summary.size(), materials[0].size());
     QCOMPARE(summary[0].median.renderedSnr, 30.0);
     QCOMPARE(summary[0].leastSnr, 10.0);
-    QCOMPARE(summary[0].mostSnr, 50.0);
+    QCOMPARE(summary[0].maxSnr, 50.0);
     QCOMPARE(summary[0].worst, std::size_t(2));
     QCOMPARE(summary[3].worst, std::size_t(0));
     QCOMPARE(summary[0].median.bytes, std::size_t(7));

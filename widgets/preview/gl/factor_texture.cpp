@@ -17,7 +17,7 @@ using editing::FactorEdit;
 using factorization::PdvFactors;
 using factorization::PdvTerm;
 
-constexpr int mostPlaces = 1024;
+constexpr int maxPlaces = 1024;
 constexpr int deviationAxis = 1, phiAxis = 2;
 using Curve = std::vector<double> PdvTerm::*;
 constexpr Curve curvesOfTerm[] = {&PdvTerm::f1, &PdvTerm::f2, &PdvTerm::f3};
@@ -40,8 +40,8 @@ void fillCurve(glm::vec4* texels, int stride, int places, const PdvFactors& f, i
     // Without an axis of its own the one value of F3 goes with F1.
     const double factor = axis == 0 && axes == 2 ? curves.f3.front() : 1;
     for (int i = 0; i < places; ++i) {
-      const double share = i / (places - 1.0);
-      const double x = end * (axis == deviationAxis ? share * share : share);
+      const double fraction = i / (places - 1.0);
+      const double x = end * (axis == deviationAxis ? fraction * fraction : fraction);
       texels[i * stride][channel] = float(factor * evaluateMonotoneCubic(nodes, values, slopes, x));
     }
   }
@@ -84,9 +84,9 @@ bool FactorTexture::sameLayout(const std::vector<FactorEdit>& edits) const {
 void FactorTexture::allocate(QOpenGLFunctions_4_1_Core& gl, const std::vector<FactorEdit>& edits) {
   int stride = 0;
   for (const FactorEdit& edit : edits) stride += strideOf(edit);
-  GLint mostTexels = 0;
-  gl.glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &mostTexels);
-  places_ = std::clamp(mostTexels / stride, 2, mostPlaces);
+  GLint maxTexels = 0;
+  gl.glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &maxTexels);
+  places_ = std::clamp(maxTexels / stride, 2, maxPlaces);
   firstTexels_.clear();
   int texels = 0;
   for (const FactorEdit& edit : edits) {

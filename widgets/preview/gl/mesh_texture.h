@@ -16,7 +16,7 @@ namespace gonio::widgets {
 class MeshTexture {
  public:
   /// What the largest texture that every card has (16384 rows) and its memory bear.
-  static constexpr std::size_t mostTriangles = 2'000'000;
+  static constexpr std::size_t maxTriangles = 2'000'000;
 
   /// Builds and uploads: about 1 s a million triangles. At least one mesh.
   /// @throws Error where the memory for the bounding volumes is missing.

@@ -37,7 +37,7 @@ inline constexpr double smallestRelativeLuminance = 1e-3;
 
 struct PreviewComparison {
   CompareMode mode = CompareMode::off;
-  double split = 0.5;  ///< place of the bar, share of the width
+  double split = 0.5;  ///< place of the bar, fraction of the width
   DifferenceKind difference = DifferenceKind::absolute;
   /// The difference that has the last colour; 0: found from the pictures.
   double range = 0;

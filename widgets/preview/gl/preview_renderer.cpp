@@ -22,7 +22,7 @@ constexpr int maxSamples = 64;  // of scene.frag
 // A pass in which rays search meshes is short: Mesa's software renderer leaves a shader's loops after 65,535 rounds.
 constexpr int maxMeshSamples = 8;
 constexpr double bandMilliseconds = 12;
-constexpr int mostBands = 16;  // waiting for each has its cost too
+constexpr int maxBands = 16;  // waiting for each has its cost too
 QVector3D toVector(const Direction& d) { return {float(d.x), float(d.y), float(d.z)}; }
 
 }  // namespace
@@ -196,8 +196,8 @@ void PreviewRenderer::addSamples(const Pass& pass, bool isOnly, int count) {
 void PreviewRenderer::drawInBands() {
   using Clock = std::chrono::steady_clock;
   glEnable(GL_SCISSOR_TEST);
-  const int fewestRows = (size_.height() + mostBands - 1) / mostBands;
-  int rows = 2 * fewestRows;
+  const int minRows = (size_.height() + maxBands - 1) / maxBands;
+  int rows = 2 * minRows;
   for (int row = 0; row < size_.height();) {
     const Clock::time_point start = Clock::now();
     glScissor(0, row, size_.width(), rows);
@@ -205,7 +205,7 @@ void PreviewRenderer::drawInBands() {
     glFinish();
     row += rows;
     const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    rows = std::max(fewestRows, int(rows * std::clamp(bandMilliseconds / std::max(milliseconds, 1e-3), 0.25, 4.0)));
+    rows = std::max(minRows, int(rows * std::clamp(bandMilliseconds / std::max(milliseconds, 1e-3), 0.25, 4.0)));
   }
   glDisable(GL_SCISSOR_TEST);
 }

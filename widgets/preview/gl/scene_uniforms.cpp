@@ -38,15 +38,14 @@ bool SceneUniforms::canDraw(const Scene& scene) {
   std::size_t triangles = 0;
   for (const SceneObject& object : scene.objects)
     if (const auto* mesh = std::get_if<MeshShape>(&object.shape)) triangles += (*mesh)->mesh().triangles().size();
-  return !scene.objects.empty() && scene.objects.size() <= mostObjects &&
-         scene.directionalLights.size() <= mostLights && scene.pointLights.size() <= mostLights &&
-         triangles <= MeshTexture::mostTriangles;
+  return !scene.objects.empty() && scene.objects.size() <= mostObjects && scene.directionalLights.size() <= maxLights &&
+         scene.pointLights.size() <= maxLights && triangles <= MeshTexture::maxTriangles;
 }
 
 SceneUniforms::SceneUniforms(const Scene& scene, const EffectPlan& plan) {
   addObjects(scene, plan);
   addLights(scene, plan);
-  reflections_ = std::clamp(plan.reflections, 1, mostReflections);
+  reflections_ = std::clamp(plan.reflections, 1, maxReflections);
   const bool emitted = plan.simulates(Effect::emittedLight);
   showLamps_ = emitted && lamps_ > 0;
   showEnvironment_ = emitted && scene.environment && scene.showEnvironment;

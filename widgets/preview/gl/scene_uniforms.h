@@ -13,8 +13,8 @@ namespace gonio::widgets {
 class SceneUniforms {
  public:
   /// Reflections that the shader follows at most: what a driver compiles and a frame bears.
-  static constexpr int mostReflections = 8;
-  static constexpr std::size_t mostObjects = 24, mostLights = 8;
+  static constexpr int maxReflections = 8;
+  static constexpr std::size_t mostObjects = 24, maxLights = 8;
 
   /// Whether the shader can draw the scene; larger ones are traced on the CPU.
   static bool canDraw(const Scene& scene);

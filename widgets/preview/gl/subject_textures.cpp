@@ -75,10 +75,10 @@ void SubjectTextures::bindLobe(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgr
   GrainLobe grain = lobe ? lobe->grain() : GrainLobe{};
   if (lobe && lobe->round()) {
     cosineShare = 1 - lobe->round()->specularShare;
-    grain = {.alphaX = lobe->round()->roughness, .alphaY = lobe->round()->roughness, .share = 1};
+    grain = {.alphaX = lobe->round()->roughness, .alphaY = lobe->round()->roughness, .fraction = 1};
   }
   program.setUniformValue("lobeCosineShare", float(cosineShare));
-  program.setUniformValue("lobeGrainShare", float((1 - cosineShare) * grain.share));
+  program.setUniformValue("lobeGrainShare", float((1 - cosineShare) * grain.fraction));
   program.setUniformValue("lobeGrain", QVector4D(float(grain.alphaX), float(grain.alphaY),
                                                  float(std::cos(grain.rotation)), float(std::sin(grain.rotation))));
   if (!lobeTextures_) lobeTextures_ = std::make_unique<TextureSet>();

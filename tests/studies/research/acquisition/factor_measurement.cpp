@@ -156,7 +156,7 @@ FactorMeasurement measureFactors(const Brdf& material, const FactorMeasurementOp
   }
   const double last = isDeviation(options.axes) ? 2 : halfPi;
   for (int j = 0; j < options.distances; ++j) {
-    const double share = double(j) / (options.distances - 1), distance = last * share * share;
+    const double fraction = double(j) / (options.distances - 1), distance = last * fraction * fraction;
     const std::optional<Rgb> z = goniometer.read({options.fixedAngle, distance});
     if (!z) continue;
     m.distances.push_back(distance);

@@ -32,7 +32,7 @@ MaskedTensor logLuminance(const HalfOutSamples& s) {
 }
 
 double between(const std::vector<double>& curve, const NodePlace& at) {
-  return (1 - at.share) * curve[at.index] + at.share * curve[at.index + 1];
+  return (1 - at.fraction) * curve[at.index] + at.fraction * curve[at.index + 1];
 }
 
 double luminanceAt(const BilgiliFactors& f, const HalfOut& at) {

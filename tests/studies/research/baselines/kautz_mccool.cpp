@@ -61,10 +61,11 @@ Rgb sumAt(const KautzMcCoolFactors& f, const HalfDifference& at) {
   Rgb sum(0);
   for (Index k = 0; k < f.half.cols(); ++k) {
     const double v =
-        (1 - d.share) * ((1 - p.share) * f.difference(column, k) + p.share * f.difference(column + 1, k)) +
-        d.share * ((1 - p.share) * f.difference(column + nextD, k) + p.share * f.difference(column + nextD + 1, k));
+        (1 - d.fraction) * ((1 - p.fraction) * f.difference(column, k) + p.fraction * f.difference(column + 1, k)) +
+        d.fraction *
+            ((1 - p.fraction) * f.difference(column + nextD, k) + p.fraction * f.difference(column + nextD + 1, k));
     for (int channel = 0; channel < 3; ++channel)
-      sum[channel] += v * ((1 - h.share) * f.half(row + channel, k) + h.share * f.half(row + 3 + channel, k));
+      sum[channel] += v * ((1 - h.fraction) * f.half(row + channel, k) + h.fraction * f.half(row + 3 + channel, k));
   }
   return sum;
 }

@@ -20,7 +20,7 @@ using Eigen::Index;
 
 const NonnegativeOptions updates{.maxIterations = 1000, .tolerance = 1e-7};
 
-/// Roots of the solid angles of rows and of the projected ones of columns: a cell's error counts by its share of
+/// Roots of the solid angles of rows and of the projected ones of columns: a cell's error counts by its fraction of
 /// the light.
 Eigen::VectorXd rowScales(const HalfOutAxes& axes) {
   Eigen::VectorXd scales(Index(axes.thetaH.size() * axes.phiH.size()));
@@ -51,7 +51,7 @@ Eigen::MatrixXd cosineWeighted(const HalfOutSamples& s) {
 }
 
 double between(const Eigen::MatrixXd::ConstColXpr& curve, const NodePlace& at) {
-  return (1 - at.share) * curve[Index(at.index)] + at.share * curve[Index(at.index + 1)];
+  return (1 - at.fraction) * curve[Index(at.index)] + at.fraction * curve[Index(at.index + 1)];
 }
 
 /// Times the cosine of the light.
@@ -64,8 +64,8 @@ Rgb cosineWeightedAt(const LawrenceFactors& f, const HalfOut& at) {
     for (int k = 0; k < f.ranks.products; ++k, ++product)
       strength += between(f.polar.col(product), h) * between(f.azimuth.col(product), p);
     for (int channel = 0; channel < 3; ++channel)
-      sum[channel] += strength * ((1 - o.share) * f.viewer(j, 3 * Index(o.index) + channel) +
-                                  o.share * f.viewer(j, 3 * Index(o.index + 1) + channel));
+      sum[channel] += strength * ((1 - o.fraction) * f.viewer(j, 3 * Index(o.index) + channel) +
+                                  o.fraction * f.viewer(j, 3 * Index(o.index + 1) + channel));
   }
   return sum;
 }

@@ -26,7 +26,7 @@ constexpr double smoothness = 1e-5, size = 1e-10;
 /// Where the three factors of a cell read: six unknowns and their shares.
 struct CellRow {
   Index unknowns[6];
-  double shares[6];
+  double fractions[6];
 };
 
 CellRow rowOf(const McCoolFactors& f, double cosI, double cosO, double thetaH) {
@@ -34,8 +34,8 @@ CellRow rowOf(const McCoolFactors& f, double cosI, double cosO, double thetaH) {
   const auto store = [&row](int at, Index offset, const NodePlace& place) {
     row.unknowns[at] = offset + Index(place.index);
     row.unknowns[at + 1] = offset + Index(place.index) + 1;
-    row.shares[at] = 1 - place.share;
-    row.shares[at + 1] = place.share;
+    row.fractions[at] = 1 - place.fraction;
+    row.fractions[at + 1] = place.fraction;
   };
   store(0, 0, placeBetween(f.theta, std::acos(std::min(1.0, cosI))));
   store(2, 0, placeBetween(f.theta, std::acos(std::min(1.0, cosO))));
@@ -76,11 +76,11 @@ NormalEquations accumulate(const HalfDifferenceSamples& s, const McCoolFactors& 
         const CellRow row = rowOf(f, s.cosI[i], s.cosO[i], s.axes.thetaH[h]);
         for (int a = 0; a < 6; ++a) {
           for (int b = 0; b < 6; ++b)
-            equations.matrix(row.unknowns[a], row.unknowns[b]) += weight * row.shares[a] * row.shares[b];
+            equations.matrix(row.unknowns[a], row.unknowns[b]) += weight * row.fractions[a] * row.fractions[b];
           for (std::size_t channel = 0; channel < 3; ++channel)
             if (const double bias = f.channels[channel].bias; bias > 0)
               equations.right[channel][row.unknowns[a]] +=
-                  weight * row.shares[a] * std::log(s.values[i][int(channel)] + bias);
+                  weight * row.fractions[a] * std::log(s.values[i][int(channel)] + bias);
         }
       }
   }
@@ -141,7 +141,8 @@ std::shared_ptr<const Brdf> makeMcCoolBrdf(McCoolFactors factors) {
       double sum = 0;
       for (int a = 0; a < 6; ++a) {
         const Index unknown = row.unknowns[a];
-        sum += row.shares[a] * (unknown < split ? c.logP[std::size_t(unknown)] : c.logQ[std::size_t(unknown - split)]);
+        sum +=
+            row.fractions[a] * (unknown < split ? c.logP[std::size_t(unknown)] : c.logQ[std::size_t(unknown - split)]);
       }
       result[int(channel)] = std::max(0.0, std::exp(std::min(sum, c.highest)) - c.bias);
     }

@@ -14,7 +14,7 @@ struct KSvdOptions {
   int atoms = 256;
   int sparsity = 4;         ///< atoms a signal may use
   int iterations = 50;      ///< rounds at most
-  double tolerance = 1e-3;  ///< done when five rounds lower the least error by less than this share
+  double tolerance = 1e-3;  ///< done when five rounds lower the least error by less than this fraction
   std::uint64_t seed = 1;
 };
 

@@ -34,7 +34,7 @@ void forEachCell(const Sizes& sizes, const Sizes& patch, const Work& work) {
              i / patch[0] + across * (j / patch[1] + along * (k / patch[2])));
 }
 
-/// The share of a patch's norm at which its error is `error`.
+/// The fraction of a patch's norm at which its error is `error`.
 double shareOf(double error, double norm) { return norm > 0 ? error / norm : 0; }
 
 PatchCode codeToError(const AtomSet& atoms, const Eigen::MatrixXd& patches, double error, int most,

@@ -176,8 +176,8 @@ CanonicalPolyadic decomposeCanonicalPolyadic(const Tensor& tensor, int rank, con
   };
   CanonicalPolyadic result = alternate(false);
   // Components that grow against each other without end: another start.
-  constexpr double mostWeight = 1e6;
-  if (!(result.weights.cwiseAbs().maxCoeff() <= mostWeight * tensor.norm())) result = alternate(true);
+  constexpr double maxWeight = 1e6;
+  if (!(result.weights.cwiseAbs().maxCoeff() <= maxWeight * tensor.norm())) result = alternate(true);
   orientSigns(result);
   result.fit = exactFit(tensor, result);
   return result;

@@ -172,8 +172,8 @@ class KSvdTest : public QObject {
   void aStopGivesTheBestSoFar() {
     const MatrixXd signals = gaussian(12, 300, 5);
     std::stop_source stop;
-    const TaskControl control{stop.get_token(), [&](double share) {
-                                if (share > 0.11) stop.request_stop();
+    const TaskControl control{stop.get_token(), [&](double fraction) {
+                                if (fraction > 0.11) stop.request_stop();
                               }};
     const KSvdOptions options{.atoms = 40, .sparsity = 3, .iterations = 20, .tolerance = 0};
     const KSvdResult result = learnKSvd(signals, options, control);
