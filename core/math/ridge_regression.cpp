@@ -43,7 +43,7 @@ Eigen::MatrixXd RidgeRegression::leaveOneOut(double ridge) const {
   const Eigen::VectorXd residuals = residualFractions(ridge);
   const Eigen::MatrixXd residual = svd_.u * (residuals.asDiagonal() * projected_) + outside_;
   Eigen::VectorXd diagonal = svd_.u.cwiseAbs2() * residuals;
-  // Rows beyond the columns: what U does not span is untold wholly.
+  // Rows beyond the columns: what U does not span is wholly residual.
   if (svd_.u.rows() > svd_.u.cols()) diagonal += (1 - svd_.u.rowwise().squaredNorm().array()).max(0.0).matrix();
   return diagonal.cwiseInverse().asDiagonal() * residual;
 }
