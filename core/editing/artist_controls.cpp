@@ -51,7 +51,7 @@ constexpr ParameterSpec controls[] = {
      .formula = "rho' = t rho in each channel"},
     {.id = "saturation", .label = "Saturation", .symbol = "s", .unit = "",
      .softMin = 0, .softMax = 2, .hardMin = 0, .hardMax = 10, .defaultValue = 1,
-     .description = "How colourful the whole material is at equal luminance: 0 is grey, 2 twice as colourful.",
+     .description = "Saturation of the whole material at equal luminance: 0 is grey, 2 twice as saturated.",
      .formula = "rho' = max(0, Y + s (rho - Y)), Y the luminance of rho"},
     ratioControl("contrast", "Contrast", "x", "Brightens the highlights and dims the body so that their ratio changes by this factor.",
                  "k_s' = k_s sqrt x, k_d' = k_d / sqrt x"),

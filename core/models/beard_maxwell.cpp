@@ -35,13 +35,13 @@ constexpr ParameterSpec parameters[] = {
     {.id = "tau", .label = "Shadowing falloff", .symbol = "tau", .unit = "rad",
      .softMin = 0.05, .softMax = 3, .hardMin = 1e-3, .hardMax = 100, .defaultValue = 1,
      .scale = ParameterScale::angle, .group = ParameterGroup::shadowing,
-     .description = "How far light and viewer are apart where the shadows of the facets are in full view; large "
-                    "values leave no shadows.",
+     .description = "Angle between light and viewer at which the shadows of the facets are fully visible; large values "
+                    "remove the shadows.",
      .formula = obscurationFormula, .reference = westlundMeyer},
     {.id = "omega", .label = "Shadowing onset", .symbol = "Omega", .unit = "rad",
      .softMin = 0, .softMax = halfPi, .hardMin = 0, .hardMax = 100, .defaultValue = 0.5,
      .scale = ParameterScale::angle, .group = ParameterGroup::shadowing,
-     .description = "Tilt of the facets from which on they shadow each other; at 0 all do.",
+     .description = "Tilt above which facets shadow each other; at 0 all do.",
      .formula = obscurationFormula, .reference = westlundMeyer},
     fresnelParameter(FresnelChoice::dielectric),
     edgeTintParameter(),

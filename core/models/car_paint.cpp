@@ -55,15 +55,16 @@ constexpr ParameterSpec parameters[] = {
                                                                      "highlight."),
     widthParameter("coat-roughness", "Coat roughness", "m_1", 0.02, "Width of the clear coat's highlight."),
     reflectanceParameter("coat-f0", "Coat reflectance", "F_1", 0.04,
-                         "How mirror-like the clear coat is when seen head-on; lacquer is near 0.04."),
+                         "Reflectance of the clear coat at normal incidence; lacquer is near 0.04."),
     strengthParameter("flakes", "Flakes", "k_2", 0.3, ParameterRole::highlight, "Strength and tint of the glow of flakes that lie flat."),
     widthParameter("flakes-roughness", "Flakes roughness", "m_2", 0.15, "How far the flat flakes tilt."),
     reflectanceParameter("flakes-f0", "Flakes reflectance", "F_2", 0.5,
-                         "How mirror-like the flat flakes are when seen head-on."),
-    strengthParameter("haze", "Haze", "k_3", 0.2, ParameterRole::highlight, "Strength and tint of the wide glow of flakes in disorder."),
-    widthParameter("haze-roughness", "Haze roughness", "m_3", 0.45, "How far the flakes in disorder tilt."),
+                         "Reflectance of the flat flakes at normal incidence."),
+    strengthParameter("haze", "Haze", "k_3", 0.2, ParameterRole::highlight,
+        "Strength and tint of the wide glow of disordered flakes."),
+    widthParameter("haze-roughness", "Haze roughness", "m_3", 0.45, "How far the disordered flakes tilt."),
     reflectanceParameter("haze-f0", "Haze reflectance", "F_3", 0.5,
-                         "How mirror-like the flakes in disorder are when seen head-on."),
+                         "Reflectance of the disordered flakes at normal incidence."),
     choiceParameter("normalisation", "Normalisation", "N",
                     "Constant N in the denominator of the highlights, which differs between publications.",
                     "walter: 4 (conserves energy); rump: pi", guenther, normalisations),
@@ -73,9 +74,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec carPaintSpec = {
     .id = "car-paint", .name = "Car paint",
-    .description = "Three Cook-Torrance lobes over a matte base: clear coat, flat flakes, flakes in disorder; without "
-                   "the sparkle of single flakes. Reciprocal; conserves energy with normalisation 'walter', gains up "
-                   "to 4/pi with 'rump'.",
+    .description = "Three Cook-Torrance lobes over a matte base: clear coat, flat flakes and disordered flakes, "
+                   "without the sparkle of single flakes. Reciprocal; conserves energy with normalisation 'walter', "
+                   "gains up to 4/pi with 'rump'.",
     .formula = "k_d / pi + sum over three lobes of k D F G / (N cos theta_i cos theta_o)", .reference = guenther,
     .parameters = parameters, .conservesEnergy = true};
 // clang-format on

@@ -40,7 +40,7 @@ constexpr ParameterSpec normalReflectanceParameter(double defaultValue = 0.04) {
   return {.id = "f0", .label = "Normal reflectance", .symbol = "F_0", .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = defaultValue,
           .group = ParameterGroup::fresnel,
-          .description = "How mirror-like the surface is when seen head-on; metals are high, plastics near 0.04.",
+          .description = "Reflectance of the surface at normal incidence; metals are high, plastics near 0.04.",
           .formula = "F = F(cos theta_d, eta), eta = (1 + sqrt F_0) / (1 - sqrt F_0)",
           .reference = "Cook and Torrance 1982, A Reflectance Model for Computer Graphics",
           .role = ParameterRole::normalReflectance};
@@ -51,7 +51,8 @@ constexpr ParameterSpec refractiveIndexParameter(std::string_view reference) {
   return {.id = "index-of-refraction", .label = "Index of refraction", .symbol = "eta", .unit = "",
           .softMin = 1, .softMax = 5, .hardMin = 1, .hardMax = 1000, .defaultValue = 1.5,
           .scale = ParameterScale::logarithmic, .group = ParameterGroup::fresnel,
-          .description = "How mirror-like the surface is when seen head-on; glass and plastics are near 1.5.",
+          .description = "Index of refraction, which sets the reflectance at normal incidence; glass and plastics are "
+                         "near 1.5.",
           .formula = "F = F(cos theta_d, F_0), F_0 = ((eta - 1) / (eta + 1))^2", .reference = reference,
           .role = ParameterRole::refractiveIndex};
 }
@@ -60,7 +61,7 @@ constexpr ParameterSpec edgeTintParameter() {
   return {.id = "edge-tint", .label = "Edge tint", .symbol = "g", .unit = "",
           .softMin = 0, .softMax = 1, .hardMin = 0, .hardMax = 1, .defaultValue = 0.5,
           .group = ParameterGroup::fresnel,
-          .description = "How early the reflectance of a metal rises toward its edge; 0 is a dielectric.",
+          .description = "How early the reflectance of a metal rises toward grazing angles; 0 is a dielectric.",
           .formula = "eta = g (1 - F_0) / (1 + F_0) + (1 - g) (1 + sqrt F_0) / (1 - sqrt F_0), "
                      "k^2 = (F_0 (eta + 1)^2 - (eta - 1)^2) / (1 - F_0)",
           .reference = "Gulbrandsen 2014, Artist Friendly Metallic Fresnel",

@@ -30,9 +30,9 @@ constexpr ParameterSpec parameters[] = {
 
 constexpr ModelSpec lewisSpec = {
     .id = "lewis", .name = "Lewis",
-    .description = "The shaders of Phong and Blinn made plausible: reciprocal, and normalised by their largest "
-                   "albedo, that at normal incidence, so that k_d + k_s <= 1 conserves energy. With the lobe "
-                   "'reflection' the same as modified Phong.",
+    .description = "Phong's and Blinn's shaders made plausible: reciprocal, and normalised by their maximum albedo, at "
+                   "normal incidence, so that k_d + k_s <= 1 conserves energy. With the lobe 'reflection' it equals "
+                   "modified Phong.",
     .formula = "k_d / pi + k_s N cos^n, k_d + k_s <= 1",
     .reference = lewis1994, .parameters = parameters,
     .family = ModelFamily::empirical, .conservesEnergy = true};

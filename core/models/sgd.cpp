@@ -66,7 +66,7 @@ constexpr ParameterSpec parameters[] = {
     {.id = "k", .label = "Shadowing power", .symbol = "k", .unit = "",
      .softMin = 5, .softMax = 100, .hardMin = 0.1, .hardMax = 2000, .defaultValue = 36,
      .scale = ParameterScale::logarithmic, .group = ParameterGroup::shadowing, .perChannel = true,
-     .description = "How suddenly the shadowing sets in.",
+     .description = "How abruptly the shadowing begins.",
      .formula = maskingFormula, .reference = bagher},
     {.id = "theta0", .label = "Shadowing onset", .symbol = "theta_0", .unit = "rad",
      .softMin = -0.7, .softMax = 1.3, .hardMin = -halfPi, .hardMax = halfPi, .defaultValue = 0.07,

@@ -58,9 +58,8 @@ Specs::Specs() {
     ids[i] = "c-" + high + "-" + low + "-" + m;
     labels[i] = "Bands " + high + ", " + low + ", order " + m;
     symbols[i] = "c_" + high + "," + low + "^" + m;
-    descriptions[i] = "Ties band " + high + " of one direction to band " + low +
-                      " of the other, where the value goes " +
-                      (terms[i].m == 0 ? "evenly" : m + (terms[i].m == 1 ? " time" : " times")) + " round the normal.";
+    descriptions[i] = "Coefficient of band " + high + " of one direction and band " + low +
+                      " of the other, with azimuthal order " + m + " about the normal.";
     // The first makes a matte surface of albedo 0.2: its basis is 1 / (4 pi).
     parameters[i] = {.id = ids[i],
                      .label = labels[i],

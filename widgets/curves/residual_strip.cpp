@@ -23,7 +23,7 @@ QString percent(double fraction) {
 
 ResidualStrip::ResidualStrip(const CurveEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleName(tr("Unexplained"));
+  setAccessibleName(tr("Residual"));
   setToolTip(tr(
       "Residual of the unedited curves at each position above, as a fraction of the transformed BRDF value there,\nin "
       "the norm of the factorisation. More terms lower it; with measured detail kept it stays part of the material."));

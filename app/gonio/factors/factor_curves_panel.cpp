@@ -253,7 +253,7 @@ void FactorCurvesPanel::showResiduals(FactorColumn& column) {
       nodesOf(m_measured->factorization.factors, column.axis()) != column.editor().nodes())
     return column.residuals().setShares({}, {});
   column.residuals().setShares(m_measured->along[std::size_t(terms - 1)][std::size_t(column.axis())],
-                               terms == 1 ? tr("Unexplained by 1 term") : tr("Unexplained by %1 terms").arg(terms));
+                               terms == 1 ? tr("Residual of 1 term") : tr("Residual of %1 terms").arg(terms));
 }
 
 }  // namespace gonio::app

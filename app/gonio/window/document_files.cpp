@@ -214,7 +214,7 @@ void DocumentFiles::saveBeside(const FileSave& save) {
 void DocumentFiles::offerRecovery() {
   const QString folder = Autosave::defaultDataFolder();
   for (const RecoverableWork& work : Autosave::recoverable(folder)) {
-    const QString what = work.originalPath.isEmpty() ? tr("a document that was never saved") : work.originalPath;
+    const QString what = work.originalPath.isEmpty() ? tr("an unsaved document") : work.originalPath;
     const auto answer =
         QMessageBox::question(m_window, tr("Recover unsaved work"),
                               tr("Gonio did not exit cleanly. Recover the unsaved changes to %1?").arg(what),

@@ -150,7 +150,7 @@ void MainWindow::addMenus() {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     view->addPictureActionsTo(*menu);
     menu->addSeparator();
-    menu->addAction(tr("Compare On or Off"), &m_parts.comparison, &ComparisonController::toggle);
+    menu->addAction(tr("Toggle Comparison"), &m_parts.comparison, &ComparisonController::toggle);
     menu->addAction(tr("Copy Picture"), this,
                     [this] { QApplication::clipboard()->setImage(m_parts.preview.grabPicture()); });
     menu->addAction(tr("Export Image..."), &m_files, &DocumentFiles::exportImage)
