@@ -49,13 +49,13 @@ class Brdf {
   /// The time of a picture's sample with sample() and pdf(), about, in units of one from a lobe of closed form.
   virtual double samplingCost() const { return 1; }
 
-  /// Draws a direction of light wi for the viewer wo (z > 0) from the density pdf(), for importance sampling: about
+  /// Samples a direction of light wi for the viewer wo (z > 0) from the density pdf(), for importance sampling: about
   /// proportional to the value times cos theta_i. `u` are three numbers in [0, 1): which lobe, then two for the
   /// direction. Above the horizon with a positive density, or lost: with the density 0. Cosine-weighted where a BRDF
   /// knows no better.
   virtual DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
-  /// Density of sample() at wi, 1/sr: integrates over the upper hemisphere to the fraction of draws that are not lost;
-  /// 0 below the horizon.
+  /// Density of sample() at wi, 1/sr: integrates over the upper hemisphere to the fraction of samples that are not
+  /// lost; 0 below the horizon.
   virtual double pdf(const Direction& wi, const Direction& wo) const;
 };
 

@@ -6,7 +6,8 @@
 
 namespace gonio {
 
-/// A direction drawn from a density, with the density in 1/sr. pdf = 0 marks a draw that failed (contributes nothing).
+/// A direction sampled from a density, with the density in 1/sr. pdf = 0 marks a sample that failed (contributes
+/// nothing).
 struct DirectionSample {
   Direction wi{0, 0, 1};
   double pdf = 0;

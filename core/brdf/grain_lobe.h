@@ -26,7 +26,7 @@ struct GrainLobe {
 /// search: under 0.1 s.
 GrainLobe estimateGrainLobe(const Brdf& brdf, const TabulatedLobe& azimuthMean, double cosineShare);
 
-/// Whether two draw about as well as each other.
+/// Whether two sample about as well as each other.
 bool areSimilar(const GrainLobe& a, const GrainLobe& b);
 
 }  // namespace gonio

@@ -8,8 +8,8 @@
 
 namespace gonio {
 
-/// A lobe (core/brdf/lobe_mixture.h) that draws half vectors and reflects the viewer about them. `Normals` is a density
-/// of unit vectors h with z >= 0:
+/// A lobe (core/brdf/lobe_mixture.h) that samples half vectors and reflects the viewer about them. `Normals` is a
+/// density of unit vectors h with z >= 0:
 ///   Direction sample(const glm::dvec2& u) const;
 ///   double density(const Direction& h) const;      // 1/sr, integrates to 1 over the upper hemisphere
 /// d omega_i = 4 |h . wo| d omega_h. A half vector turned away from the viewer counts too, so each direction of the

@@ -11,11 +11,11 @@
 
 /// Densities for importance sampling. A lobe is a small value with
 ///   Direction sample(const Direction& wo, const glm::dvec2& u) const;    // u in [0, 1)^2, any point of the sphere;
-///                                                                        // the zero vector: the draw is lost
+///                                                                        // the zero vector: the sample is lost
 ///   double density(const Direction& w, const Direction& wo) const;       // 1/sr, integrates over the sphere to the
 ///   share that is not lost
 /// Half-vector and cosine lobes reach below the horizon, most of all for grazing viewers. LobeMixture folds the lower
-/// hemisphere up (z becomes |z|), so that no draw is lost there and the densities integrate to 1 above the horizon
+/// hemisphere up (z becomes |z|), so that no sample is lost there and the densities integrate to 1 above the horizon
 /// exactly.
 namespace gonio {
 
@@ -63,7 +63,7 @@ class LobeMixture {
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const {
     Direction wi = drawn<0>(wo, u.x, {u.y, u.z});
     if (wi == Direction(0)) return {{0, 0, 1}, 0};
-    // A draw on the horizon itself is lifted by less than any cosine resolves.
+    // A sample on the horizon itself is lifted by less than any cosine resolves.
     wi.z = std::max(std::abs(wi.z), smallestCosine);
     return {wi, pdf(wi, wo)};
   }

@@ -35,7 +35,7 @@ inline Direction fromLobeSquare(const glm::dvec2& square, const glm::dvec2& axis
 /// Area of the square that a solid angle of reflected directions covers, 1/sr.
 /// @param cosD of the half vector and one of the two directions.
 inline double lobeSquarePerSolidAngle(double x, double cosD) {
-  // Within some nano-radians of the pole the map stretches without bound; nothing is drawn there.
+  // Within some nano-radians of the pole the map stretches without bound; nothing is sampled there.
   constexpr double smallest = 1e-30;
   const double x2 = x * x, x4 = x2 * x2, one = 1 + x4 * x4;
   const double stretch = 32 * pi * x4 * x2 * x / (one * one);

@@ -37,7 +37,7 @@ inline Direction reflected(const Direction& w, const Direction& normal) {
 /// Area of the square that a solid angle of reflected directions covers, 1/sr.
 /// @param sum of the two directions; @param w one of them.
 inline double squarePerSolidAngle(const glm::dvec2& square, const Direction& sum, const Direction& w) {
-  // Within some nano-radians of the pole the map stretches without bound; nothing is drawn there.
+  // Within some nano-radians of the pole the map stretches without bound; nothing is sampled there.
   constexpr double smallestStretch = 1e-12;
   const double length = glm::length(sum);
   const double sinTheta = std::sqrt(sum.x * sum.x + sum.y * sum.y) / length;

@@ -28,7 +28,7 @@ struct RimPowerLobe {
   double exponent;
 
   Direction sample(const Direction& wo, const glm::dvec2& u) const {
-    // An evenly drawn point has the right azimuth, and the square of its fraction is uniform: only that is changed.
+    // A uniformly sampled point has the right azimuth, and the square of its fraction is uniform: only that is changed.
     const double r = std::sqrt(u.x), phi = 2 * pi * u.y;
     glm::dvec2 deviation = glm::dvec2(r * std::cos(phi), r * std::sin(phi)) + glm::dvec2(wo);
     const double drawn = squaredRimFraction(deviation, wo);

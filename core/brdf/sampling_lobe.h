@@ -11,9 +11,9 @@ namespace gonio {
 /// numbers. pdf > 0 over the whole hemisphere, so estimates stay unbiased however bad the fit of the lobe is.
 struct SamplingLobe {
   double roughness = 0.3;      ///< GGX alpha, [1e-3, 1]
-  double specularShare = 0.5;  ///< fraction of samples drawn from the lobe, [0, 0.95]
+  double specularShare = 0.5;  ///< fraction of samples taken from the lobe, [0, 0.95]
 
-  /// Draws wi for a viewer wo (z > 0). `u` are three numbers in [0, 1): which part, then two for the direction.
+  /// Samples wi for a viewer wo (z > 0). `u` are three numbers in [0, 1): which part, then two for the direction.
   DirectionSample sample(const Direction& wo, const glm::dvec3& u) const;
   /// Density of sample() at wi, 1/sr; 0 below the horizon.
   double pdf(const Direction& wi, const Direction& wo) const;

@@ -47,7 +47,7 @@ class TabulatedLobe {
   std::optional<SamplingLobe> round_;
 };
 
-/// Whether two lobes draw about as well as each other: their densities have nine tenths in common.
+/// Whether two lobes sample about as well as each other: their densities have nine tenths in common.
 bool areSimilar(const TabulatedLobe& a, const TabulatedLobe& b);
 
 /// Refers to a lobe that lives elsewhere.

@@ -10,7 +10,7 @@
 
 namespace gonio {
 
-/// The sum of weight times reflectance, the weights >= 0; terms of weight 0 are left out. Draws directions from the
+/// The sum of weight times BRDF value, the weights >= 0; terms of weight 0 are left out. Samples directions from the
 /// terms' own densities, each as often as its weight says.
 std::shared_ptr<const Brdf> weightedSum(std::vector<std::shared_ptr<const Brdf>> terms, std::vector<double> weights);
 

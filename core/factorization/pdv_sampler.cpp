@@ -41,7 +41,7 @@ Direction directionAbove(glm::dvec2 point) {
   return {point.x, point.y, std::max(cosine, smallestSampledCosine)};
 }
 
-/// No more rows than draw any better: of many nodes (files may hold thousands) some, the ends among them.
+/// No more rows than improve the sampling: of many nodes (files may hold thousands) some, the ends among them.
 std::vector<double> thinned(const std::vector<double>& nodes) {
   constexpr std::size_t most = 181;
   if (nodes.size() <= most) return nodes;
@@ -104,7 +104,7 @@ std::size_t DeviationRows::binOf(double deviation) const {
 std::size_t DeviationRows::draw(double thetaR, double u) const {
   const NodePlace at = placeBetween(thetaNodes_, thetaR);
   const double *before = row(at.index), *after = row(at.index + 1), last = double(bins());
-  // A black row has nothing to give: the other one is drawn from alone.
+  // A black row has nothing to give: only the other one is sampled.
   const double fraction = after[bins()] == 0 ? 0 : before[bins()] == 0 ? 1 : at.fraction;
   const bool second = u < fraction;
   const double within = second ? u / fraction : (u - fraction) / (1 - fraction);

@@ -22,7 +22,7 @@ class DeviationRows {
   std::size_t draw(double thetaR, double u) const;
   /// The probability of a bin.
   double probability(double thetaR, std::size_t bin) const;
-  /// Whether all rows of a viewer are black: no bin can be drawn from them. Else the fraction of such rows, [0, 1).
+  /// Whether all rows of a viewer are black: no bin can be sampled from them. Else the fraction of such rows, [0, 1).
   double blackShare(double thetaR) const;
 
   std::size_t bins() const { return edges_.size() - 1; }
@@ -40,13 +40,13 @@ class DeviationRows {
   std::vector<double> cumulative_;  ///< rows of bins + 1 numbers from 0 to 1; all 0 where the row is black
 };
 
-/// Draws the direction of light for a viewer from the energy over |Dp|: a bin of |Dp| by its fraction on the disk, |Dp|
-/// evenly in area within it, and the azimuth evenly in [-PHI, PHI], the part of the circle that is on the disk:
+/// Samples the direction of light for a viewer from the energy over |Dp|: a bin of |Dp| by its fraction on the disk,
+/// |Dp| evenly in area within it, and the azimuth evenly in [-PHI, PHI], the part of the circle that is on the disk:
 ///   p_w = P(bin) cos theta_i / ((b^2 - a^2) PHI(|Dp|)),
-/// which is rho~(|Dp|) cos theta_i / Z for the mean rho~ of the reflectance over the circle. No draw falls off the
+/// which is rho~(|Dp|) cos theta_i / Z for the mean rho~ of the reflectance over the circle. No sample falls off the
 /// disk, and the density integrates to 1 exactly: dissertation eq. 4.27-4.32 with the normalisation mended. A tenth of
-/// the draws is cosine-weighted, so that the density is positive wherever the reflectance is; all of them where that is
-/// black. Immutable; about 0.2 us a draw, and half of it a density.
+/// the samples is cosine-weighted, so that the density is positive wherever the reflectance is; all of them where that
+/// is black. Immutable; about 0.2 us per sample, and half of it a density.
 class PdvSampler {
  public:
   /// @param brdf of the lobe: the first term of a model. Evaluated some 100,000 times.

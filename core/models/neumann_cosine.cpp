@@ -58,7 +58,7 @@ constexpr ModelSpec phongSpec = {
 // clang-format on
 
 /// @param bound (1/sr) makes the albedo of power / max(cos theta_i, cos theta_o) at most 1.
-/// @param power double(const SurfaceGeometry&): the power of a cosine, which `lobe` draws from.
+/// @param power double(const SurfaceGeometry&): the power of a cosine, which `lobe` samples.
 template <typename Power, typename Lobe>
 std::unique_ptr<const Brdf> makeCosineBrdf(const ParameterValues& p, double bound, Power power, Lobe lobe) {
   const double factor = chosen(p.values[normalisation].x) == 0 ? bound : 1;

@@ -33,8 +33,8 @@ class EnvironmentMap {
     Rgb radiance;
     double pdf;  ///< 1/sr
   };
-  /// Draws a direction with a density constant over each pixel's solid angle and proportional to the mean luminance of
-  /// the bilinear radiance in it (1/(4 pi) everywhere for a black map). u1 chooses the row, u2 the column.
+  /// Samples a direction with a density constant over each pixel's solid angle and proportional to the mean luminance
+  /// of the bilinear radiance in it (1/(4 pi) everywhere for a black map). u1 chooses the row, u2 the column.
   Sample sample(double u1, double u2) const;
   /// The same; where the direction is below the horizon of a normal (world), density and radiance are 0.
   Sample sampleAbove(const Direction& normal, double u1, double u2) const;

@@ -17,7 +17,7 @@ namespace gonio {
 struct RayCounters {
   std::uint64_t camera = 0;  ///< from the eye
   std::uint64_t shadow = 0;  ///< toward a sampled place on a light
-  std::uint64_t bounce = 0;  ///< along a direction drawn from a material
+  std::uint64_t bounce = 0;  ///< along a direction sampled from a material
 
   RayCounters& operator+=(const RayCounters& other) {
     camera += other.camera;

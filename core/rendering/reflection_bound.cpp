@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t samples = 512;
 
-/// A drawn direction stands for a piece of the hemisphere: how large that is, and what it reflects.
+/// A sampled direction stands for a piece of the hemisphere: how large that is, and what it reflects.
 struct Piece {
   double value;       ///< of the BRDF, 1/sr
   double fraction;    ///< of the cosine-weighted hemisphere

@@ -13,8 +13,8 @@ namespace gonio {
 /// cosine-weighted hemisphere and lies where the material reflects most:
 ///   A(F) = max over wo of max over regions W with integral over W of cos = pi F of  integral over W of f cos dw.
 /// A(1) is the largest directional albedo; of a mirror A rises to it at once, of a Lambertian surface A(F) = albedo F.
-/// In the channel that reflects most. Estimated from directions drawn from the material's own density, for viewers from
-/// 0 to 89 degrees (of an anisotropic material at four azimuths): within some percent, no strict bound.
+/// In the channel that reflects most. Estimated from directions sampled from the material's own density, for viewers
+/// from 0 to 89 degrees (of an anisotropic material at four azimuths): within some percent, no strict bound.
 class ReflectionBound {
  public:
   using Sampler = std::function<DirectionSample(const Direction& wo, const glm::dvec3& u)>;

@@ -27,7 +27,7 @@ class SceneUniforms {
   void set(QOpenGLShaderProgram& program) const;
   /// Whether the shader looks the environment up.
   bool usesEnvironment() const { return lightEnvironment_ || showEnvironment_; }
-  /// Whether the shader draws directions of reflection.
+  /// Whether the shader samples directions of reflection.
   bool drawsDirections() const { return lightEnvironment_ || lightLamps_ || reflections_ > 1; }
   int reflections() const { return reflections_; }
   const std::vector<MeshShape>& meshes() const { return meshes_; }
