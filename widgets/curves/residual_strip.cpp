@@ -13,7 +13,7 @@ namespace gonio::widgets {
 
 namespace {
 
-QString percent(double fraction) {
+QString percentText(double fraction) {
   const double value = 100 * fraction;
   const int decimals = value >= 10 || value == std::round(value) ? 0 : value >= 1 ? 1 : 2;
   return ResidualStrip::tr("%1 %").arg(value, 0, 'f', decimals);
@@ -39,7 +39,7 @@ void ResidualStrip::setShares(const std::vector<double>& fractions, const QStrin
   setAccessibleDescription(
       fractions.empty() ? QString()
                         : tr("%1: at most %2, at %3")
-                              .arg(title, percent(*largest),
+                              .arg(title, percentText(*largest),
                                    m_editor.axis().place(m_editor.nodes()[std::size_t(largest - fractions.begin())])));
   update();
 }
@@ -73,7 +73,7 @@ void ResidualStrip::paintEvent(QPaintEvent*) {
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(QRectF(left, top, right - left, bottom - top));
   painter.setPen(style.text);
-  painter.drawText(QRectF(0, top - line / 3, left - 4, line), Qt::AlignRight, percent(scale()));
+  painter.drawText(QRectF(0, top - line / 3, left - 4, line), Qt::AlignRight, percentText(scale()));
   painter.drawText(QRectF(0, bottom - line + 3, left - 4, line), Qt::AlignRight, QStringLiteral("0"));
   painter.drawText(QRectF(left, 0, right - left, line), Qt::AlignLeft, m_title);
 }

@@ -12,9 +12,9 @@
 namespace gonio::app {
 
 namespace {
-const QString purpose = QStringLiteral("acquisition");
+const QString planFolder = QStringLiteral("acquisition");
 
-void remember(const QString& path) { widgets::rememberDialogFolder(purpose, path); }
+void remember(const QString& path) { widgets::rememberDialogFolder(planFolder, path); }
 }  // namespace
 
 AcquisitionFiles::AcquisitionFiles(AcquisitionSession& session, AcquisitionControls& controls,
@@ -74,7 +74,7 @@ void AcquisitionFiles::readValues(const QString& path) {
 }
 
 QFileDialog* AcquisitionFiles::openDialog(const QString& title, const QString& filter) {
-  auto* dialog = new QFileDialog(m_panel, title, widgets::dialogFolder(purpose), filter);
+  auto* dialog = new QFileDialog(m_panel, title, widgets::dialogFolder(planFolder), filter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, remember);
@@ -93,7 +93,7 @@ void AcquisitionFiles::askForValues() {
 }
 
 void AcquisitionFiles::askForPlanFile() {
-  auto* dialog = new QFileDialog(m_panel, tr("Save Plan"), widgets::dialogFolder(purpose), tr("Plan (*.csv)"));
+  auto* dialog = new QFileDialog(m_panel, tr("Save Plan"), widgets::dialogFolder(planFolder), tr("Plan (*.csv)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   connect(dialog, &QFileDialog::fileSelected, this, remember);

@@ -21,7 +21,7 @@ namespace gonio::app {
 
 namespace {
 
-const QString purpose = QStringLiteral("plot");
+const QString pictureFolder = QStringLiteral("plot");
 constexpr int side = 256, samples = 32, firstCount = 8, smallestTile = 96, largestTile = 384, firstTile = 160;
 constexpr int savedTile = 320, savedColumns = 6;
 
@@ -200,10 +200,10 @@ void ContactSheetWindow::compareSelected() {
 
 void ContactSheetWindow::save() {
   const QString name = QString::fromStdString(m_source.material->material.name) + tr(" contact sheet.png");
-  QString path = QFileDialog::getSaveFileName(this, tr("Save Contact Sheet"), widgets::inDialogFolder(purpose, name),
-                                              tr("PNG (*.png)"));
+  QString path = QFileDialog::getSaveFileName(this, tr("Save Contact Sheet"),
+                                              widgets::inDialogFolder(pictureFolder, name), tr("PNG (*.png)"));
   if (path.isEmpty()) return;
-  widgets::rememberDialogFolder(purpose, path);
+  widgets::rememberDialogFolder(pictureFolder, path);
   if (!path.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive)) path += QStringLiteral(".png");
   Q_EMIT saveRequested(path, m_sheet->picture(savedTile, std::min(savedColumns, int(shownCount()) + 1)));
 }
