@@ -13,10 +13,11 @@ namespace gonio {
 /// The cube root of a finite number: relative error below 5e-16. The exponent divided by three gives a first value
 /// within 6 %, Halley's and Newton's steps the rest.
 inline double fastCbrt(double x) {
-  // Subnormal numbers have no exponent to divide.
+  // Subnormal numbers have no exponent to divide, and twice a huge one is none.
   const double size = std::abs(x);
   const bool isTiny = size < 1e-290;
-  const double a = size * (isTiny ? 0x1p96 : 1.0);
+  const bool isHuge = size > 1e290;
+  const double a = size * (isTiny ? 0x1p96 : isHuge ? 0x1p-96 : 1.0);
   constexpr double exponentOf1 = 1023.0 * 0x1p20, bestShift = 0.0331 * 0x1p20;  // in units of the upper half's last bit
   const auto upper = static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(a) >> 32);
   const auto first = static_cast<std::int32_t>(upper * (1.0 / 3) + (exponentOf1 * 2 / 3 - bestShift));
@@ -26,7 +27,7 @@ inline double fastCbrt(double x) {
   cube = root * root * root;
   root *= (cube + 2 * a) / (2 * cube + a);
   root -= (root - a / (root * root)) * (1.0 / 3);
-  root *= isTiny ? 0x1p-32 : 1.0;
+  root *= isTiny ? 0x1p-32 : isHuge ? 0x1p32 : 1.0;
   return std::copysign(size > 0 ? root : 0.0, x);
 }
 

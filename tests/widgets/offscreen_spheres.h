@@ -35,7 +35,7 @@ class OffscreenSpheres {
   /// else of 256, which few pictures need. The CPU's noise does not count (metrics::PicturePair), the shader's does.
   double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const Scene& scene, double enough) {
     double snr = 0;
-    for (const int samples : {64, 256}) {
+    for (const int samples : {64, 512}) {
       metrics::PicturePair reference;
       for (std::size_t i = 0; i < 2; ++i)
         reference[i] =

@@ -61,7 +61,7 @@ class PreviewScenesTest : public QObject {
       renderer_->setSize({side, side});  // so that each target is a new one: none may unbind a texture
       renderer_->setSize({small, small});
       // Interreflection between the parts of a mesh is noisier.
-      const int samples = plan.simulates(Effect::selfShadowing) ? 1024 : 512;
+      const int samples = plan.simulates(Effect::selfShadowing) ? 1536 : 768;
       const std::vector slotMaterials(2, material);
       const double snr = snrOf(scene, bindMaterials(scene, slotMaterials), plan, small, samples);
       qInfo("%s: %.1f dB", name.c_str(), snr);

@@ -10,6 +10,7 @@
 
 #include "app/gonio/document/material_files.h"
 #include "widgets/inputs/dialog_folder.h"
+#include "widgets/inputs/open_file_dialog.h"
 #include "widgets/library/library_model.h"
 #include "widgets/library/library_selection.h"
 #include "widgets/library/library_view.h"
@@ -45,13 +46,14 @@ ReferenceDialog::ReferenceDialog(widgets::LibraryModel& library, QWidget* parent
 
 void ReferenceDialog::chooseFile() {
   const QString purpose = QStringLiteral("open");
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Compare with a File"), widgets::dialogFolder(purpose),
-                                   tr("Measured materials (%1);;All files (*)").arg(materialFilePatterns().join(' ')));
-  if (path.isEmpty()) return;
-  widgets::rememberDialogFolder(purpose, path);
-  accept();
-  Q_EMIT chosen(path);
+  auto* dialog = new QFileDialog(this, tr("Compare with a File"), widgets::dialogFolder(purpose),
+                                 tr("Measured materials (%1);;All files (*)").arg(materialFilePatterns().join(' ')));
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  widgets::openFileDialog(dialog, [this, purpose](const QString& path) {
+    widgets::rememberDialogFolder(purpose, path);
+    accept();
+    Q_EMIT chosen(path);
+  });
 }
 
 }  // namespace gonio::app

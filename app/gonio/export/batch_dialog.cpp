@@ -17,6 +17,7 @@
 
 #include "app/gonio/document/material_files.h"
 #include "app/gonio/export/export_settings.h"
+#include "widgets/inputs/open_file_dialog.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
@@ -86,8 +87,10 @@ void BatchDialog::chooseTarget(std::string_view id) {
 void BatchDialog::setReplacing(bool replacing) { m_replace->setChecked(replacing); }
 
 void BatchDialog::browse() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Export folder"), m_folder->text());
-  if (!folder.isEmpty()) m_folder->setText(folder);
+  auto* dialog = new QFileDialog(this, tr("Export folder"), m_folder->text());
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  widgets::openFileDialog(dialog, [this](const QString& folder) { m_folder->setText(folder); });
 }
 
 ExportRequest BatchDialog::request(qsizetype index) const {

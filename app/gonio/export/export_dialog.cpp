@@ -22,6 +22,7 @@
 
 #include "app/gonio/export/export_pictures.h"
 #include "app/gonio/export/export_settings.h"
+#include "widgets/inputs/open_file_dialog.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
@@ -276,9 +277,9 @@ void ExportDialog::showFiles() {
 }
 
 void ExportDialog::browse() {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Export for Renderer"), name(), {}, nullptr,
-                                                    QFileDialog::DontConfirmOverwrite);
-  if (!file.isEmpty()) setName(QString::fromStdString(target().nameOf(file.toStdString()).string()));
+  widgets::openFileDialog(widgets::newSaveDialog(this, tr("Export for Renderer"), name()), [this](const QString& file) {
+    setName(QString::fromStdString(target().nameOf(file.toStdString()).string()));
+  });
 }
 
 bool ExportDialog::mayReplace() {

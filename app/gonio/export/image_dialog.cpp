@@ -23,6 +23,7 @@
 #include "app/gonio/export/labelled_picture.h"
 #include "app/gonio/export/picture_settings.h"
 #include "widgets/inputs/dialog_folder.h"
+#include "widgets/inputs/open_file_dialog.h"
 #include "widgets/preview/preview_widget.h"
 
 namespace gonio::app {
@@ -168,16 +169,16 @@ void ImageDialog::remember() {
 
 void ImageDialog::browse() {
   const QString filters[] = {tr("PNG (*.png)"), tr("OpenEXR (*.exr)")};
-  QString chosen = filters[m_format->currentIndex()];
   const bool both = rendersPicture();
-  const QString file = QFileDialog::getSaveFileName(this, tr("Export Image"), m_path->text(),
-                                                    both ? filters[0] + ";;" + filters[1] : filters[0], &chosen,
-                                                    QFileDialog::DontConfirmOverwrite);
-  if (file.isEmpty()) return;
-  const QString suffix = QFileInfo(file).suffix().toLower();
-  const bool isExr = both && (suffix == "exr" || (suffix != "png" && chosen == filters[1]));
-  m_format->setCurrentIndex(isExr ? exr : png);
-  m_path->setText(suffix == "png" || suffix == "exr" ? file : file + (isExr ? ".exr" : ".png"));
+  QFileDialog* dialog = widgets::newSaveDialog(this, tr("Export Image"), m_path->text());
+  dialog->setNameFilters(both ? QStringList{filters[0], filters[1]} : QStringList{filters[0]});
+  dialog->selectNameFilter(filters[m_format->currentIndex()]);
+  widgets::openFileDialog(dialog, [this, dialog, both, exrFilter = filters[1]](const QString& file) {
+    const QString suffix = QFileInfo(file).suffix().toLower();
+    const bool isExr = both && (suffix == "exr" || (suffix != "png" && dialog->selectedNameFilter() == exrFilter));
+    m_format->setCurrentIndex(isExr ? exr : png);
+    m_path->setText(suffix == "png" || suffix == "exr" ? file : file + (isExr ? ".exr" : ".png"));
+  });
 }
 
 bool ImageDialog::rendersPicture() const { return m_source->checkedId() == rendered; }

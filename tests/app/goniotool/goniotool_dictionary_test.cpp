@@ -18,10 +18,9 @@ class GoniotoolDictionaryTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
-    const models::ParameterValues rough{{Rgb(0.1), Rgb(0.5), Rgb(0.5), Rgb(0.6), Rgb(0)}};
-    plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic);
-    rough_ = folder_.writeTable("rough.binary", "ggx", rough);
-    largeRough_ = folder_.writeTable("large-rough.binary", "ggx", rough, HalfDifferenceGrid());
+    plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic, HalfDifferenceGrid());
+    rough_ = folder_.writeTable("rough.binary", "ggx", {{Rgb(0.1), Rgb(0.5), Rgb(0.5), Rgb(0.6), Rgb(0)}},
+                                HalfDifferenceGrid());
   }
 
   /// What it learned from, it encodes well; a checkpoint is left, and is of that training alone.
@@ -76,19 +75,19 @@ class GoniotoolDictionaryTest : public QObject {
   /// Over the bundled dictionary: budgets, precisions, a target, and the code as a material of every subcommand.
   void bundledDictionary() {
     const QString code = folder_.path("bundled.code"), single = folder_.path("single.code");
-    const ToolResult half = runJson({"encode", largeRough_, "--bytes", "900", "--out", code});
+    const ToolResult half = runJson({"encode", rough_, "--bytes", "900", "--out", code});
     VERIFY_SUCCESS(half);
     QVERIFY(bytesOf(code).size() <= 900 && bytesOf(code).size() > 700);
-    VERIFY_SUCCESS(runJson(
-        {"encode", largeRough_, "--coefficients", "60", "--single", "--transform", "log-plus", "--out", single}));
+    VERIFY_SUCCESS(
+        runJson({"encode", rough_, "--coefficients", "60", "--single", "--transform", "log-plus", "--out", single}));
     QVERIFY(materials::readCode(single.toStdString()).precision == dictionary::CodePrecision::single);
     const ToolResult info = runJson({"info", single});
     VERIFY_SUCCESS(info);
     QCOMPARE(QString::fromStdString(info.json["format"]), QString("sparse code"));
-    const ToolResult compared = runJson({"compare", largeRough_, code, "--size", "16", "--samples", "4"});
+    const ToolResult compared = runJson({"compare", rough_, code, "--size", "16", "--samples", "4"});
     VERIFY_SUCCESS(compared);
     QVERIFY(std::abs(compared.json["brdfSnr"].get<double>() - half.json["brdfSnr"].get<double>()) < 0.01);
-    const ToolResult target = runJson({"encode", largeRough_, "--coefficients", "12", "--rendered-snr", "15"});
+    const ToolResult target = runJson({"encode", rough_, "--coefficients", "12", "--rendered-snr", "15"});
     VERIFY_SUCCESS(target);
     QVERIFY2(target.json["renderedSnr"].get<double>() >= 15 || target.json["coefficients"].get<int>() == 12,
              qPrintable(target.out));
@@ -101,7 +100,7 @@ class GoniotoolDictionaryTest : public QObject {
 
  private:
   TestFolder folder_{"goniotool-dictionary"};
-  QString plastic_, rough_, largeRough_;
+  QString plastic_, rough_;
 };
 
 GONIO_TEST(GoniotoolDictionaryTest)

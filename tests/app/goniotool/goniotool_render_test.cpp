@@ -126,7 +126,7 @@ class GoniotoolRenderTest : public QObject {
     QVERIFY(everything.json["counters"]["bounceRays"] >= plan.json["counters"]["bounceRays"]);
     QVERIFY(std::abs(mean(pictureAt(all)) / mean(pictureAt(planned)) - 1) < 0.05);
     const ToolResult text = runTool({"render", matte_, "--effects", "--on", "cast-shadows"});
-    QVERIFY(text.out.contains("cast-shadows: yes (forced), nothing stands between"));
+    QVERIFY(text.out.contains("cast-shadows: yes (forced), nothing occludes a light"));
     const ToolResult coarse = runJson({"render", matte_, "--scene", "bowl", "--effects", "--remainder", "0.3"});
     QVERIFY(coarse.json["reflections"] < plan.json["reflections"]);
   }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <functional>
+
+namespace gonio::widgets {
+
+/// Shows a file dialog that has a parent, and returns. The static functions of QFileDialog run an event loop with the
+/// dialog on the stack: a parent that closes meanwhile and deletes itself would free it there. The dialog deletes
+/// itself; `chosen` gets the selected file, or folder, unless the parent is gone.
+inline void openFileDialog(QFileDialog* dialog, std::function<void(const QString& path)> chosen) {
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  QObject::connect(dialog, &QFileDialog::fileSelected, dialog->parentWidget(), std::move(chosen));
+  dialog->open();
+}
+
+/// One that asks for the name of a file to write, with this path proposed. It does not ask before it replaces files.
+inline QFileDialog* newSaveDialog(QWidget* parent, const QString& title, const QString& path) {
+  const QFileInfo proposed(path);
+  auto* dialog = new QFileDialog(parent, title, proposed.path());
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setOption(QFileDialog::DontConfirmOverwrite);
+  dialog->selectFile(proposed.fileName());
+  return dialog;
+}
+
+}  // namespace gonio::widgets
