@@ -14,6 +14,7 @@
 #include "core/factorization/pdv_operations.h"
 #include "widgets/curves/curve_editor.h"
 #include "widgets/curves/residual_strip.h"
+#include "widgets/inputs/flow_layout.h"
 #include "widgets/library/material_drag.h"
 
 namespace gonio::app {
@@ -46,7 +47,7 @@ widgets::CurveAxis chartAxis(FactorAxis axis, DataTransform transform) {
               .tick = 15};
     case FactorAxis::deviation:
       return {.title = FactorColumnText::tr("F2: highlight profile"),
-              .label = FactorColumnText::tr("|Δp|, distance from the mirror direction on the disk of directions"),
+              .label = FactorColumnText::tr("|Δp|, distance from the mirror direction"),
               .symbol = FactorColumnText::tr("|Δp|"),
               .valueLabel = FactorColumnText::tr("fraction of F1"),
               .help = FactorColumnText::tr(
@@ -154,7 +155,7 @@ FactorColumn::FactorColumn(FactorAxis axis, QWidget* parent)
       m_residuals(new widgets::ResidualStrip(*m_editor)),
       m_buttons(new QWidget) {
   m_editor->setAxis(chartAxis(axis, m_transform));
-  auto* row = new QHBoxLayout(m_buttons);
+  auto* row = new widgets::FlowLayout(m_buttons);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(2);
   for (const Button& one : buttons) {
@@ -169,7 +170,6 @@ FactorColumn::FactorColumn(FactorAxis axis, QWidget* parent)
     connect(button, &QToolButton::clicked, this,
             [this, operation = one.operation] { Q_EMIT operationChosen(operation); });
   }
-  row->addStretch();
   auto* note = new QLabel(axis == FactorAxis::theta ? FactorColumnText::tr("Use F1 of This Material")
                                                     : FactorColumnText::tr("Use F2 of This Material"),
                           this);
