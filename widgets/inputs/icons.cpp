@@ -82,6 +82,7 @@ class GlyphEngine final : public QIconEngine {
 
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
     QPixmap result(size);
+    if (result.isNull()) return result;  // of a button without room: nothing can be painted
     result.fill(Qt::transparent);
     QPainter painter(&result);
     paint(&painter, QRect(QPoint(0, 0), size), mode, state);
