@@ -270,7 +270,7 @@ class LobeChangeTest : public QObject {
     });
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> unit;
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < 200; ++trial) {
       DifferentialEdit edit{.model = &model, .fitted = {}, .edited = {}, .composition = Composition::lobes};
       for (models::ParameterValues* values : {&edit.fitted, &edit.edited})
         for (const models::ParameterSpec& spec : model.spec().parameters)
