@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/io/sha256.h"
 
+#include <openssl/crypto.h>
 #include <openssl/evp.h>
 
 #include <algorithm>
@@ -17,6 +18,13 @@ constexpr std::size_t pieceBytes = std::size_t(1) << 18;
 void require(int result) {
   if (result != 1) throw Error("the system's cryptography library cannot compute SHA-256");
 }
+
+/// When a process ends, OpenSSL frees what it keeps for each thread, also for one that is just ending and frees it
+/// itself: memory would be freed twice. It is left to the system instead.
+void startOpenSsl() {
+  static const int started = OPENSSL_init_crypto(OPENSSL_INIT_NO_ATEXIT, nullptr);
+  require(started);
+}
 }  // namespace
 
 struct Sha256::Context {
@@ -27,7 +35,9 @@ struct Sha256::Context {
   Context& operator=(const Context&) = delete;
 };
 
-Sha256::Sha256() : context_(std::make_unique<Context>()) {
+Sha256::Sha256() {
+  startOpenSsl();
+  context_ = std::make_unique<Context>();
   require(context_->digest ? EVP_DigestInit_ex(context_->digest, EVP_sha256(), nullptr) : 0);
 }
 
