@@ -12,11 +12,47 @@
 #include <unistd.h>
 #endif
 
+#ifdef __SANITIZE_THREAD__
+#include <sanitizer/tsan_interface.h>
+#endif
+
 #include <algorithm>
 #include <mutex>
 #include <vector>
 
 namespace gonio {
+
+namespace {
+
+// The thread sanitizer does not see into TBB, which is not built with it: it is told what a parallel loop orders,
+// namely all before the loop, then the tasks, then all after it.
+#ifdef __SANITIZE_THREAD__
+class LoopOrder {
+ public:
+  LoopOrder() { __tsan_release(&begin_); }
+  ~LoopOrder() { __tsan_acquire(&end_); }
+
+  class Task {
+   public:
+    explicit Task(LoopOrder& order) : order_(order) { __tsan_acquire(&order_.begin_); }
+    ~Task() { __tsan_release(&order_.end_); }
+
+   private:
+    LoopOrder& order_;
+  };
+
+ private:
+  char begin_ = 0, end_ = 0;
+};
+#else
+struct LoopOrder {
+  struct Task {
+    explicit Task(LoopOrder&) {}
+  };
+};
+#endif
+
+}  // namespace
 
 void parallelForBlocks(std::size_t count, std::size_t blockSize,
                        const std::function<void(std::size_t begin, std::size_t end)>& work,
@@ -27,9 +63,12 @@ void parallelForBlocks(std::size_t count, std::size_t blockSize,
   const std::size_t blocks = (count + blockSize - 1) / blockSize;
   std::mutex progressMutex;
   std::size_t done = 0;
+  LoopOrder order;
+  tbb::task_group_context context;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, blocks, 1),
       [&](const tbb::blocked_range<std::size_t>& range) {
+        [[maybe_unused]] const LoopOrder::Task task(order);
         for (std::size_t block = range.begin(); block != range.end(); ++block) {
           control.throwIfStopped();
           const std::size_t begin = block * blockSize;
@@ -40,7 +79,9 @@ void parallelForBlocks(std::size_t count, std::size_t blockSize,
           }
         }
       },
-      tbb::simple_partitioner());
+      tbb::simple_partitioner(), context);
+  // Within a block of an outer loop that ends by an exception, TBB ends the inner loops too, and returns.
+  if (context.is_group_execution_cancelled()) throw Cancelled();
 }
 
 double parallelSumBlocks(std::size_t count, std::size_t blockSize,

@@ -4,8 +4,10 @@
 
 #include <QTest>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "tests/support/test_program.h"
@@ -70,6 +72,31 @@ class ParallelTest : public QObject {
     QVERIFY(blocks < 10000);
     QVERIFY_THROWS_EXCEPTION(Cancelled, parallelForBlocks(
                                             0, 1, [](std::size_t, std::size_t) {}, control));
+  }
+
+  /// A block of an outer loop fails while another runs a loop of its own: that one ends by an exception too, or is
+  /// complete. It never returns with blocks left out.
+  void anInnerLoopIsCompleteOrThrows() {
+    constexpr int innerBlocks = 2000;
+    for (int trial = 0; trial < 20; ++trial) {
+      std::atomic<int> done = 0;
+      std::atomic<bool> started = false, returnedIncomplete = false;
+      const auto outer = [&](std::size_t begin, std::size_t) {
+        if (begin == 0) {
+          for (int wait = 0; wait < 1000 && !started; ++wait)
+            std::this_thread::sleep_for(std::chrono::microseconds(10));
+          throw Error("the outer loop fails");
+        }
+        parallelForBlocks(innerBlocks, 1, [&](std::size_t, std::size_t) {
+          started = true;
+          std::this_thread::sleep_for(std::chrono::microseconds(1));
+          ++done;
+        });
+        if (done < innerBlocks) returnedIncomplete = true;
+      };
+      QVERIFY_THROWS_EXCEPTION(Error, parallelForBlocks(2, 1, outer));
+      QVERIFY(!returnedIncomplete);
+    }
   }
 
   void exceptionsOfTheWorkComeThrough() {
