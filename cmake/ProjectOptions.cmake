@@ -33,8 +33,8 @@ if(GONIO_MODERN_PROCESSOR)
   endif()
 endif()
 if(GONIO_SANITIZE)
-  target_compile_options(gonio_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
-  target_link_options(gonio_options INTERFACE -fsanitize=address,undefined)
+  target_compile_options(gonio_options INTERFACE -fsanitize=${GONIO_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(gonio_options INTERFACE -fsanitize=${GONIO_SANITIZE})
 endif()
 
 # gonio_unity(TARGET): compiles up to GONIO_UNITY_FILES sources of a target at once. Names in the anonymous namespaces of a
