@@ -27,4 +27,17 @@ inline QFileDialog* newSaveDialog(QWidget* parent, const QString& title, const Q
   return dialog;
 }
 
+/// Asks for the name of a file to write, with this path proposed; `chosen` gets a path with the suffix of `path`.
+inline void askForPath(QWidget* parent, const QString& title, const QString& path, const QString& filter,
+                       std::function<void(const QString& path)> chosen) {
+  const QFileInfo proposed(path);
+  auto* dialog = new QFileDialog(parent, title, proposed.path(), filter);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(proposed.suffix());
+  dialog->selectFile(proposed.fileName());
+  openFileDialog(dialog, [chosen = std::move(chosen), suffix = '.' + proposed.suffix()](const QString& file) {
+    chosen(file.endsWith(suffix, Qt::CaseInsensitive) ? file : file + suffix);
+  });
+}
+
 }  // namespace gonio::widgets

@@ -2,11 +2,14 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <QPalette>
 #include <QString>
 #include <QWidget>
+#include <utility>
 #include <vector>
 
 class QGridLayout;
+class QLabel;
 
 namespace gonio::widgets {
 
@@ -26,7 +29,12 @@ class FactList : public QWidget {
   void setFacts(const std::vector<Fact>& facts, const QString& emptyText = {});
 
  private:
+  QLabel* newLabel(QPalette::ColorRole colour);
+  void addRow();
+
   QGridLayout* m_layout;
+  std::vector<std::pair<QLabel*, QLabel*>> m_rows;  ///< name and value; those beyond the facts are hidden
+  QLabel* m_hint;
 };
 
 }  // namespace gonio::widgets

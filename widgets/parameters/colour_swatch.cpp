@@ -57,22 +57,26 @@ void ColourSwatch::paintEvent(QPaintEvent*) {
 void ColourSwatch::openDialog() {
   const Rgb before = m_colour;
   double scale = 1;
-  QColorDialog dialog(displayColour(before, scale), this);
+  // On the heap and without an event loop of its own: the row of the swatch may go while the dialog is open.
+  auto* dialog = new QColorDialog(displayColour(before, scale), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
   // Qt's own has an eyedropper (Pick Screen Colour), which reads the preview too; not every native one has.
-  dialog.setOption(QColorDialog::DontUseNativeDialog);
-  dialog.setWindowTitle(tr("%1: tint").arg(accessibleName()));
-  const auto emitColour = [&](const QColor& chosen) {
+  dialog->setOption(QColorDialog::DontUseNativeDialog);
+  dialog->setWindowTitle(tr("%1: tint").arg(accessibleName()));
+  connect(dialog, &QColorDialog::currentColorChanged, this, [this, scale](const QColor& chosen) {
     const Rgb linear(fromSrgb(chosen.redF()), fromSrgb(chosen.greenF()), fromSrgb(chosen.blueF()));
     setColour(linear * scale);
     Q_EMIT colourEdited(m_colour);
-  };
-  connect(&dialog, &QColorDialog::currentColorChanged, this, emitColour);
+  });
+  connect(dialog, &QDialog::finished, this, [this, before](int result) {
+    if (result != QDialog::Accepted) {
+      setColour(before);
+      Q_EMIT colourEdited(before);
+    }
+    Q_EMIT editingFinished();
+  });
   Q_EMIT editingStarted();
-  if (dialog.exec() != QDialog::Accepted) {
-    setColour(before);
-    Q_EMIT colourEdited(before);
-  }
-  Q_EMIT editingFinished();
+  dialog->open();
 }
 
 }  // namespace gonio::widgets

@@ -3,7 +3,6 @@
 #include "widgets/plots/plot.h"
 
 #include <QContextMenuEvent>
-#include <QFileDialog>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
@@ -12,6 +11,7 @@
 
 #include "core/support/error.h"
 #include "widgets/inputs/dialog_folder.h"
+#include "widgets/inputs/open_file_dialog.h"
 #include "widgets/plots/plot_export.h"
 #include "widgets/plots/plot_text.h"
 
@@ -84,28 +84,28 @@ void Plot::editThetaI(double thetaI) { Q_EMIT thetaIEdited(std::clamp(thetaI, 0.
 void Plot::exportAs(const QString& suffix, const QSize& size) {
   const QString name =
       QStringLiteral("%1 %2.%3").arg(m_source, m_title.toLower(), suffix).simplified().replace('/', '-');
-  QString path = QFileDialog::getSaveFileName(this, tr("Export Plot"), inDialogFolder(dialogPurpose, name),
-                                              tr("%1 file (*.%2)").arg(suffix.toUpper(), suffix));
-  if (path.isEmpty()) return;
-  rememberDialogFolder(dialogPurpose, path);
-  if (!path.endsWith('.' + suffix, Qt::CaseInsensitive)) path += '.' + suffix;
-  try {
-    exportPlot(*this, path, size);
-    Q_EMIT exported(path);
-  } catch (const Error& error) {
-    Q_EMIT failed(tr("Cannot export the plot"), QString::fromUtf8(error.what()));
-  }
+  const QString filter = tr("%1 file (*.%2)").arg(suffix.toUpper(), suffix);
+  askForPath(this, tr("Export Plot"), inDialogFolder(dialogPurpose, name), filter, [this, size](const QString& path) {
+    rememberDialogFolder(dialogPurpose, path);
+    try {
+      exportPlot(*this, path, size);
+      Q_EMIT exported(path);
+    } catch (const Error& error) {
+      Q_EMIT failed(tr("Cannot export the plot"), QString::fromUtf8(error.what()));
+    }
+  });
 }
 
 void Plot::contextMenuEvent(QContextMenuEvent* event) {
-  QMenu menu(this);
-  menu.addAction(tr("&Reset View"), this, &Plot::resetView)->setShortcut(Qt::Key_Home);
-  menu.addSeparator();
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(tr("&Reset View"), this, &Plot::resetView)->setShortcut(Qt::Key_Home);
+  menu->addSeparator();
   const std::pair<QString, const char*> formats[] = {
       {tr("Export as &SVG..."), "svg"}, {tr("Export as &PNG..."), "png"}, {tr("Export as &CSV..."), "csv"}};
   for (const auto& [text, suffix] : formats)
-    menu.addAction(text, this, [this, suffix = suffix] { exportAs(QLatin1String(suffix)); })->setEnabled(!isEmpty());
-  menu.exec(event->globalPos());
+    menu->addAction(text, this, [this, suffix = suffix] { exportAs(QLatin1String(suffix)); })->setEnabled(!isEmpty());
+  menu->popup(event->globalPos());
 }
 
 void Plot::keyPressEvent(QKeyEvent* event) {

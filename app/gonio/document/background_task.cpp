@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/document/background_task.h"
 
+#include <QPointer>
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -107,6 +108,7 @@ void BackgroundTasks::finish(const std::shared_ptr<Task>& task, Outcome outcome,
   m_tasks.erase(found);
   if (m_tasks.empty()) m_progressTimer.stop();
   const Callbacks& callbacks = task->callbacks;
+  const QPointer<BackgroundTasks> guard(this);  // a callback may end the window
   if (outcome == Outcome::done)
     callbacks.done();
   else if (outcome == Outcome::failed && callbacks.failed)
@@ -115,7 +117,7 @@ void BackgroundTasks::finish(const std::shared_ptr<Task>& task, Outcome outcome,
     Q_EMIT failed(tr("%1 failed").arg(task->request.title), error);
   else if (outcome == Outcome::cancelled && callbacks.cancelled)
     callbacks.cancelled();
-  Q_EMIT changed();
+  if (guard) Q_EMIT changed();
 }
 
 std::shared_ptr<BackgroundTasks::Task> BackgroundTasks::newestShown() const {
@@ -178,7 +180,10 @@ void BackgroundTasks::setPaused(int id, bool paused) {
 
 void BackgroundTasks::drop(const QString& key) {
   cancel(key);
-  std::erase_if(m_tasks, [&](const auto& task) { return task->request.key == key; });
+  // They go once the list is whole again: what a callback holds may drop tasks of its own.
+  const auto last = std::ranges::stable_partition(m_tasks, [&](const auto& t) { return t->request.key != key; });
+  const std::vector<std::shared_ptr<Task>> dropped(last.begin(), last.end());
+  m_tasks.erase(last.begin(), last.end());
 }
 
 void BackgroundTasks::cancelTopmost() {

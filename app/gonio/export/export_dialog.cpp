@@ -12,7 +12,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
@@ -22,6 +21,7 @@
 
 #include "app/gonio/export/export_pictures.h"
 #include "app/gonio/export/export_settings.h"
+#include "widgets/inputs/ask.h"
 #include "widgets/inputs/open_file_dialog.h"
 #include "widgets/parameters/parameter_text.h"
 
@@ -287,8 +287,7 @@ bool ExportDialog::mayReplace() {
   for (const auto& file : target().paths(name().toStdString(), writtenScene()))
     if (const QFileInfo info(QString::fromStdString(file.string())); info.exists()) existing << info.fileName();
   return existing.isEmpty() ||
-         QMessageBox::question(this, tr("Replace files"), tr("Replace %1?").arg(existing.join(QStringLiteral(", "))),
-                               QMessageBox::Yes | QMessageBox::No) == QMessageBox::Yes;
+         widgets::ask(this, tr("Replace files"), tr("Replace %1?").arg(existing.join(QStringLiteral(", "))));
 }
 
 void ExportDialog::accept() {

@@ -11,7 +11,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
 #include <QRadioButton>
@@ -22,6 +21,7 @@
 #include "app/gonio/comparison/comparison_controller.h"
 #include "app/gonio/export/labelled_picture.h"
 #include "app/gonio/export/picture_settings.h"
+#include "widgets/inputs/ask.h"
 #include "widgets/inputs/dialog_folder.h"
 #include "widgets/inputs/open_file_dialog.h"
 #include "widgets/preview/preview_widget.h"
@@ -245,8 +245,7 @@ void ImageDialog::showEstimate() {
 
 bool ImageDialog::mayReplace() {
   const QFileInfo info(m_path->text());
-  return !info.exists() || QMessageBox::question(this, tr("Replace file"), tr("Replace %1?").arg(info.fileName()),
-                                                 QMessageBox::Yes | QMessageBox::No) == QMessageBox::Yes;
+  return !info.exists() || widgets::ask(this, tr("Replace file"), tr("Replace %1?").arg(info.fileName()));
 }
 
 void ImageDialog::exportPreview() {

@@ -103,10 +103,14 @@ void PictureSettings::showSize() {
 }
 
 void PictureSettings::chooseColour() {
-  const QColor colour = QColorDialog::getColor(m_colour, this, tr("Background colour"));
-  if (!colour.isValid()) return;
-  m_colour = colour;
-  showChoices();
+  auto* dialog = new QColorDialog(m_colour, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Background colour"));
+  connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
+    m_colour = colour;
+    showChoices();
+  });
+  dialog->open();
 }
 
 void PictureSettings::connectParts() {

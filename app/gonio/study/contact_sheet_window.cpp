@@ -3,7 +3,6 @@
 #include "app/gonio/study/contact_sheet_window.h"
 
 #include <QCheckBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPointer>
@@ -16,6 +15,7 @@
 #include "app/gonio/library/sphere_picture.h"
 #include "core/rendering/error_maps.h"
 #include "widgets/inputs/dialog_folder.h"
+#include "widgets/inputs/open_file_dialog.h"
 
 namespace gonio::app {
 
@@ -200,12 +200,11 @@ void ContactSheetWindow::compareSelected() {
 
 void ContactSheetWindow::save() {
   const QString name = QString::fromStdString(m_source.material->material.name) + tr(" contact sheet.png");
-  QString path = QFileDialog::getSaveFileName(this, tr("Save Contact Sheet"),
-                                              widgets::inDialogFolder(pictureFolder, name), tr("PNG (*.png)"));
-  if (path.isEmpty()) return;
-  widgets::rememberDialogFolder(pictureFolder, path);
-  if (!path.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive)) path += QStringLiteral(".png");
-  Q_EMIT saveRequested(path, m_sheet->picture(savedTile, std::min(savedColumns, int(shownCount()) + 1)));
+  const QString proposed = widgets::inDialogFolder(pictureFolder, name);
+  widgets::askForPath(this, tr("Save Contact Sheet"), proposed, tr("PNG (*.png)"), [this](const QString& path) {
+    widgets::rememberDialogFolder(pictureFolder, path);
+    Q_EMIT saveRequested(path, m_sheet->picture(savedTile, std::min(savedColumns, int(shownCount()) + 1)));
+  });
 }
 
 }  // namespace gonio::app

@@ -5,7 +5,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -14,6 +13,7 @@
 #include "app/gonio/study/sheet_sources.h"
 #include "app/gonio/study/study_view.h"
 #include "widgets/inputs/dialog_folder.h"
+#include "widgets/inputs/open_file_dialog.h"
 #include "widgets/parameters/parameter_text.h"
 
 namespace gonio::app {
@@ -161,17 +161,16 @@ void StudyPanel::takeBest() {
 
 void StudyPanel::exportSvg() {
   const QString name = QString::fromStdString(m_run->title() + " accuracy.svg").replace('/', '-');
-  QString path = QFileDialog::getSaveFileName(this, tr("Export Plot"), widgets::inDialogFolder(plotPurpose, name),
-                                              tr("SVG file (*.svg)"));
-  if (path.isEmpty()) return;
-  widgets::rememberDialogFolder(plotPurpose, path);
-  if (!path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive)) path += QStringLiteral(".svg");
-  try {
-    m_run->writeSvg(path, axes());
-    Q_EMIT exported(path);
-  } catch (const Error& error) {
-    Q_EMIT failed(tr("Cannot export the plot"), QString::fromUtf8(error.what()));
-  }
+  const QString proposed = widgets::inDialogFolder(plotPurpose, name);
+  widgets::askForPath(this, tr("Export Plot"), proposed, tr("SVG file (*.svg)"), [this](const QString& path) {
+    widgets::rememberDialogFolder(plotPurpose, path);
+    try {
+      m_run->writeSvg(path, axes());
+      Q_EMIT exported(path);
+    } catch (const Error& error) {
+      Q_EMIT failed(tr("Cannot export the plot"), QString::fromUtf8(error.what()));
+    }
+  });
 }
 
 void StudyPanel::refreshPlot() {

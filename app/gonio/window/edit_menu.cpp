@@ -85,9 +85,13 @@ void EditMenu::addEdits() {
 
 void EditMenu::showPreferences() {
   const Preferences before = Preferences::read(m_settings);
-  PreferencesDialog dialog(before, m_preview.graphics(), parentWidget());
-  if (dialog.exec() != QDialog::Accepted) return;
-  const Preferences chosen = dialog.preferences();
+  auto* dialog = new PreferencesDialog(before, m_preview.graphics(), parentWidget());
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, before] { adopt(dialog->preferences(), before); });
+  dialog->open();
+}
+
+void EditMenu::adopt(const Preferences& chosen, const Preferences& before) {
   chosen.write(m_settings);
   apply(chosen);
   if (chosen.theme != before.theme) applyTheme(*qApp, chosen.theme);

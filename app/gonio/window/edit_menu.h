@@ -32,6 +32,8 @@ class EditMenu : public QMenu {
   void addEdits();
   void showPreferences();
   void apply(const Preferences& preferences);
+  /// What was chosen in the dialog is kept, and shown where it differs from before.
+  void adopt(const Preferences& chosen, const Preferences& before);
 
   Document& m_document;
   DocumentController& m_controller;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <QMessageBox>
+#include <QPointer>
+
+namespace gonio::widgets {
+
+/// Asks a question and waits for the answer. QMessageBox::question() has its box on the stack, where a parent that is
+/// deleted meanwhile would free it; this one answers No then.
+inline bool ask(QWidget* parent, const QString& title, const QString& question) {
+  const QPointer<QMessageBox> box =
+      new QMessageBox(QMessageBox::Question, title, question, QMessageBox::Yes | QMessageBox::No, parent);
+  const bool yes = box->exec() == QMessageBox::Yes;
+  delete box;
+  return yes;
+}
+
+}  // namespace gonio::widgets
