@@ -29,7 +29,7 @@ struct IncidenceTable {
 /// linear at equal angles about the mirror direction, so that a highlight moves with the light and does not fade from
 /// one place to another. Nodes below the horizon are dropped and the weights renormalised. The values at polar angle 0,
 /// one direction, are replaced by their mean. Before the first and after the last node of each coordinate the value at
-/// that node stays; hasData() is false there. Not reciprocal, as measured. About 0.3 us a pair.
+/// that node stays; hasData() is false there. Not reciprocal, as measured. About 0.3 us per pair.
 class IncidenceTableBrdf final : public Brdf {
  public:
   /// Negative values become 0 and are counted.

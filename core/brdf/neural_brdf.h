@@ -14,7 +14,7 @@ namespace gonio {
 /// Representation and Importance Sampling" (2021). The half and the difference vector (h with azimuth 0) go through two
 /// hidden layers of 21 rectified units; the three outputs x give exp(x) - 1, linear RGB in 1/sr without the cosine, cut
 /// at 0. Azimuths of the difference vector are folded into half a turn, as in a MERL table, which makes it reciprocal.
-/// About 0.3 us a pair.
+/// About 0.3 us per pair.
 class NeuralBrdf final : public Brdf {
  public:
   static constexpr std::size_t inputs = 6, hidden = 21, outputs = 3;

@@ -41,7 +41,7 @@ SliceStack<float> visibleNormals(const SliceStack<float>& ndf, const ParameterGr
 /// Parameterization for Efficient Material Acquisition and Rendering" (2018), section 5. What the file stores includes
 /// the cosine of its outgoing direction, so that evaluation divides by it (by 0.001 at least); directions on the
 /// horizon give 0. A channel may be negative: colours outside the sRGB gamut, kept as Mitsuba keeps them, since cut
-/// values would add up to another colour. Not exactly reciprocal, as measured. About 0.2 us a pair.
+/// values would add up to another colour. Not exactly reciprocal, as measured. About 0.2 us per pair.
 class RglBrdf final : public Brdf {
  public:
   /// @throws Error where the vndf or the luminance is no density.

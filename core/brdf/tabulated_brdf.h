@@ -33,7 +33,7 @@ class TabulatedBrdf final : public Brdf {
   TabulatedBrdf(const HalfDifferenceGrid& grid, std::vector<Value> values, std::vector<std::uint8_t> valid);
 
   using Brdf::evaluate;
-  /// Trilinear. About 50 ns a pair (long batches; a single pair costs some 100 ns).
+  /// Trilinear. About 50 ns per pair (long batches; a single pair costs some 100 ns).
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values) const override;
   /// @param measured when not empty: a flag a pair, 0 where all corners are invalid.
   void evaluate(std::span<const DirectionPair> pairs, std::span<Rgb> values, TableLookup lookup,

@@ -17,7 +17,7 @@ namespace gonio {
 ///   that the BRDF is continuous there.
 /// - From 75 degrees to the horizon the value at 75 degrees stays (the published code extrapolates linearly, which can
 ///   become negative); hasData() is false there.
-/// Not reciprocal, as measured, save in the mean of both orders. About 0.2 us a pair.
+/// Not reciprocal, as measured, save in the mean of both orders. About 0.2 us per pair.
 class UtiaBrdf final : public Brdf {
  public:
   static constexpr std::size_t polarCount = 6, azimuthCount = 48, directionCount = polarCount * azimuthCount;

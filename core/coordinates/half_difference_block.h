@@ -18,7 +18,7 @@ struct HalfDifferenceBlock {
   std::int64_t valid[capacity];  ///< 1, or 0 where wi = -wo
 };
 
-/// Fills the first pairs.size() (<= capacity) entries: the same bits as toHalfDifference(), about 15 ns a pair.
+/// Fills the first pairs.size() (<= capacity) entries: the same bits as toHalfDifference(), about 15 ns per pair.
 void toHalfDifference(std::span<const DirectionPair> pairs, HalfDifferenceBlock& block);
 
 }  // namespace gonio

@@ -10,7 +10,7 @@ namespace gonio::dictionary {
 /// keepLargest() of transposedModeProducts(): the largest coefficients of a signal over a dictionary, without the
 /// coefficients that cannot be among them. No coefficient is larger than the norm of the fibre or the slice that it
 /// is projected from, so the last and dearest product is taken for few of the fibres.
-/// @param signal of `sizes`, the first index fastest. @param matrices one a mode, sizes[mode] rows, columns of
+/// @param signal of `sizes`, the first index fastest. @param matrices one per mode, sizes[mode] rows, columns of
 /// norm 1 at most. @param kept the result, in no order; its memory is used again.
 /// Half the time of the whole projection for materials at 262 coefficients.
 void keepLargestProjections(const float* signal, const Sizes& sizes, const ModeMatrices<float>& matrices,

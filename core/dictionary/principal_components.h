@@ -28,14 +28,14 @@ struct MappedCells {
 ///   y = mean + U c, three times p coefficients c. Immutable.
 struct PrincipalComponents {
   MappedCells mapping;
-  std::vector<float> mean;  ///< of the mapped values, one a cell
+  std::vector<float> mean;  ///< of the mapped values, one per cell
   GramSvd svd;              ///< U: cells x components; the rows of V are material * 3 + channel
   /// Of each cell, the variance over the training signals of what the components that were not kept would add to the
   /// mapped value; empty where all were kept.
   std::vector<float> leftOut;
 
   int count() const { return int(svd.singularValues.size()); }
-  /// What has to be kept to decode materials of `components` coefficients a channel, in single precision.
+  /// What has to be kept to decode materials of `components` coefficients per channel, in single precision.
   std::size_t bytes(int components) const;
 };
 

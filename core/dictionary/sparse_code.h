@@ -30,7 +30,7 @@ struct SparseCode {
 
   /// Of the channel that has most.
   std::size_t coefficients() const;
-  /// With at most so many coefficients a channel: the largest.
+  /// With at most so many coefficients per channel: the largest.
   SparseCode truncated(std::size_t coefficients) const;
 };
 

@@ -37,7 +37,7 @@ std::size_t bytesOf(const FactorEdit::Curves& curves);
 
 /// {"type": "factors", "original": F, "edited": F, "keepDetail": true}, where F is
 ///   {"form": "2d", "transform": "log-plus", "highest": y, "thetaNodes": [..], "deviationNodes": [..],
-///    "phiNodes": [..], "channels": [[{"f1": [..], "f2": [..], "f3": [..]}, one a term], one a channel]}.
+///    "phiNodes": [..], "channels": [[{"f1": [..], "f2": [..], "f3": [..]}, one per term], one per channel]}.
 /// Both sets of curves are stored: some ten kB a term, and a document looks the same whatever a later version's
 /// factorisation would make of the measurement.
 /// @throws Error when a set of curves is missing or holds a number that is not finite.

@@ -11,7 +11,7 @@ namespace gonio::exports {
 /// interval whose linear interpolation errs most at its middle is split, again and again. The error is that of the
 /// field `rgb`, which is reflected light, times the area that the angle has on a sphere.
 /// @return in the order in which they were added: the first n of them are a set for every n >= 4.
-/// @throws Cancelled. Two slices of 16 x 16 nodes an angle.
+/// @throws Cancelled. Two slices of 16 x 16 nodes per angle.
 std::vector<double> placeAngles(const Brdf& material, const RglLayout& layout, std::size_t count,
                                 const TaskControl& control = {});
 

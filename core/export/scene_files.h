@@ -35,7 +35,7 @@ std::vector<std::string> sceneSuffixes(const SceneFormat& format, const Scene& s
 /// The files. @param name of the export, without folders.
 std::vector<ExportPart> sceneParts(const SceneFormat& format, const Scene& scene, const std::string& name);
 
-/// Pictures of exported scenes are squares of this side, with so many samples a pixel.
+/// Pictures of exported scenes are squares of this side, with so many samples per pixel.
 inline constexpr int scenePixels = 512, scenePictureSamples = 256;
 
 /// For attributes of XML and strings of pbrt: what would end them is not in names of files that renderers open.

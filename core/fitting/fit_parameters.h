@@ -32,7 +32,7 @@ std::vector<std::size_t> optionalLobes(const models::ModelSpec& spec);
 void copyToTwins(const models::ModelSpec& spec, models::ParameterValues& values,
                  DataSymmetry symmetry = DataSymmetry::isotropic);
 
-/// How many numbers a fit finds: linear and non-linear parameters, those with a value a channel three times; the
+/// How many numbers a fit finds: linear and non-linear parameters, those with a value per channel three times; the
 /// choices at their defaults.
 std::size_t fittedParameterCount(const models::ModelSpec& spec, DataSymmetry symmetry = DataSymmetry::isotropic);
 

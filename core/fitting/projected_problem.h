@@ -87,7 +87,7 @@ class ProjectedProblem {
   bool sharesBases_;                        ///< the bases are the same in all fitted channels
   std::vector<std::vector<double>> bases_;  ///< [slot][linear parameter], unit strength
   std::vector<double> units_;               ///< where cost() was last called
-  std::vector<ChannelSolution> solutions_;  ///< there, one a channel
+  std::vector<ChannelSolution> solutions_;  ///< there, one per channel
   std::vector<double> bestUnits_;
   std::vector<LinearVector> bestLinear_;
   double bestCost_;

@@ -73,13 +73,13 @@ struct TransformedTable {
 /// is the inverse transform of the sum over the tables of weight times value.
 struct TransformedMixture {
   DataTransform transform = DataTransform::none;
-  std::vector<TransformedTable> tables;  ///< one a material
+  std::vector<TransformedTable> tables;  ///< one per material
 };
 
 /// Materials prepared for blending: fits and factorisations are done, so that a point that is dragged between them
 /// costs what the blend costs. Immutable.
 ///
-/// Weights are one a material, each in [0, 1], with the sum 1. A weight of 1 gives that material itself, bit for bit,
+/// Weights are one per material, each in [0, 1], with the sum 1. A weight of 1 gives that material itself, bit for bit,
 /// in its own form: in spaces that lose detail in between there is a step beside the ends. `linear` and `differential`
 /// mix the materials in their own form, all others what is made of their tables.
 class Interpolation {
@@ -108,7 +108,7 @@ class Interpolation {
   std::optional<dictionary::SparseCode> code(std::span<const double> weights) const;
 
   /// In `linear`, in `differential` (to be moved by moves() before they are mixed) and in `dictionary` (all that the
-  /// codes hold, uncut). Some 50 ms and 18 MB a material. The reflectances are those of brdf() up to the cut to the
+  /// codes hold, uncut). Some 50 ms and 18 MB per material. The reflectances are those of brdf() up to the cut to the
   /// count of coefficients, the bounds of the codes (each material's here, the blend's there) and single precision.
   virtual std::optional<TransformedMixture> mixture() const { return {}; }
 
@@ -133,7 +133,7 @@ class Interpolation {
   std::vector<Table> tables_;
 };
 
-/// Prepares two or more materials (one is allowed). Fits take about 1 s a material, factorisations and codes too.
+/// Prepares two or more materials (one is allowed). Fits take about 1 s per material, factorisations and codes too.
 /// @throws Error where materials cannot be blended in the space: factors of different transforms, no dictionary or
 /// codes of another one; Cancelled.
 std::shared_ptr<const Interpolation> prepareInterpolation(InterpolationSpace space,

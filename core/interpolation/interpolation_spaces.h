@@ -4,7 +4,7 @@
 
 #include "core/interpolation/interpolation.h"
 
-/// What prepareInterpolation() chooses from, one a file.
+/// What prepareInterpolation() chooses from, one per file.
 namespace gonio::editing {
 
 std::shared_ptr<const Interpolation> prepareLinear(std::span<const InterpolationEnd> ends, const TaskControl& control);

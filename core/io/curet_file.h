@@ -12,7 +12,7 @@
 ///
 /// in either order of light and viewer, which is one to a reciprocal material; in radians where no angle exceeds 2 pi,
 /// else in degrees. The database itself has the values of all 61 samples in one file a channel (rbrdf.dat, gbrdf.dat,
-/// bbrdf.dat: a row a sample, its number and 205 values) and the directions in a table of their own. No one file is a
+/// bbrdf.dat: a row per sample, its number and 205 values) and the directions in a table of their own. No one file is a
 /// material there; such a file is refused with an explanation of what to join. Lines that begin with # are comments.
 namespace gonio::io {
 

@@ -74,7 +74,7 @@ std::array<std::string, 3> colourChannels(const Imf::ChannelList& channels) {
     const Imf::Channel* channel = channels.findChannel(colour);
     if (!channel) throw Error("found the channels " + names + ", expected R, G, B or Y");
     if (channel->xSampling != 1 || channel->ySampling != 1)
-      throw Error("found the channel " + colour + " with fewer samples than pixels, expected one a pixel");
+      throw Error("found the channel " + colour + " with fewer samples than pixels, expected one per pixel");
   }
   return colours;
 }

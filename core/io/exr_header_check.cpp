@@ -94,7 +94,7 @@ struct Layout {
   std::size_t channels = 0;
   int compression = 0;
 
-  /// At most: four bytes a sample, one chunk.
+  /// At most: four bytes per sample, one chunk.
   std::uint64_t lineBufferBytes(std::uint64_t width) const {
     constexpr int dwab = 9;
     return width * channels * 4 * (compression == dwab ? 256 : 32);

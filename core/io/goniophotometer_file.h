@@ -17,7 +17,7 @@
 ///
 /// Keys that are read: `intheta` and `inphi`, or `incident_angle` with both; `format:` with the quantity, BSDF or BRDF
 /// in 1/sr, or DSF, which is BSDF times the cosine of the row's theta and is divided by it; `colorimetry:` (of three
-/// values a row, CIE-XYZ, else taken as linear sRGB; of one, grey); `sample_name`. Keys may have a colon. Directions
+/// values per row, CIE-XYZ, else taken as linear sRGB; of one, grey); `sample_name`. Keys may have a colon. Directions
 /// point away from the surface, theta from its normal. A theta above 90 degrees lies on the other side: rows on another
 /// side than the light are transmission and are left out.
 namespace gonio::io {

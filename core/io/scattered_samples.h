@@ -14,7 +14,7 @@ namespace gonio::io {
 /// material is made of it by core/materials/scattered_material.h.
 struct ScatteredSamples {
   std::vector<DirectionPair> directions;  ///< both above the horizon
-  std::vector<Rgb> values;                ///< linear RGB in 1/sr without the cosine, finite and >= 0; one a pair
+  std::vector<Rgb> values;                ///< linear RGB in 1/sr without the cosine, finite and >= 0; one per pair
   std::vector<Rgb> deviations;            ///< standard deviations of the values, 1/sr; empty where they are not known
   std::size_t negativeCount = 0;          ///< channels that were below 0 and were set to 0
   std::size_t belowHorizonCount = 0;      ///< rows that were left out: a direction at or below the horizon

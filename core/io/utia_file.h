@@ -13,7 +13,7 @@
 /// - `.bin`: little-endian float64 [3][288][288], the planes of red, green and blue, 1,990,656 bytes without a header;
 /// - `.exr`: an OpenEXR picture of 288 x 288 pixels.
 /// A row is an incident direction, a column a viewing direction, each polar angle index * 48 + azimuth index; 15 and
-/// 7.5 degrees a step. Values are taken as BRDF values in 1/sr, as the code that the database publishes returns them.
+/// 7.5 degrees per step. Values are taken as BRDF values in 1/sr, as the code that the database publishes returns them.
 /// The absolute scale of the database is not documented beyond that: other readers rescale it (dj_brdf by Dupuy).
 namespace gonio::io {
 

@@ -11,7 +11,7 @@
 #include "core/materials/measured_library.h"
 
 extern "C" {
-// NeuralBrdf::weightCount numbers a material, in the order of the list (bundled_files.S).
+// NeuralBrdf::weightCount numbers per material, in the order of the list (bundled_files.S).
 extern const float gonioNearMeasured[];
 }
 

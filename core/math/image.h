@@ -9,7 +9,7 @@
 
 namespace gonio {
 
-/// A linear RGB picture in float, row-major, the first row at the top. `alpha` is empty or has one value a pixel
+/// A linear RGB picture in float, row-major, the first row at the top. `alpha` is empty or has one value per pixel
 /// (0 background, 1 covered); the colours are then premultiplied by it, as in OpenEXR.
 struct Image {
   int width = 0;

@@ -27,7 +27,7 @@ class AtomSet {
 };
 
 struct PursuitOptions {
-  int steps = 1;            ///< atoms that are chosen at most, one a step
+  int steps = 1;            ///< atoms that are chosen at most, one per step
   double residual = 1e-10;  ///< the fraction of the signal's norm at which enough is explained
 };
 

@@ -14,7 +14,7 @@ void checkWeights(std::span<const double> weights, std::size_t materials) {
   constexpr double slack = 1e-9;
   if (weights.size() != materials)
     throw Error("found " + std::to_string(weights.size()) + " weights, expected " + std::to_string(materials) +
-                ": one a material");
+                ": one per material");
   double sum = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (!(weights[i] >= 0 && weights[i] <= 1))

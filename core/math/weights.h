@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-/// Weights of materials that are blended: one a material, each in [0, 1], with the sum 1.
+/// Weights of materials that are blended: one per material, each in [0, 1], with the sum 1.
 namespace gonio {
 
 /// @throws Error that states the count, weight or sum (to 1e-9) that is wrong; weights that are not numbers too.

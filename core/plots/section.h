@@ -9,7 +9,7 @@ namespace gonio::plots {
 /// A line through a BRDF: values over one angle.
 struct Curve {
   std::vector<double> angles;  ///< rad, ascending
-  PlottedValues points;        ///< one an angle
+  PlottedValues points;        ///< one per angle
 };
 
 enum class SectionAxis { thetaH, thetaD, thetaO };

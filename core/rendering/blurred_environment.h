@@ -8,7 +8,7 @@
 
 namespace gonio {
 
-/// Size of a blurred environment's picture: 2.8 degrees a pixel.
+/// Size of a blurred environment's picture: 2.8 degrees per pixel.
 inline constexpr int blurredWidth = 128, blurredHeight = 64;
 /// Width of the blur: the concentration of a von Mises-Fisher distribution, exp(concentration cos angle) up to scale,
 /// whose standard deviation is 6 degrees along either tangent (concentration = 1 / variance, rad).

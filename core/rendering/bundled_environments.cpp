@@ -119,7 +119,7 @@ struct BundledEnvironment {
   Rgb (*radiance)(const Direction& world);
 };
 
-/// The mean of `perAxis` x `perAxis` positions a pixel: small bright things keep their energy.
+/// The mean of `perAxis` x `perAxis` positions per pixel: small bright things keep their energy.
 std::shared_ptr<const EnvironmentMap> paint(const BundledEnvironment& environment) {
   const int perAxis = environment.perAxis;
   Image image(mapWidth, mapHeight);

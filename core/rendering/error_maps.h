@@ -11,7 +11,7 @@ namespace gonio {
 
 /// Differences of pictures from one reference on one scale, in the colours of viridis().
 struct ErrorMaps {
-  /// Straight sRGB RGBA, 4 bytes a pixel; as transparent as the reference. One a picture.
+  /// Straight sRGB RGBA, 4 bytes per pixel; as transparent as the reference. One per picture.
   std::vector<std::vector<std::uint8_t>> maps;
   double range = 0;  ///< the absolute difference of luminance that has the last colour; larger ones have it too
 };

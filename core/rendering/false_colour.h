@@ -7,7 +7,7 @@
 
 namespace gonio {
 
-/// Display sRGB, 8 bits a channel.
+/// Display sRGB, 8 bits per channel.
 using DisplayColour = std::array<std::uint8_t, 3>;
 
 /// The viridis colour map (Smith and van der Walt 2015), linear between ten places: lightness grows with the value, so

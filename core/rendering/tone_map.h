@@ -21,8 +21,8 @@ Rgb toneMapped(const Rgb& radiance, double exposure, ToneMap toneMap);
 /// The sRGB transfer function (IEC 61966-2-1) and its inverse, on [0, 1].
 double toSrgb(double linear);
 double fromSrgb(double encoded);
-/// 8-bit sRGB RGBA, 4 bytes a pixel. The image's colours are premultiplied by its alpha (core/math/image.h), the bytes
-/// are straight, as PNG and QImage::Format_RGBA8888 take them; alpha 255 where the image has none. In parallel.
+/// 8-bit sRGB RGBA, 4 bytes per pixel. The image's colours are premultiplied by its alpha (core/math/image.h), the
+/// bytes are straight, as PNG and QImage::Format_RGBA8888 take them; alpha 255 where the image has none. In parallel.
 std::vector<std::uint8_t> toDisplayBytes(const Image& image, double exposure, ToneMap toneMap);
 
 }  // namespace gonio

@@ -24,10 +24,10 @@ RepresentationFamily familyById(std::string_view id);
 /// One way to keep a material, at one budget. A value.
 struct Representation {
   RepresentationFamily family = RepresentationFamily::table;
-  std::string id;          ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
-                           ///< "components", "nonparametric"
-  std::string label;       ///< for people: "GGX", "PDV factors, three curves"
-  double budget = 0;       ///< terms, coefficients or components a channel; fitted numbers; 0 where nothing is counted
+  std::string id;     ///< "table-nearest", "table-trilinear", a model's id, "factors-2d", "factors-3d", "code",
+                      ///< "components", "nonparametric"
+  std::string label;  ///< for people: "GGX", "PDV factors, three curves"
+  double budget = 0;  ///< terms, coefficients or components per channel; fitted numbers; 0 where nothing is counted
   std::string budgetText;  ///< "10 terms", or "" where nothing is counted
 
   bool operator==(const Representation&) const = default;

@@ -16,7 +16,7 @@ struct StudyRecord {
   std::size_t bytes = 0;         ///< of its file; of a table its values and mask in memory; of a fit its numbers as
                                  ///< float32. What all materials share (a dictionary, components) is not counted
   double encodeSeconds = 0;      ///< from the table to the representation; 0 for the table itself
-  EvaluationTime evaluation;     ///< ns a pair on one thread, in batches
+  EvaluationTime evaluation;     ///< ns per pair on one thread, in batches
   double frameMilliseconds = 0;  ///< of a frame of comparisonScene() by the path tracer, all threads: the median
   std::vector<double> errors;    ///< against the table at its nodes, in the order of metrics::allBrdfMetrics()
   double renderedSnr = 0;        ///< dB in comparisonScene(); +infinity for equal pictures, NaN for a black reference

@@ -28,7 +28,7 @@ void forPairs(const Vectors& a, const Vectors& b, const PairWork& work);
 /// @throws Error naming the array and the row where a direction's length is not 1 to 1e-5.
 void checkUnit(std::span<const glm::dvec3> directions, std::size_t firstRow, const char* name);
 
-/// A new array of the shape of rows of `like`, with `last` numbers a row; a number a row where that is 0.
+/// A new array of the shape of rows of `like`, with `last` numbers per row; a number per row where that is 0.
 py::array_t<double> arrayLike(const Vectors& like, py::ssize_t last);
 
 /// Numbers that stay where they are: read-only, `owner` lives as long as the array.

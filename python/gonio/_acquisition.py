@@ -77,7 +77,7 @@ def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), 
                 progress: Progress = None) -> Basis:
     """The principal components of measured materials, on the grid of MERL tables.
 
-    Memory: 13 MB a material; time: about 1 s a material and some more.
+    Memory: 13 MB per material; time: about 1 s per material and some more.
 
     Args:
         sources: Files, or folders of measured materials; none: the bundled library.
@@ -254,7 +254,7 @@ def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, m
         method: "ridge", or "sparse": few components by orthogonal matching pursuit.
         ridge: Ridge parameter eta, such as the published 40; None: chosen by leave-one-out.
         components: Of the basis; 0: all of them.
-        atoms: Of "sparse", components a channel; 0: by leave-one-out.
+        atoms: Of "sparse", components per channel; 0: by leave-one-out.
         name: Name of the material.
         progress: Called with the fraction that is done. An exception that it raises stops the work.
 

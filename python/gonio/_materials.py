@@ -133,7 +133,7 @@ class Material:
     def evaluate(self, wi: ArrayLike, wo: ArrayLike) -> NDArray[np.float64]:
         """BRDF values of pairs of directions, without the cosine.
 
-        About 50 ns a pair and core of a table, more of edits and codes. Blocks of pairs are evaluated on all cores.
+        About 50 ns per pair and core of a table, more of edits and codes. Blocks of pairs are evaluated on all cores.
 
         Args:
             wi: Directions toward the light, shape (..., 3): unit vectors away from the surface, z is the normal.
@@ -185,7 +185,7 @@ class Material:
     def albedo(self, theta: ArrayLike) -> NDArray[np.float64]:
         """Directional albedo: the integral of the BRDF times cos theta_i over the hemisphere of wi.
 
-        About 20 ms an angle.
+        About 20 ms per angle.
 
         Args:
             theta: Polar angles of the viewer in rad, of any shape.

@@ -211,7 +211,7 @@ class Code:
         self._handle = handle
 
     def __repr__(self) -> str:
-        return f"<gonio.Code: {self.coefficients} coefficients a channel, {self.bytes} bytes>"
+        return f"<gonio.Code: {self.coefficients} coefficients per channel, {self.bytes} bytes>"
 
     @property
     def coefficients(self) -> int:
@@ -247,7 +247,7 @@ class Code:
         """The material that the code stands for.
 
         Args:
-            as_table: Whether a table is decoded (50 ms); False: evaluated from the coefficients, under 1 us a pair.
+            as_table: Whether a table is decoded (50 ms); False: evaluated from the coefficients, under 1 us per pair.
             name: Name of the material.
         """
         return Material(self._handle.material(as_table, name))
@@ -325,7 +325,7 @@ class Interpolation:
         """The blend of weights, evaluated directly.
 
         Args:
-            weights: One a material, in [0, 1], of sum 1. A weight of 1 gives that material itself, bit for bit.
+            weights: One per material, in [0, 1], of sum 1. A weight of 1 gives that material itself, bit for bit.
             name: Name of the material; "": those of the blended ones.
 
         Raises:

@@ -142,7 +142,7 @@ void environmentFactorBlend(benchmark::State& state) {
 }
 
 /// A code into the texture that the preview samples: on the card, or on the CPU and uploaded. Both of the same code
-/// with so many coefficients a channel; until the card is done.
+/// with so many coefficients per channel; until the card is done.
 struct CodeFixture : QOpenGLFunctions_4_1_Core {
   std::shared_ptr<const materials::NamedEnsemble> bundled = materials::bundledDictionary();
   dictionary::SparseCode code;

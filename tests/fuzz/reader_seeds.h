@@ -63,7 +63,7 @@ inline Bytes pdvSeed() {
   return bytes;
 }
 
-/// Three coefficients a channel over a grid of 3 x 4 x 5, in half precision.
+/// Three coefficients per channel over a grid of 3 x 4 x 5, in half precision.
 inline Bytes codeSeed() {
   dictionary::SparseCode code{.grid = {.thetaHCount = 3, .thetaDCount = 4, .phiDCount = 5},
                               .transform = DataTransform::cosineLog,

@@ -54,7 +54,7 @@ inline void readMaterialBytes(std::span<const std::byte> bytes) {
 template <io::ScatteredSamples (*read)(const io::ByteSource& source)>
 void readScatteredBytes(std::span<const std::byte> bytes) {
   const io::ScatteredSamples samples = read(io::MemorySource(bytes));
-  if (samples.values.size() != samples.directions.size()) throw std::logic_error("not one value a pair");
+  if (samples.values.size() != samples.directions.size()) throw std::logic_error("not one value per pair");
   for (std::size_t i = 0; i < samples.values.size(); ++i) {
     const auto& [wi, wo] = samples.directions[i];
     if (!(wi.z > 0) || !(wo.z > 0)) throw std::logic_error("a direction below the horizon");
@@ -112,7 +112,7 @@ inline void readValuesBytes(std::span<const std::byte> bytes) {
   for (const int index : {1, 2, 3}) plan.samples.push_back({index, {}, index});
   const acquisition::MeasuredValues values = materials::parseValues(textOf(bytes), plan);
   if (values.rgb.size() != 3 || (!values.noise.empty() && values.noise.size() != 3))
-    throw std::logic_error("not one value a sample");
+    throw std::logic_error("not one value per sample");
   for (const auto* list : {&values.rgb, &values.noise})
     for (const Rgb& value : *list)
       for (int channel = 0; channel < 3; ++channel)

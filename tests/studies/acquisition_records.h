@@ -35,11 +35,12 @@ class AcquisitionRecords {
   /// @throws Error naming the file.
   void add(const AcquisitionRecord& record);
 
-  /// A Markdown table: a line a selection and reconstruction, a column a number of samples: medians over the materials
-  /// of the means over the seeds, with the median over the materials of the spread (largest less smallest) of seeds.
+  /// A Markdown table: a line per selection and reconstruction, a column per number of samples: medians over the
+  /// materials of the means over the seeds, with the median over the materials of the spread (largest less smallest) of
+  /// seeds.
   std::string table(double AcquisitionRecord::*value, int digits) const;
-  /// A Markdown table of one number of samples: a line a material, a column a selection and reconstruction; rendered
-  /// SNR.
+  /// A Markdown table of one number of samples: a line per material, a column per selection and reconstruction;
+  /// rendered SNR.
   std::string materials(int samples) const;
 
  private:

@@ -43,15 +43,15 @@ class ComparisonRecords {
   std::vector<ComparisonRecord> records_;
 };
 
-/// A Markdown table: a line a model and budget, means over the materials, and how many of them a model keeps best in
+/// A Markdown table: a line per model and budget, means over the materials, and how many of them a model keeps best in
 /// pictures among all models of that budget. Materials without a ratio (black ones) are left out.
 /// @param budget heads the column of budgets.
 std::string summaryTable(const std::vector<ComparisonRecord>& records, const std::string& budget = "L");
-/// A Markdown table: for every budget a line a model but `ours`: over the materials that both have, the means of ours
+/// A Markdown table: for every budget a line per model but `ours`: over the materials that both have, the means of ours
 /// and of theirs, the mean and the median of what ours is ahead by, and on how many it is ahead, equal and behind.
 std::string aheadTable(const std::vector<ComparisonRecord>& records, const std::string& ours,
                        const std::string& budget = "L");
-/// A Markdown table: a line a material, a column a model, SNR of pictures at one budget.
+/// A Markdown table: a line per material, a column per model, SNR of pictures at one budget.
 std::string materialTable(const std::vector<ComparisonRecord>& records, int terms);
 
 }  // namespace gonio::study

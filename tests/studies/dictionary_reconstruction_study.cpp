@@ -5,7 +5,7 @@
 // materials reconstructed in an ensemble of dictionaries, beside principal components. The priors of the dictionaries
 // are learned from the files that the ensemble names among what it learned from; nor may the bases beside the plans
 // have learned from others. The materials of --test are measured by each plan without noise. A line a material and
-// plan, and means: rendered SNR (128 x 128, 16 samples a pixel) of the ridge by leave-one-out with all components of
+// plan, and means: rendered SNR (128 x 128, 16 samples per pixel) of the ridge by leave-one-out with all components of
 // the basis, and of the dictionaries by each way to learn and to choose.
 #include <cstdio>
 #include <filesystem>

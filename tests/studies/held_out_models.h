@@ -24,7 +24,7 @@ struct EnsembleModels {
   ComparedModel squared;  ///< by the squared error; the same object where both choose the same
 };
 
-/// @param coefficients a channel.
+/// @param coefficients per channel.
 EnsembleModels ensembleModels(const dictionary::Encoder& encoder, const TabulatedBrdf& table, std::size_t coefficients);
 
 /// Principal components of the training set (Nielsen et al. 2015): as many coefficients in half precision, and a scale

@@ -14,11 +14,11 @@ class FrameBudgetTest : public QObject {
  private Q_SLOTS:
   void slowMachineDrawsTheFirstFrameAtHalfResolution() {
     FrameBudget budget;
-    for (int i = 0; i < 20; ++i) budget.record(1e6, 1, 40);  // 40 ns a sample: not one sample in the budget
+    for (int i = 0; i < 20; ++i) budget.record(1e6, 1, 40);  // 40 ns per sample: not one sample in the budget
     const auto first = budget.next(1e6, 0, 1024, false);
     QCOMPARE(first.scale, 0.5);
     QVERIFY(first.samples >= 1);
-    QCOMPARE(budget.next(4e7, 0, 1024, false).scale, 0.25);  // 15 ns a sample at first: 0.15 s at half
+    QCOMPARE(budget.next(4e7, 0, 1024, false).scale, 0.25);  // 15 ns per sample at first: 0.15 s at half
     QCOMPARE(budget.next(1e6, 0, 1024, true).scale, 1.0);
     QCOMPARE(budget.next(1e6, 8, 1024, false).scale, 1.0);
   }

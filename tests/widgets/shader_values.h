@@ -16,7 +16,7 @@
 
 namespace gonio::test {
 
-/// Values of evaluateBrdf() of shaders/preview/material.glsl at pairs of directions, one a pixel, in the
+/// Values of evaluateBrdf() of shaders/preview/material.glsl at pairs of directions, one per pixel, in the
 /// context that is current.
 class ShaderValues : protected QOpenGLFunctions_4_1_Core {
  public:

@@ -17,7 +17,7 @@ class BlendStrip : public QWidget {
   struct Row {
     QString name;
     QString toolTip;
-    std::vector<QImage> pictures;  ///< one a step; null ones are still to come
+    std::vector<QImage> pictures;  ///< one per step; null ones are still to come
     QString note = {};             ///< why there are no pictures: "waiting", "cancelled", what went wrong
     bool failed = false;
   };

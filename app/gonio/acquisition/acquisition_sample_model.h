@@ -35,7 +35,7 @@ class AcquisitionSampleModel : public QAbstractTableModel {
   /// Directions that are chosen so far: no order of travel yet.
   void setDirections(const std::vector<DirectionPair>& directions);
   void setPlan(const acquisition::SamplingPlan& plan);
-  /// Empty, or one a sample.
+  /// Empty, or one per sample.
   void setValues(const acquisition::MeasuredValues& values);
 
   int rowCount(const QModelIndex& parent = {}) const override;

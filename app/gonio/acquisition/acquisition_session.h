@@ -47,7 +47,7 @@ class AcquisitionSession : public QObject {
 
   /// From now on the reference is measured with this noise.
   void simulate(const acquisition::MeasurementNoise& noise);
-  /// Values of a rig, one a sample. @param name where they are from. @throws Error when there are not as many.
+  /// Values of a rig, one per sample. @param name where they are from. @throws Error when there are not as many.
   void setValues(const acquisition::MeasuredValues& values, const QString& name);
   const acquisition::MeasuredValues& values() const { return m_values; }
   bool isSimulated() const { return m_simulated; }

@@ -30,7 +30,7 @@ class FileExports : public QObject {
   void save(const QString& path, const FileSave& save);
   /// Made in the background.
   using Caption = std::function<QString(const TaskControl&)>;
-  /// A picture as it is: 8 bits a channel. @param caption of a line below it.
+  /// A picture as it is: 8 bits per channel. @param caption of a line below it.
   void writePng(const QString& path, const QImage& picture, const Caption& caption = {});
 
  Q_SIGNALS:

@@ -10,7 +10,7 @@
 
 namespace gonio::app {
 
-/// Size of the pictures of the bundled materials, pixels, and their samples a pixel.
+/// Size of the pictures of the bundled materials, pixels, and their samples per pixel.
 inline constexpr int shippedSide = 128, shippedSamples = 64;
 
 /// The picture of a bundled material that is built into the program, by the SHA-256 of its content; nothing for other

@@ -27,7 +27,7 @@ class SceneNeighbours : public QWidget {
 
   /// Shows the wells of the places that a scene has.
   void showScene(const Scene& scene);
-  /// One a place; empty where the edited material stands.
+  /// One per place; empty where the edited material stands.
   std::vector<widgets::SceneMaterial> materials() const;
   /// A file, a .gonio document, or a library's material by its id.
   void read(int place, const QString& id);

@@ -17,7 +17,7 @@ class TimedApplication : public QApplication {
 
   /// From here on events are timed.
   void startTiming() { m_timing = true; }
-  /// How many events there were, how many took longer than 50 ms, and the longest kinds, one a line.
+  /// How many events there were, how many took longer than 50 ms, and the longest kinds, one per line.
   [[nodiscard]] QString eventTimes() const;
 
   bool notify(QObject* receiver, QEvent* event) override;

@@ -142,7 +142,7 @@ class BasisFileTest : public QObject {
     std::memcpy(bad.data() + numbers - leftOut - 8 * cells, &below, 4);
     QVERIFY(test::contains(errorOf(bad), "a negative reference"));
     bad = good;
-    // What is left out stands before the singular values: its scale, then 2 bytes a cell.
+    // What is left out stands before the singular values: its scale, then 2 bytes per cell.
     bad = good;
     std::memcpy(bad.data() + numbers - leftOut, &infinite, 4);
     QVERIFY(test::contains(errorOf(bad), "a scale that is not finite"));

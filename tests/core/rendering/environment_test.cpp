@@ -77,8 +77,8 @@ class EnvironmentTest : public QObject {
     QVERIFY(std::abs(map.radiance(EnvironmentMap::directionAt(0.03125, 0.3)).x - (0.375 * 3)) < 1e-12);
   }
 
-  /// Midpoint rule with a whole number of points a pixel: exact for a density that is constant over pixels, but for the
-  /// change of the sine inside a row.
+  /// Midpoint rule with a whole number of points per pixel: exact for a density that is constant over pixels, but for
+  /// the change of the sine inside a row.
   void densityIntegratesToOne() {
     for (const EnvironmentMap& map : {spottedMap(), EnvironmentMap(Image(6, 4), "black"), *studioEnvironment()}) {
       const int width = 2 * map.image().width, height = (map.image().height > 64 ? 4 : 64) * map.image().height;

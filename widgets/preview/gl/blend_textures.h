@@ -13,7 +13,7 @@ class BlendTextures {
  public:
   /// What the shader is compiled for.
   static void addVariant(const PreviewBlend& blend, QStringList& definitions, QStringList& preamble);
-  /// Uploads a mixture that is new (about 20 ms a material), binds it to its units, sets the shader's uniforms.
+  /// Uploads a mixture that is new (about 20 ms per material), binds it to its units, sets the shader's uniforms.
   void bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& program, PreviewResources& resources,
             const PreviewBlend& blend);
   /// In the context of bind().

@@ -26,7 +26,7 @@ enum TextureUnit {
   otherAccumulationUnit,
   colourMapUnit,
   factorUnit,
-  firstBlendUnit,  ///< and those after it, one a material
+  firstBlendUnit,  ///< and those after it, one per material
   endOfBlendUnits = firstBlendUnit + 4,
   firstDecoderUnit = endOfBlendUnits,  ///< and three after it: the last of the 16 that every card has
   // Units of the pass that displays pictures and of the decoder are free while a picture is drawn. An RGL file may

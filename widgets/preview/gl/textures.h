@@ -16,12 +16,12 @@ namespace gonio::widgets {
 /// Uploads for the preview's shaders; each makes the texture when `texture` is 0 and else replaces its content.
 
 /// RGBA32F of (rgb * valid, valid): x phi_d (repeats), y theta_d, z theta_h (shaders/preview/table.glsl).
-/// @param texels one a cell; without them the content is undefined.
+/// @param texels one per cell; without them the content is undefined.
 void setTableTexels(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const HalfDifferenceGrid& grid,
                     const glm::vec4* texels);
 
 /// The same of a table.
-/// @param values linear RGB in 1/sr, or transformed; one a cell, as are the flags (1 valid, 0 invalid).
+/// @param values linear RGB in 1/sr, or transformed; one per cell, as are the flags (1 valid, 0 invalid).
 void uploadTable(QOpenGLFunctions_4_1_Core& gl, GLuint& texture, const HalfDifferenceGrid& grid,
                  std::span<const glm::vec3> values, std::span<const std::uint8_t> valid);
 

@@ -11,7 +11,7 @@ namespace gonio::factorization {
 
 /// A reflectance by its luminance Y alone, a sum of products of curves in half-out coordinates,
 ///   ln(1 + Y) = sum_l a_l(theta_h) b_l(|phi_h|) c_l(theta_o),   rho = max(0, kd + ks Y),
-/// with kd and ks one number a channel. Bilgili, Öztürk and Kurt 2011, "A General BRDF Representation Based on Tensor
+/// with kd and ks one number per channel. Bilgili, Öztürk and Kurt 2011, "A General BRDF Representation Based on Tensor
 /// Decomposition": Tucker decompositions of rank (1, 1, ..), each of what those before left. Where the colour changes
 /// from the highlight to the rest in more than this line, it shifts. Not reciprocal.
 ///

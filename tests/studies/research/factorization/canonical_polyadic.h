@@ -15,7 +15,7 @@ namespace gonio::factorization {
 /// those of the last mode is positive.
 struct CanonicalPolyadic {
   Eigen::VectorXd weights;
-  std::vector<Eigen::MatrixXd> factors;  ///< one a mode, size(mode) x rank
+  std::vector<Eigen::MatrixXd> factors;  ///< one per mode, size(mode) x rank
   double fit = 0;                        ///< 1 - |X - X^| / |X|; 1 for X = 0
   int iterations = 0;
   bool converged = false;
@@ -30,7 +30,7 @@ struct CanonicalPolyadicOptions {
 /// CP decomposition by alternating least squares (dissertation, algorithm 1 as repaired: Gram matrices of the
 /// normalised factors). The Khatri-Rao product is never formed. Each step solves with the pseudo-inverse where
 /// components are collinear, so that a rank beyond the tensor's gives finite factors. Deterministic. Time of an
-/// iteration: about 2 N rank multiplications an entry.
+/// iteration: about 2 N rank multiplications per entry.
 /// @throws Cancelled.
 CanonicalPolyadic decomposeCanonicalPolyadic(const Tensor& tensor, int rank,
                                              const CanonicalPolyadicOptions& options = {},

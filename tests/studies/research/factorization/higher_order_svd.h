@@ -13,7 +13,7 @@ namespace gonio::factorization {
 /// Value Decomposition" (dissertation 3.1.2).
 struct HigherOrderSvd {
   Tensor core;
-  std::vector<Eigen::MatrixXd> factors;  ///< one a mode, size(mode) x rank of the mode
+  std::vector<Eigen::MatrixXd> factors;  ///< one per mode, size(mode) x rank of the mode
 };
 
 /// The `count` leading left singular vectors of the unfolding along a mode, size(mode) x count, orthonormal. By the
@@ -21,8 +21,8 @@ struct HigherOrderSvd {
 /// positive.
 Eigen::MatrixXd leadingSingularVectors(const Tensor& tensor, int mode, int count);
 
-/// The full decomposition, exact; or the truncated one with `ranks` (one a mode, at most its size), whose squared error
-/// is at most the sum of the squared singular values that are left out.
+/// The full decomposition, exact; or the truncated one with `ranks` (one per mode, at most its size), whose squared
+/// error is at most the sum of the squared singular values that are left out.
 HigherOrderSvd decomposeHigherOrderSvd(const Tensor& tensor, const std::vector<int>& ranks);
 inline HigherOrderSvd decomposeHigherOrderSvd(const Tensor& tensor) {
   return decomposeHigherOrderSvd(tensor, tensor.sizes());

@@ -13,7 +13,7 @@ namespace gonio {
 class Tensor {
  public:
   Tensor() = default;
-  /// Zeros. @param sizes one a mode, each at least 1, at least one mode.
+  /// Zeros. @param sizes one per mode, each at least 1, at least one mode.
   explicit Tensor(std::vector<int> sizes);
 
   int modes() const { return int(sizes_.size()); }
