@@ -72,7 +72,7 @@ SelectionOptions selectionOptions(const PlanArguments& options) {
 double travelDegrees(const SamplingPlan& plan) {
   DirectionPair at;
   double sum = 0;
-  for (const std::size_t next : plan.travel()) {
+  for (const std::size_t next : plan.measurementOrder()) {
     sum += armTravel(at, plan.samples[next].directions);
     at = plan.samples[next].directions;
   }
@@ -97,7 +97,7 @@ void report(const PlanArguments& options, const SamplingPlan& plan, const Sample
   if (!selection.warning.empty()) json["warnings"] = Json::array({selection.warning});
   print(tool, json,
         options.out + ": " + std::to_string(plan.samples.size()) + " samples by " + options.method + " in " +
-            number(seconds) + " s, condition number " + number(selection.conditionNumber) + ", travel of the arms " +
+            number(seconds) + " s, condition number " + number(selection.conditionNumber) + ", path of the arms " +
             number(travelDegrees(plan)) + " degrees\n" + basisPath + ": " + std::to_string(kept) + " components of " +
             std::to_string(basis.learnedFrom.size()) + " materials, learned in " + number(trainingSeconds) + " s\n" +
             (selection.warning.empty() ? "" : selection.warning + "\n"));
@@ -127,7 +127,7 @@ int plan(const PlanArguments& options, const Tool& tool) {
   plan.basisDigest = basisDigest(basisPath);
   materials::writePlan(
       plan, options.out,
-      {"learned from " + std::to_string(basis->learnedFrom.size()) + " materials",
+      {"training set: " + std::to_string(basis->learnedFrom.size()) + " materials",
        "angles in degrees, i is the light, o the viewer; of an isotropic material only phi_o - phi_i matters"});
   report(options, plan, selection, *basis, kept, trainingSeconds, seconds, tool);
   return 0;

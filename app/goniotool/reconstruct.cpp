@@ -63,7 +63,7 @@ std::shared_ptr<const materials::BasisFile> basisOf(const ReconstructArguments& 
   if (!std::filesystem::exists(beside))
     throw Error(beside.string() +
                 ": not found: the basis that goniotool plan writes beside a plan; name another by "
-                "--basis or materials to learn from by --train");
+                "--basis or a training set by --train");
   checkBasis(beside, plan);
   return materials::readBasis(beside);
 }

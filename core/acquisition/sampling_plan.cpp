@@ -71,7 +71,7 @@ void improve(std::vector<std::size_t>& way, std::span<const DirectionPair> pairs
 
 }  // namespace
 
-std::vector<std::size_t> SamplingPlan::travel() const {
+std::vector<std::size_t> SamplingPlan::measurementOrder() const {
   std::vector<std::size_t> positions(samples.size());
   std::iota(positions.begin(), positions.end(), std::size_t(0));
   std::stable_sort(positions.begin(), positions.end(),
@@ -90,7 +90,7 @@ SamplingPlan planFor(const HalfDifferenceGrid& grid, std::span<const std::uint32
     pairs.push_back(directions.at(cell).pair);
     plan.samples.push_back({int(pairs.size()), pairs.back(), 0});
   }
-  const std::vector<std::size_t> way = shortTravel(pairs);
+  const std::vector<std::size_t> way = shortPath(pairs);
   for (std::size_t position = 0; position < way.size(); ++position)
     plan.samples[way[position]].order = int(position) + 1;
   return plan;
@@ -119,7 +119,7 @@ double armTravel(const DirectionPair& from, const DirectionPair& to) {
   return angleBetween(from.wi, to.wi) + angleBetween(from.wo, to.wo);
 }
 
-std::vector<std::size_t> shortTravel(std::span<const DirectionPair> pairs) {
+std::vector<std::size_t> shortPath(std::span<const DirectionPair> pairs) {
   if (pairs.size() > mostImproved) return byPolarAngles(pairs);
   std::vector<std::size_t> way = nearestNeighbours(pairs);
   improve(way, pairs);

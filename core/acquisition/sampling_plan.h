@@ -15,7 +15,7 @@ namespace gonio::acquisition {
 struct PlannedSample {
   int index = 0;             ///< from 1 in the order of choice: the first ones matter most; names the sample in files
   DirectionPair directions;  ///< at or above the horizon. Of isotropic materials: both may be turned about the normal
-  int order = 0;             ///< from 1 in the order of a short travel of the arms
+  int order = 0;             ///< from 1 in the order of measurement, along a short path of the arms
 
   bool operator==(const PlannedSample& other) const {
     return index == other.index && order == other.order && directions.wi == other.directions.wi &&
@@ -28,11 +28,11 @@ struct SamplingPlan {
   std::string method;                  ///< how they were chosen, for people; may be empty
   std::string basisDigest;             ///< of the file of principal components that belongs to it; empty: none is known
 
-  /// The positions of the samples in `samples` in the order of their travel.
-  std::vector<std::size_t> travel() const;
+  /// The positions of the samples in `samples` in the order of measurement.
+  std::vector<std::size_t> measurementOrder() const;
 };
 
-/// Nodes of a grid as directions (phi_h = 0), in the order of `cells`, with an order for a short travel. Deterministic.
+/// Nodes of a grid as directions (phi_h = 0), in the order of `cells`, with an order of measurement. Deterministic.
 /// @throws Error naming a cell below the horizon or outside the grid.
 SamplingPlan planFor(const HalfDifferenceGrid& grid, std::span<const std::uint32_t> cells);
 
@@ -50,6 +50,6 @@ double armTravel(const DirectionPair& from, const DirectionPair& to);
 /// A short way through all pairs, from where the arms stand upright: nearest neighbour, then 2-opt (Croes 1958) until
 /// nothing gains, O(n^2) a round. Of more than 512 pairs simply in the order of the polar angle of the light, then of
 /// the viewer, O(n log n). @return positions in `pairs`. Deterministic.
-std::vector<std::size_t> shortTravel(std::span<const DirectionPair> pairs);
+std::vector<std::size_t> shortPath(std::span<const DirectionPair> pairs);
 
 }  // namespace gonio::acquisition

@@ -69,7 +69,7 @@ void refuseRadians(const io::CsvText& csv, const SamplingPlan& plan, const std::
   throw Error("every angle is small enough for radians (theta at most 1.57), expected degrees");
 }
 
-/// The order of travel of each row: 1 to the number of rows, each once.
+/// The order of measurement of each row: 1 to the number of rows, each once.
 void checkOrder(const io::CsvText& csv, const SamplingPlan& plan) {
   std::vector<std::size_t> lines(plan.samples.size(), 0);
   for (std::size_t i = 0; i < csv.rows.size(); ++i) {
@@ -87,7 +87,7 @@ void checkOrder(const io::CsvText& csv, const SamplingPlan& plan) {
 void planOrder(SamplingPlan& plan) {
   std::vector<DirectionPair> pairs;
   for (const PlannedSample& sample : plan.samples) pairs.push_back(sample.directions);
-  const std::vector<std::size_t> way = acquisition::shortTravel(pairs);
+  const std::vector<std::size_t> way = acquisition::shortPath(pairs);
   for (std::size_t position = 0; position < way.size(); ++position)
     plan.samples[way[position]].order = int(position) + 1;
 }

@@ -12,7 +12,7 @@
 ///   index, theta_i, phi_i, theta_o, phi_o, theta_h, theta_d, phi_d, order
 /// in degrees; the comments "method: .." and "basis, SHA-256: .." are read. i is the light, o the viewer. theta_h,
 /// theta_d and phi_d show people what the other angles state already: readers pass over them, but where all other
-/// angles could be radians. `order` is that of a short travel of the arms.
+/// angles could be radians. `order` is the order of measurement, along a short path of the arms.
 namespace gonio::materials {
 
 /// Angles with six decimals: of a node's directions the node is found again.
@@ -22,7 +22,7 @@ std::string planCsv(const acquisition::SamplingPlan& plan, const std::vector<std
 void writePlan(const acquisition::SamplingPlan& plan, const std::filesystem::path& path,
                const std::vector<std::string>& comments = {});
 
-/// Any order of columns and rows; without a column `order` the travel is planned anew, other columns are passed over.
+/// Any order of columns and rows; without a column `order` that path is planned again, other columns are passed over.
 /// @throws Error naming the file and the line: a column or an index twice or not at all, an index below 1, an angle
 /// that is none in degrees above the horizon, an `order` that is not each number from 1 to that of the rows once, no
 /// rows or more than 65,536, or angles that are all radians: small enough, and theta_h and theta_d not those of

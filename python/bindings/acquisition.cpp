@@ -134,7 +134,7 @@ SamplingPlan planOf(const Vectors& wi, const Vectors& wo) {
     plan.samples.push_back({.index = int(i) + 1, .directions = pairs.back()});
   }
   int order = 0;
-  for (const std::size_t next : shortTravel(pairs)) plan.samples[next].order = ++order;
+  for (const std::size_t next : shortPath(pairs)) plan.samples[next].order = ++order;
   return plan;
 }
 
@@ -216,7 +216,7 @@ void bindAcquisition(py::module_& module) {
   py::class_<SamplingPlan>(module, "Plan")
       .def("__len__", [](const SamplingPlan& plan) { return plan.samples.size(); })
       .def_property_readonly("directions", directionsOf)
-      .def_property_readonly("travel", [](const SamplingPlan& plan) { return plan.travel(); })
+      .def_property_readonly("order", [](const SamplingPlan& plan) { return plan.measurementOrder(); })
       .def_readonly("method", &SamplingPlan::method)
       .def("save", [](const SamplingPlan& plan, const std::string& path) { materials::writePlan(plan, path); })
       .def("save_values", [](const SamplingPlan& plan, const Vectors& rgb, const py::object& noise,

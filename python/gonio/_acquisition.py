@@ -148,9 +148,9 @@ class Plan:
         return self._handle.directions[1]
 
     @property
-    def travel(self) -> list[int]:
-        """The numbers of the samples, from 0, in an order of short travel of the arms of a goniometer."""
-        return self._handle.travel
+    def order(self) -> list[int]:
+        """The numbers of the samples, from 0, in an order of measurement along a short path of a goniometer's arms."""
+        return self._handle.order
 
     @property
     def method(self) -> str:

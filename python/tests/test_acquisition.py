@@ -38,7 +38,7 @@ def test_plan_measure_reconstruct(basis, files, tmp_path):
     plan = gonio.plan(5, basis)
     assert len(plan) == 5 and plan.method == "somp" and plan.warning == ""
     assert np.all(np.diff(plan.residuals) <= 0) and np.isfinite(plan.condition_number)
-    assert sorted(plan.travel) == list(range(5))
+    assert sorted(plan.order) == list(range(5))
     assert plan.wi[:, 2].min() > np.cos(np.radians(85)) - 1e-9
     material = gonio.open(files / "chrome.binary")
     readings = gonio.measure(material, plan)

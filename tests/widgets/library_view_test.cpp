@@ -85,7 +85,7 @@ class LibraryViewTest : public QObject {
   }
 
   /// By the mean colour of the thumbnail and the roughness; lightness from light to dark.
-  void orderByLightnessAndLikeness() {
+  void orderByLightnessAndSimilarity() {
     LibraryModel model;
     LibraryView view(&model);
     model.setItems(threeMaterials());
@@ -109,7 +109,7 @@ class LibraryViewTest : public QObject {
     grey.fill(QColor(188, 188, 188));
     const gonio::Rgb lab = meanLab(grey);
     QVERIFY(std::abs(lab.x - 76.2) < 0.2 && std::abs(lab.y) < 0.01 && std::abs(lab.z) < 0.01);
-    QCOMPARE(unlikeness(lab, 0.1, lab, 0.2), 10.0);
+    QCOMPARE(dissimilarity(lab, 0.1, lab, 0.2), 10.0);
   }
 
   /// Of several buttons of one sort any, of two sorts both; turned off, everything is shown again.

@@ -103,7 +103,7 @@ void LibraryModel::setFailure(const QString& id, const QString& reason) {
 void LibraryModel::setReference(const std::optional<LibraryLook>& look) {
   m_reference.reset();
   if (look) m_reference = Reference{meanLab(look->thumbnail), look->roughness};
-  if (!m_entries.empty()) Q_EMIT dataChanged(index(0), index(int(m_entries.size()) - 1), {UnlikenessRole});
+  if (!m_entries.empty()) Q_EMIT dataChanged(index(0), index(int(m_entries.size()) - 1), {DissimilarityRole});
 }
 
 const LibraryLook* LibraryModel::look(const QString& id) const {
@@ -197,9 +197,9 @@ QVariant LibraryModel::data(const QModelIndex& index, int role) const {
       return entry.look ? entry.look->hue : 1e9;
     case LightnessRole:
       return entry.look ? -entry.lab.x : 1e9;
-    case UnlikenessRole:
+    case DissimilarityRole:
       return entry.look && m_reference
-                 ? unlikeness(entry.lab, entry.look->roughness, m_reference->lab, m_reference->roughness)
+                 ? dissimilarity(entry.lab, entry.look->roughness, m_reference->lab, m_reference->roughness)
                  : 1e9;
     case RoughnessRole:
       return entry.look ? entry.look->roughness : 1e9;

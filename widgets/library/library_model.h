@@ -44,7 +44,7 @@ class LibraryModel : public QAbstractListModel {
     HueRole,
     LightnessRole,
     RoughnessRole,
-    UnlikenessRole,
+    DissimilarityRole,
     FailureRole,
     BadgeRole,
     HeadingRole,
@@ -66,7 +66,7 @@ class LibraryModel : public QAbstractListModel {
   void setLook(const QString& id, const LibraryLook& look);
   /// Why a material has no picture; shown in its tool tip.
   void setFailure(const QString& id, const QString& reason);
-  /// What UnlikenessRole compares with; nothing: no order.
+  /// What DissimilarityRole compares with; nothing: no order.
   void setReference(const std::optional<LibraryLook>& look);
   /// Null while it is not known.
   const LibraryLook* look(const QString& id) const;

@@ -25,7 +25,7 @@ namespace gonio::widgets {
 
 namespace {
 constexpr int smallestTile = 64, largestTile = 256, defaultTile = 96;
-constexpr int visibleDelayMilliseconds = 60, likenessMode = 4;
+constexpr int visibleDelayMilliseconds = 60, similarityMode = 4;
 }  // namespace
 
 LibraryView::LibraryView(LibraryModel* model, QWidget* parent)
@@ -90,10 +90,11 @@ void LibraryView::buildControls() {
   m_group->setToolTip(tr("Groups the materials by source or by kind"));
   connect(m_group, &QComboBox::currentIndexChanged, this, &LibraryView::setGrouping);
   m_sort->addItems(
-      {tr("Name"), tr("Hue"), tr("Roughness"), tr("Lightness"), tr("Likeness"), tr("Rating"), tr("Last opened")});
+      {tr("Name"), tr("Hue"), tr("Roughness"), tr("Lightness"), tr("Similarity"), tr("Rating"), tr("Last opened")});
   m_sort->setAccessibleName(tr("Sort by"));
   m_sort->setToolTip(tr("The order of the materials"));
-  m_sort->setItemData(likenessMode, tr("Likeness to the open material in mean colour and roughness of the thumbnails"),
+  m_sort->setItemData(similarityMode,
+                      tr("Similarity to the open material in mean colour and roughness of the thumbnails"),
                       Qt::ToolTipRole);
   connect(m_sort, &QComboBox::currentIndexChanged, this, &LibraryView::setSortMode);
 
@@ -203,7 +204,7 @@ void LibraryView::setSortMode(int mode) {
                            LibraryModel::HueRole,
                            LibraryModel::RoughnessRole,
                            LibraryModel::LightnessRole,
-                           LibraryModel::UnlikenessRole,
+                           LibraryModel::DissimilarityRole,
                            LibraryModel::RatingOrderRole,
                            LibraryModel::OpenedOrderRole};
   m_proxy->setSortRole(roles[m_sort->currentIndex()]);

@@ -43,7 +43,7 @@ Rgb meanLab(const QImage& picture) {
   return metrics::labOf(sum / (std::max(1.0, count) * pi));
 }
 
-double unlikeness(const Rgb& lab, double roughness, const Rgb& otherLab, double otherRoughness) {
+double dissimilarity(const Rgb& lab, double roughness, const Rgb& otherLab, double otherRoughness) {
   const double octaves =
       std::log2(std::max(roughness, smallestRoughness) / std::max(otherRoughness, smallestRoughness));
   return std::hypot(glm::distance(lab, otherLab), deltaEOfAnOctave * octaves);

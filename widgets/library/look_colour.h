@@ -13,6 +13,6 @@ Rgb meanLab(const QImage& picture);
 
 /// How unlike two materials look, by their thumbnails: the root of the squares of the difference of the mean colours
 /// (CIE 1976 delta E) and of 10 for each octave of roughness. 0: the same.
-double unlikeness(const Rgb& lab, double roughness, const Rgb& otherLab, double otherRoughness);
+double dissimilarity(const Rgb& lab, double roughness, const Rgb& otherLab, double otherRoughness);
 
 }  // namespace gonio::widgets

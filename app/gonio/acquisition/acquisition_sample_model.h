@@ -9,7 +9,8 @@
 
 namespace gonio::app {
 
-/// The samples of a plan as rows: angles in degrees, their place in a short travel of the arms, what was measured.
+/// The samples of a plan as rows: angles in degrees, their place in an order along a short path of the arms, what was
+/// measured.
 class AcquisitionSampleModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -32,7 +33,7 @@ class AcquisitionSampleModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Directions that are chosen so far: no order of travel yet.
+  /// Directions that are chosen so far: no order of measurement yet.
   void setDirections(const std::vector<DirectionPair>& directions);
   void setPlan(const acquisition::SamplingPlan& plan);
   /// Empty, or one per sample.

@@ -31,7 +31,7 @@ void TrainingRows::build(QFormLayout& form) {
                    tr("Measured and near-measured"), tr("Materials shown in the library"), QString(),
                    tr("A folder of files...")});
   hideItem(*m_box, otherSet, true);
-  form.addRow(tr("&Learn from"), m_box);
+  form.addRow(tr("Mater&ials"), m_box);
   m_leaveOut->setToolTip(
       tr("Excludes the measured material, and files of the same name, from the training set; otherwise the error is "
          "too small for a new material."));
@@ -52,7 +52,7 @@ void TrainingRows::activated(int index) {
 }
 
 void TrainingRows::askForFolder() {
-  auto* dialog = new QFileDialog(m_box, tr("Folder of Materials to Learn from"));
+  auto* dialog = new QFileDialog(m_box, tr("Folder of the Training Set"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
@@ -103,7 +103,7 @@ void TrainingRows::setEnabled(bool enabled) {
 void TrainingRows::refresh() {
   const QStringList all = training().ids;
   const int count = int((leavesMeasuredOut() ? without(all, m_measuredId) : all).size());
-  QString facts = count < 2 ? tr("%n materials: too few to learn from", nullptr, count)
+  QString facts = count < 2 ? tr("%n materials: too few for a training set", nullptr, count)
                             : tr("%n materials, three signals each", nullptr, count);
   if (const int left = int(all.size()) - count; left > 0) facts += tr("; %n left out", nullptr, left);
   m_facts->setText(facts);

@@ -24,7 +24,7 @@ class TrainingRows : public QObject {
   /// What the library shows at this time.
   void setShownIds(std::function<QStringList()> shownIds) { m_shownIds = std::move(shownIds); }
   TrainingSet training() const;
-  /// A set of materials to learn from beside those that are offered.
+  /// A training set beside those that are offered.
   void setTraining(const TrainingSet& training);
   bool leavesMeasuredOut() const;
   /// Which material is left out.

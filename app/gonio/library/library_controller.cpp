@@ -17,7 +17,7 @@ namespace gonio::app {
 
 namespace {
 
-const QString thumbnailKey = QStringLiteral("thumbnail"), likenessKey = QStringLiteral("library-likeness"),
+const QString thumbnailKey = QStringLiteral("thumbnail"), similarityKey = QStringLiteral("library-similarity"),
               largePictureKey = QStringLiteral("library-large-picture"), folderKey = QStringLiteral("library-folder");
 
 /// A picture, or why there is none.
@@ -184,11 +184,11 @@ void LibraryController::show(std::vector<widgets::LibraryItem> items) {
 
 void LibraryController::setReference(const QString& id) {
   if (id.isEmpty()) {
-    m_tasks.drop(likenessKey);
+    m_tasks.drop(similarityKey);
     return m_model.setReference({});
   }
   m_tasks.run<widgets::LibraryLook>(
-      {.title = tr("Rendering a thumbnail of %1").arg(id.section('/', -1)), .key = likenessKey, .quiet = true},
+      {.title = tr("Rendering a thumbnail of %1").arg(id.section('/', -1)), .key = similarityKey, .quiet = true},
       [make = m_makeLook, id](const TaskControl& control) { return make(id, control); },
       [this](const widgets::LibraryLook& look) { m_model.setReference(look); },
       [this](const QString&) { m_model.setReference({}); });

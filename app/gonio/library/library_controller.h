@@ -34,7 +34,7 @@ class LibraryController : public QObject {
   /// Every material and document in a folder, not in its subfolders. It is listed in the background, and again when
   /// files come, go or change.
   void showFolder(const QString& folder);
-  /// The material that LibraryModel::UnlikenessRole compares with; empty: none. Its picture is made where there is
+  /// The material that LibraryModel::DissimilarityRole compares with; empty: none. Its picture is made where there is
   /// none.
   void setReference(const QString& id);
   /// Has a large picture made, of `pixels` a side; only the last one that is asked for comes.

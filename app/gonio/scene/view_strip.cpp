@@ -95,7 +95,7 @@ void ViewStrip::build() {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   add(tr("S&hape"), m_shapes);
   add(tr("&Light"), m_lights);
-  add(tr("&Behind"), m_backgrounds);
+  add(tr("&Background"), m_backgrounds);
   add(tr("E&xposure"), m_slider);
   layout->addWidget(m_exposure);
   m_slider->setMinimumWidth(fontMetrics().height() * 4);

@@ -19,7 +19,7 @@ class BackgroundTasks;
 class EnvironmentController;
 class ScenePanel;
 
-/// The strip below the preview: the shape that shows the material, its light, what is behind it, and the exposure.
+/// The strip below the preview: the shape that shows the material, its light, its background, and the exposure.
 class ViewStrip : public QWidget {
   Q_OBJECT
 

@@ -219,7 +219,7 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
-  /// A search of the library leaves fewer materials to learn from.
+  /// A search of the library leaves a smaller training set.
   void acquisitionsLearnFromWhatTheLibraryShows() {
     auto* window = new MainWindow;
     AcquisitionControls& controls = window->parts().acquisition.controls();

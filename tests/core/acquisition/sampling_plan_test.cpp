@@ -106,8 +106,8 @@ class SamplingPlanTest : public QObject {
       QVERIFY(!isBelowHorizon(plan.samples[i].directions.wi) && !isBelowHorizon(plan.samples[i].directions.wo));
       orders.push_back(plan.samples[i].order);
     }
-    const auto travel = plan.travel();
-    for (std::size_t i = 0; i < travel.size(); ++i) QCOMPARE(plan.samples[travel[i]].order, int(i) + 1);
+    const auto order = plan.measurementOrder();
+    for (std::size_t i = 0; i < order.size(); ++i) QCOMPARE(plan.samples[order[i]].order, int(i) + 1);
     std::sort(orders.begin(), orders.end());
     for (std::size_t i = 0; i < orders.size(); ++i) QCOMPARE(orders[i], int(i) + 1);
     QVERIFY(planFor(grid, cells).samples == plan.samples);
@@ -115,13 +115,13 @@ class SamplingPlanTest : public QObject {
 
   /// Of up to seven samples the way is compared with the best of all; it is never longer than that of nearest
   /// neighbours, and no turning round of a part makes it shorter.
-  void travelIsShort() {
+  void thePathIsShort() {
     double sum = 0, best = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
       std::mt19937_64 random(seed);
       std::vector<DirectionPair> pairs;
       for (int i = 0; i < 7; ++i) pairs.push_back({test::randomUpper(random), test::randomUpper(random)});
-      const double found = lengthOf(pairs, shortTravel(pairs));
+      const double found = lengthOf(pairs, shortPath(pairs));
       std::vector<std::size_t> way(pairs.size());
       std::iota(way.begin(), way.end(), std::size_t(0));
       double shortest = std::numeric_limits<double>::infinity();
@@ -136,23 +136,23 @@ class SamplingPlanTest : public QObject {
   }
 
   /// A whole table of pairs has an order at once: the light goes down once.
-  void travelOfVeryMany() {
+  void pathOfVeryMany() {
     const HalfDifferenceGrid grid;
     const SamplingPlan plan = planFor(grid, someCells(grid, 60000, 6));
     double last = 0;
-    for (const std::size_t position : plan.travel()) {
+    for (const std::size_t position : plan.measurementOrder()) {
       const double thetaI = polarAngle(plan.samples[position].directions.wi);
       QVERIFY(thetaI > last - 1e-7);
       last = thetaI;
     }
   }
 
-  void travelOfManyCannotBeTurned() {
+  void pathOfManyCannotBeTurned() {
     const HalfDifferenceGrid grid;
     const SamplingPlan plan = planFor(grid, someCells(grid, 60, 5));
     std::vector<DirectionPair> pairs;
     for (const PlannedSample& sample : plan.samples) pairs.push_back(sample.directions);
-    const auto way = plan.travel();
+    const auto way = plan.measurementOrder();
     const double length = lengthOf(pairs, way);
     for (std::size_t first = 0; first < way.size(); ++first)
       for (std::size_t last = first + 2; last <= way.size(); ++last) {
