@@ -59,12 +59,16 @@ def signature(function):
 
 
 def markdown(docstring):
-    """A docstring with its sections as lists."""
+    """A docstring with its sections as lists. What is indented before them stays code."""
     lines = []
+    in_section = False
     for line in docstring.splitlines():
         heading = re.fullmatch(r"(Args|Returns|Raises):", line)
         item = re.match(r"    (\w+): (.*)", line)
-        if heading:
+        in_section = in_section or heading is not None
+        if not in_section:
+            lines.append(line)
+        elif heading:
             lines.append({"Args": "Arguments:", "Returns": "Returns:", "Raises": "Raises:"}[heading[1]])
             lines.append("")
         elif item:

@@ -158,7 +158,7 @@ py::dict exportMaterial(const PyMaterial& material, const std::string& path, con
   exports::ExportOptions options{.snr = snr};
   if (thetaCount > 0) options.size = {thetaCount, size};
   if (options.size && !target.choosesSize)
-    throw Error("grid: of the targets that write .bsdf files alone, found " + id);
+    throw Error("grid: only targets that write .bsdf files accept it, found " + id);
   if (!sceneName.empty() && !target.scene) throw Error("scene: " + id + " has no scenes");
   std::vector<exports::ExportFile> files;
   const exports::MadeExport made = resultOf(progress, [&](const TaskControl& control) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 # SPDX-FileCopyrightText: The Gonio authors
-"""Draws how a material that no basis has learned from is reconstructed from more and more measured directions: its pictures,
-and the SNR by three methods that choose the directions. Learns from copies of MERL materials: about two minutes."""
+"""Draws how a material outside the training set is reconstructed from more and more measured directions: its pictures,
+and the SNR by three methods that choose the directions. The training set is copies of MERL materials: about two minutes."""
 import argparse
 
 import matplotlib
@@ -18,7 +18,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("material", nargs="?", default="library:rgl/satin_purple", help="a file or library:SOURCE/NAME")
     parser.add_argument("--samples", nargs="+", type=int, default=[2, 5, 10, 20, 40])
-    parser.add_argument("--materials", type=int, default=40, help="that the basis learns from")
+    parser.add_argument("--materials", type=int, default=40, help="number of materials in the training set")
     parser.add_argument("--out", default="samples_of_a_reconstruction.png", help="PNG, PDF or SVG to write")
     options = parser.parse_args()
 
@@ -55,7 +55,7 @@ def main():
     axes.minorticks_off()
     axes.set_xlabel("measured directions")
     axes.set_ylabel("rendered SNR [dB]")
-    axes.set_title(f"{material.name}, reconstructed with {len(basis)} components of {len(basis.learned_from)} other materials",
+    axes.set_title(f"{material.name}, reconstructed with {len(basis)} components of {len(basis.training_set)} other materials",
                    fontsize=10)
     axes.grid(alpha=0.3)
     axes.legend()

@@ -5,13 +5,29 @@
 Conventions of all functions:
 
 - Directions are unit vectors of shape (..., 3) that point away from the surface; z is the normal. `wi` points toward the
-  light, `wo` toward the viewer.
-- A BRDF value is linear RGB (sRGB primaries) in 1/sr, without the cosine.
-- Angles are radians, times seconds, sizes bytes.
+  light, `wo` toward the viewer. theta_i and theta_o are their polar angles from the normal, phi_i and phi_o their azimuths.
+- A BRDF value rho is linear RGB (sRGB primaries) in 1/sr, without the cosine. A last dimension of 3 is red, green, blue.
+- Angles are in radians, times in seconds, sizes of data in bytes, sizes of pictures in pixels, SNRs in dB.
+- theta_h, theta_d, phi_d are the half-difference angles of a pair of directions (Rusinkiewicz 1998). A table holds BRDF values
+  at a grid of them; a table of the MERL database has 90 x 90 x 180 cells. A cell without data is invalid.
+- Every optional argument that defaults to None, 0, () or "" states what that default does.
 - The same arguments and seeds give the same bits for any number of threads.
-- Work that takes time runs on all cores without the GIL, can be interrupted by Ctrl+C, and where it takes `progress`
-  calls it on the calling thread with the fraction that is done.
-- Bad input raises gonio.Error (a ValueError), which states what was found and what was expected.
+- Long computations run on all cores, release the GIL, and can be interrupted by Ctrl+C.
+- Bad input raises gonio.Error, a ValueError. Its message states what was found and what was expected.
+
+Types in the signatures:
+
+- `ArrayLike` (of numpy.typing): anything that numpy.asarray() accepts: an array, a list of lists, a number. Arrays that
+  functions return are `NDArray`, with the type of their elements in brackets.
+- `PathLike`: a file name as str or pathlib.Path. Where the text says so, also the name of something bundled, such as
+  "library:rgl/satin_purple".
+- `Progress`: None, or a function of one number. It is called on the calling thread with the fraction that is done, from 0
+  to 1. If it raises an exception, the computation stops and the exception is passed on.
+- `Value`: the value of a model's parameter: a number; three numbers (red, green, blue) for a parameter with a value per
+  channel; the name or index of a choice.
+- `Box`: three pairs of angles, ((low, high), (low, high), (low, high)).
+- `Optional[X]`: an X or None. `Union[X, Y]`: an X or a Y. `Sequence[X]`: a list or tuple of X. `Iterable[X]`: the same, or a
+  generator. `Mapping[str, X]`: a dict with names as keys.
 """
 from ._core import Error, version as __version__
 from ._materials import (Check, GridDirections, LibraryEntry, Material, check, from_table, grid_directions, library, open,

@@ -18,8 +18,16 @@ Box = Sequence[Sequence[float]]
 
 
 class Basis:
-    """Principal components of materials: what is known before one is measured (Nielsen et al. 2015, "On Optimal, Minimal
-    BRDF Sampling for Reflectance Acquisition"). Made by gonio.bundled_basis(), learn_basis() and open_basis()."""
+    """Principal components of a training set of materials (Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for
+    Reflectance Acquisition"). Made by gonio.bundled_basis(), gonio.learn_basis() and gonio.open_basis().
+
+    The components are those of mapped values: each BRDF value rho is mapped to
+
+        y = ln((rho w + 0.001) / (reference + 0.001)),  w = max(cos theta_i cos theta_o, 0.001)
+
+    where reference is the median of rho w over the training set in the same cell (docs/acquisition.md). A difference of 0.1 in
+    y is about 10 % of rho w + 0.001. Each channel of each training material is one training signal.
+    """
 
     __slots__ = ("_handle",)
 
@@ -38,21 +46,29 @@ class Basis:
 
     @property
     def grid(self) -> tuple[int, int, int]:
-        """Nodes along theta_h, theta_d, phi_d of its tables."""
+        """Shape (n_h, n_d, n_phi) of its tables."""
         return self._handle.grid
 
     @property
     def singular_values(self) -> NDArray[np.float64]:
-        """Singular values of the mapped training signals, falling."""
+        """Singular values of the mapped training signals less their mean, in descending order, shape (components,)."""
         return self._handle.singular_values
 
     @property
-    def learned_from(self) -> list[str]:
-        """Names of the training materials; empty of the bundled basis."""
+    def training_set(self) -> list[str]:
+        """Names of the training materials; empty for the bundled basis."""
         return self._handle.learned_from
 
     def encode(self, material: Material, components: int, progress: Progress = None) -> NDArray[np.float32]:
-        """The coefficients of a material in the first components: the nearest by mapped values. Shape (3, components).
+        """Projects a material onto the first components, by least squares of the mapped values.
+
+        Args:
+            material: The material; its table must have the grid of the basis.
+            components: Number of components.
+            progress: Called with the fraction that is done, 0 to 1; None: not reported.
+
+        Returns:
+            Coefficients, shape (3, components).
 
         Raises:
             Error: The table of the material has another grid.
@@ -60,66 +76,81 @@ class Basis:
         return self._handle.encode(material._handle, components, progress)
 
     def decode(self, code: ArrayLike, name: str = "components", progress: Progress = None) -> Material:
-        """The table that coefficients of shape (3, components) stand for. Raises Error where there are too many."""
+        """The material with the given coefficients, a table.
+
+        Args:
+            code: Coefficients, shape (3, components), for the first components.
+            name: Name of the material.
+            progress: Called with the fraction that is done, 0 to 1; None: not reported.
+
+        Raises:
+            Error: The shape is wrong, or there are more coefficients than components.
+        """
         return Material(self._handle.decode(np.asarray(code, dtype=np.float32), name, progress))
 
     def save(self, path: PathLike) -> None:
-        """Writes a .basis file, atomically, in half precision. Raises Error naming the file."""
+        """Writes a .basis file in half precision; an existing file is replaced in one step. Raises Error if it cannot be
+        written."""
         self._handle.save(os.fspath(path))
 
 
 def bundled_basis(progress: Progress = None) -> Basis:
-    """The components of the bundled materials on a grid of 45 x 45 x 45 nodes; learned at the first call (5 s)."""
+    """The principal components of the bundled materials, on a grid of 45 x 45 x 45 nodes. They are computed at the first call
+    in a process (5 s)."""
     return Basis(_core.bundled_basis(progress))
 
 
 def learn_basis(sources: Sequence[PathLike] = (), excluded: Sequence[str] = (), components: int = 1024,
                 progress: Progress = None) -> Basis:
-    """The principal components of measured materials, on the grid of MERL tables.
-
-    Memory: 13 MB per material; time: about 1 s per material and some more.
+    """Computes the principal components of a training set, on the grid of MERL tables. About 1 s and 13 MB of memory per
+    material.
 
     Args:
-        sources: Files, or folders of measured materials; none: the bundled library.
-        excluded: Names of materials to leave out.
-        components: That are kept, at most.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        sources: The training set: files, folders of files, or names of bundled materials; (): the measured and near-measured
+            bundled materials.
+        excluded: Names of materials to leave out of the training set; (): none.
+        components: Max number of components. There are never more than three per material.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: A file cannot be read, its grid is another, or a name excludes nothing.
+        Error: A file cannot be read, its table has another grid, or a name in `excluded` matches no material.
     """
     return Basis(_core.learn_basis([os.fspath(source) for source in sources], list(excluded), components, progress))
 
 
 def open_basis(path: PathLike) -> Basis:
-    """Reads a .basis file, such as lies beside a plan of `goniotool plan`. Raises Error naming the file."""
+    """Reads a .basis file, such as the one that `goniotool plan` writes beside a plan. Raises Error if it cannot be read."""
     return Basis(_core.read_basis(os.fspath(path)))
 
 
 @dataclass(frozen=True)
 class Readings:
-    """What was measured at the samples of a plan."""
+    """BRDF values that were measured at the directions of a plan, by gonio.measure() or by a goniometer."""
 
     values: NDArray[np.float64]
-    """Linear RGB in 1/sr, without the cosine, shape (samples, 3)."""
+    """Linear RGB in 1/sr, without the cosine, shape (samples, 3); row i belongs to row i of Plan.wi and Plan.wo."""
     noise: Optional[NDArray[np.float64]] = None
-    """Standard deviations of these, or None where they are not known."""
+    """Standard deviations of the values in 1/sr, shape (samples, 3); None: not known."""
 
 
 class Plan:
-    """Pairs of directions to measure, the most informative first, see gonio.plan()."""
+    """A list of pairs of directions at which to measure a material, called its samples. gonio.plan() chooses them, the most
+    informative first; the constructor takes directions at which you have measured.
+
+    Besides the properties, a plan has `condition_number`, `residuals` and `warning`, see gonio.plan().
+    """
 
     __slots__ = ("_handle", "condition_number", "residuals", "warning")
 
     def __init__(self, wi: ArrayLike, wo: ArrayLike) -> None:
-        """A plan of given directions.
+        """A plan with the given directions.
 
         Args:
             wi: Directions toward the light, shape (samples, 3), unit vectors.
-            wo: Directions toward the viewer, likewise.
+            wo: Directions toward the viewer, shape (samples, 3), unit vectors.
 
         Raises:
-            Error: The shapes do not fit, or a direction is no unit vector above the horizon.
+            Error: The shapes differ, or a direction is not of length 1 or lies below the horizon.
         """
         self._set(_core.plan_of(np.asarray(wi, dtype=np.float64), np.asarray(wo, dtype=np.float64)))
 
@@ -139,7 +170,7 @@ class Plan:
 
     @property
     def wi(self) -> NDArray[np.float64]:
-        """Directions toward the light, shape (samples, 3). Of isotropic materials both may be turned about the normal."""
+        """Directions toward the light, shape (samples, 3). For isotropic materials, a pair may be turned about the normal."""
         return self._handle.directions[0]
 
     @property
@@ -149,52 +180,57 @@ class Plan:
 
     @property
     def order(self) -> list[int]:
-        """The numbers of the samples, from 0, in an order of measurement along a short path of a goniometer's arms."""
+        """Indices of the samples in an order of measurement along a short path of a goniometer's arms."""
         return self._handle.order
 
     @property
     def method(self) -> str:
-        """How the samples were chosen, "" where they were given."""
+        """Method by which gonio.plan() chose the directions; "" for given directions."""
         return self._handle.method
 
     def save(self, path: PathLike) -> None:
-        """Writes the plan as CSV, atomically (docs/acquisition.md). Raises Error naming the file."""
+        """Writes the plan as CSV (docs/acquisition.md); an existing file is replaced in one step. Raises Error if it
+        cannot be written."""
         self._handle.save(os.fspath(path))
 
     def save_values(self, readings: Readings, path: PathLike) -> None:
-        """Writes readings as CSV, for `goniotool reconstruct`. Raises Error naming the file."""
+        """Writes readings as CSV, for `goniotool reconstruct`. Raises Error if the file cannot be written."""
         self._handle.save_values(readings.values, readings.noise, os.fspath(path))
 
     def open_values(self, path: PathLike) -> Readings:
-        """Reads values of the plan from a CSV, of a goniometer for example. Raises Error naming the file and the line."""
+        """Reads the values measured at the directions of this plan from a CSV (docs/acquisition.md). Raises Error with the
+        file and the line."""
         return Readings(*self._handle.read_values(os.fspath(path)))
 
 
 def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp", components: int = 0,
          max_polar_angle: float = math.radians(85), min_separation: float = 0.0, forbidden: Sequence[Box] = (), seed: int = 1,
          restarts: int = 5, progress: Progress = None) -> Plan:
-    """The directions at which to measure a material.
+    """Chooses the directions at which to measure a material.
 
     Args:
-        samples: How many.
-        basis: What is known of materials; None: gonio.bundled_basis().
-        method: "somp" (FROST; Tongbuasirilai 2023, Algorithm 4), "somp-first-columns" (the authors' code),
+        samples: Number of pairs of directions.
+        basis: Principal components of the training set; None: gonio.bundled_basis().
+        method: "somp" (simultaneous orthogonal matching pursuit, FROST; Tongbuasirilai 2023, Algorithm 4),
+            "somp-first-columns" (the same over the first training signals alone, as in the authors' code),
             "condition-number" (Nielsen et al. 2015), "random" or "uniform".
-        components: That the choice looks at; 0: as many as samples.
-        max_polar_angle: Largest polar angle of both directions, rad.
-        min_separation: Smallest angle between light and viewer, rad.
-        forbidden: Boxes that a goniometer cannot reach: ranges of theta_i, theta_o and |phi_i - phi_o| in rad,
-            ((low, high), (low, high), (low, high)) each.
-        seed: Of "condition-number" and "random".
-        restarts: Of "condition-number".
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        components: Number of components that the choice uses; 0: the number of samples.
+        max_polar_angle: Max polar angle of both directions, rad.
+        min_separation: Min angle between light and viewer, rad; 0: no limit.
+        forbidden: Boxes of angles that the goniometer cannot reach, each as ranges of theta_i, theta_o and |phi_i - phi_o| in
+            rad: ((low, high), (low, high), (low, high)); (): none.
+        seed: Seed of the random numbers of "condition-number" and "random".
+        restarts: Number of searches of "condition-number", the best of which is used.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Returns:
-        A plan with condition_number (of the chosen rows), residuals (of "somp") and warning (why there are fewer samples
-        than were asked for, or "").
+        A plan with three more attributes: `condition_number`, the largest over the smallest singular value of the basis' rows
+        at the samples; `residuals`, for "somp" and "somp-first-columns" the relative residual of the training signals before
+        the first sample and after each, shape (samples + 1,), otherwise empty; `warning`, the reason if there are fewer samples
+        than requested, otherwise "". A plan of given directions has NaN, an empty array and "".
 
     Raises:
-        Error: An option is out of its range, or nothing can be measured.
+        Error: An argument is out of its range, or no direction can be measured.
     """
     boxes = [[float(number) for limits in box for number in limits] for box in forbidden]
     known = basis or bundled_basis(progress)
@@ -203,21 +239,21 @@ def plan(samples: int = 20, basis: Optional[Basis] = None, method: str = "somp",
 
 
 def open_plan(path: PathLike) -> Plan:
-    """Reads the CSV of a plan. Raises Error naming the file and the line."""
+    """Reads a plan from a CSV (docs/acquisition.md). Raises Error with the file and the line."""
     return Plan.__new__(Plan)._set(_core.read_plan(os.fspath(path)))
 
 
 def measure(material: Material, plan: Plan, noise: float = 0.0, floor: float = 0.0, misalignment: float = 0.0,
             seed: int = 1) -> Readings:
-    """A material at the directions of a plan, as a goniometer reads it. All errors are Gaussian.
+    """Simulates the measurement of a material by a goniometer. All errors are Gaussian; values below 0 become 0.
 
     Args:
-        material: What is measured.
-        plan: Where.
-        noise: Standard deviation of a reading as a fraction of it.
-        floor: Standard deviation beside that, 1/sr.
-        misalignment: Standard deviation of each arm along each of two axes, rad.
-        seed: Of the errors; the numbers that are drawn do not depend on their sizes.
+        material: The material to measure.
+        plan: The directions.
+        noise: Standard deviation of each value as a fraction of the value.
+        floor: Standard deviation of each value in the dark, 1/sr, in addition to `noise`.
+        misalignment: Standard deviation of the direction of each arm along each of two axes, rad.
+        seed: Seed of the random numbers. They depend on it alone: twice the noise gives twice each error.
 
     Raises:
         Error: A standard deviation is negative or not finite.
@@ -227,39 +263,44 @@ def measure(material: Material, plan: Plan, noise: float = 0.0, floor: float = 0
 
 @dataclass(frozen=True)
 class Reconstruction:
-    """A whole material from few measurements, see gonio.reconstruct()."""
+    """A material reconstructed from measured values, see gonio.reconstruct()."""
 
     material: Material
-    """The material, a table on the grid of the basis."""
+    """The reconstructed material, a table on the grid of the basis."""
     ridge: float
-    """Ridge that was used; 0 of "sparse"."""
+    """Ridge parameter eta that was used; 0 for "sparse"."""
     components: int
-    """Components that could be used."""
+    """Number of components of the basis that were used."""
     leave_one_out_error: float
-    """Root of the mean squared error with which each mapped value is predicted from the others; NaN of "sparse"."""
+    """Root mean square error of predicting each sample's mapped value (see Basis) from all other samples; NaN for "sparse" and
+    for one sample."""
     deviation: Optional[NDArray[np.float32]] = field(repr=False)
-    """Standard deviation of the mapped value of each cell, NaN where nothing is known; None of "sparse"."""
+    """Uncertainty: standard deviation of the mapped value (see Basis) of each cell, shape (n_h, n_d, n_phi); NaN in invalid
+    cells; None for "sparse"."""
 
 
 def reconstruct(plan: Plan, readings: Readings, basis: Optional[Basis] = None, method: str = "ridge",
                 ridge: Optional[float] = None, components: int = 0, atoms: int = 0, name: str = "reconstruction",
                 progress: Progress = None) -> Reconstruction:
-    """A whole material from few measurements and what is known of other materials (Nielsen et al. 2015; Tongbuasirilai
-    2023, eq. 5.14).
+    """Reconstructs a whole material from few measured values and the principal components of a training set (Nielsen et al.
+    2015; Tongbuasirilai 2023, eq. 5.14). The result is isotropic and reciprocal. Each sample is read at the nearest node of the
+    basis' grid.
 
     Args:
-        plan: Where was measured.
-        readings: What was read there, by gonio.measure() or of a goniometer.
-        basis: What is known of materials; None: gonio.bundled_basis().
-        method: "ridge", or "sparse": few components by orthogonal matching pursuit.
-        ridge: Ridge parameter eta, such as the published 40; None: chosen by leave-one-out.
-        components: Of the basis; 0: all of them.
-        atoms: Of "sparse", components per channel; 0: by leave-one-out.
+        plan: The measured directions, by gonio.plan() or gonio.Plan(wi, wo).
+        readings: The measured values, by gonio.measure() or gonio.Readings(values).
+        basis: Principal components of the training set; None: gonio.bundled_basis(). It should be the one that the directions
+            were planned with, and should not contain the material itself if you report the error.
+        method: "ridge" (ridge regression over the components) or "sparse" (few components, by orthogonal matching pursuit).
+        ridge: Ridge parameter eta of "ridge", such as the published 40; None: chosen by leave-one-out.
+        components: Number of components to use; 0: all of the basis.
+        atoms: Number of components per channel that "sparse" chooses; 0: chosen by leave-one-out.
         name: Name of the material.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: The numbers of samples and values differ, a value is negative or not finite, or an option is out of its range.
+        Error: The numbers of directions and values differ, a value is negative or not finite, a sample lies where a training
+            material has no value (the message states its number, from 1), or an argument is out of its range.
     """
     known = basis or bundled_basis(progress)
     row = _core.reconstruct(known._handle, plan._handle, np.asarray(readings.values, dtype=np.float64), readings.noise, method,

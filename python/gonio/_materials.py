@@ -33,8 +33,9 @@ def _rows(first: ArrayLike, second: ArrayLike, names: tuple[str, str]) -> tuple[
 class Material:
     """A BRDF with its source: a measurement in its own form, a table, a model, factors, a code, or an edit of these.
 
-    Immutable. Made by gonio.open(), gonio.from_table(), Model.material(), Factors.material() and the functions that
-    return materials. All methods may be called from several threads; they release the GIL and use all cores.
+    A material does not change after it is made; edits return new materials. It is made by gonio.open(), gonio.from_table(),
+    Model.material(), Factors.material() and the functions that return materials. All methods may be called from several
+    threads at once.
     """
 
     __slots__ = ("_handle",)
@@ -50,52 +51,52 @@ class Material:
 
     @property
     def name(self) -> str:
-        """Name without folder and suffix."""
+        """Name of the file without folder and suffix, or the name that the material was given."""
         return self._handle.name
 
     @property
     def format(self) -> str:
-        """Format of the file ("MERL", "RGL", ..), or what a material without a file is ("GGX", "table", "blend", ..)."""
+        """Format of the file ("MERL", "RGL", ...), or the kind of a material without a file ("GGX", "table", "blend", ...)."""
         return self._handle.format
 
     @property
     def path(self) -> str:
-        """Absolute path of the file, "library:SOURCE/NAME" of a bundled material, "" where there is no file."""
+        """Absolute path of the file; "library:SOURCE/NAME" for a bundled material; "" for a material without a file."""
         return self._handle.path
 
     @property
     def sha256(self) -> str:
-        """SHA-256 of the source in lower-case hex, "" where there is no file."""
+        """SHA-256 of the file in lower-case hex; "" for a material without a file."""
         return self._handle.sha256
 
     @property
     def description(self) -> str:
-        """Description from the file, or of the bundled material."""
+        """Description stored in the file or in the bundled library; "" if there is none."""
         return self._handle.description
 
     @property
     def notes(self) -> list[str]:
-        """What the reader changed, in sentences: "12 negative values were set to 0"."""
+        """What was changed when the file was read, one sentence each, such as "12 negative values were set to 0"."""
         return self._handle.notes
 
     @property
     def grid(self) -> tuple[int, ...]:
-        """Sizes of the stored data, (90, 90, 180) of a MERL table; () where nothing is stored on a grid."""
+        """Shape of the stored data, such as (90, 90, 180) for a MERL table; () if no data are stored on a grid."""
         return self._handle.grid
 
     @property
     def is_isotropic(self) -> bool:
-        """Whether the value depends on the difference of the azimuths only."""
+        """Whether the BRDF depends on the azimuths only by phi_i - phi_o."""
         return self._handle.is_isotropic
 
     @property
     def is_reciprocal(self) -> bool:
-        """Whether the value is known to stay when wi and wo are exchanged."""
+        """Whether the BRDF is known to be the same after wi and wo are exchanged."""
         return self._handle.is_reciprocal
 
     @property
     def is_table(self) -> bool:
-        """Whether the material is a table over half-difference coordinates, so that `values` and `valid` exist."""
+        """Whether the material is a table over half-difference angles, so that `values` and `valid` exist."""
         return self._handle.is_table
 
     @property
@@ -105,10 +106,10 @@ class Material:
 
     @property
     def values(self) -> NDArray[np.float32]:
-        """The table without a copy: read-only float32 of shape (theta_h, theta_d, phi_d, 3), linear RGB in 1/sr.
+        """The values of the table: a read-only view (no copy) of shape (n_h, n_d, n_phi, 3), linear RGB in 1/sr.
 
-        Node (i, j, k) lies at theta_h = (i / n_h)^2 pi/2, theta_d = (j / n_d) pi/2, phi_d = (k / n_phi) P with P = pi of
-        a reciprocal table and 2 pi of others. Invalid cells are 0. The array keeps the table alive.
+        Node (i, j, k) lies at theta_h = (i / n_h)^2 pi/2, theta_d = (j / n_d) pi/2, phi_d = (k / n_phi) P, where P is pi for
+        a reciprocal table and 2 pi for others. Invalid cells are 0.
 
         Raises:
             Error: The material is no table; see tabulated().
@@ -117,7 +118,7 @@ class Material:
 
     @property
     def valid(self) -> NDArray[np.bool_]:
-        """Which cells of `values` were measured and lie above the horizon: read-only, shape (theta_h, theta_d, phi_d).
+        """Which cells of `values` are valid: measured and above the horizon. A read-only view of shape (n_h, n_d, n_phi).
 
         Raises:
             Error: The material is no table; see tabulated().
@@ -133,86 +134,99 @@ class Material:
     def evaluate(self, wi: ArrayLike, wo: ArrayLike) -> NDArray[np.float64]:
         """BRDF values of pairs of directions, without the cosine.
 
-        About 50 ns per pair and core of a table, more of edits and codes. Blocks of pairs are evaluated on all cores.
+        A table takes about 50 ns per pair on one core, edits and codes take longer. Large arrays are evaluated on all cores.
 
         Args:
-            wi: Directions toward the light, shape (..., 3): unit vectors away from the surface, z is the normal.
-            wo: Directions toward the viewer, likewise. Both shapes are broadcast, (n, 1, 3) with (m, 3) to (n, m, 3).
+            wi: Directions toward the light, shape (..., 3), unit vectors.
+            wo: Directions toward the viewer, shape (..., 3), unit vectors. Both are broadcast as in NumPy: (n, 1, 3) and
+                (m, 3) give values of shape (n, m, 3).
 
         Returns:
-            Linear RGB (sRGB primaries) in 1/sr, shape (..., 3). 0 where a direction is below the horizon.
+            Linear RGB in 1/sr, shape (..., 3); 0 where a direction is below the horizon.
 
         Raises:
-            Error: A shape does not fit, or a direction has another length than 1.
+            Error: The shapes do not broadcast, or a direction is not of length 1.
         """
         return self._handle.evaluate(*_rows(wi, wo, ("wi", "wo")))
 
     def sample(self, wo: ArrayLike, u: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Directions of light by importance sampling, about proportional to the BRDF times cos theta_i.
+        """Samples directions toward the light with a density about proportional to the BRDF times cos theta_i.
 
-        Models, factors and RGL files have a sampler of their own; one for other materials is estimated from their values
-        at the first call (up to 0.1 s).
+        Models, factors and RGL files have their own sampling method; for other materials a density is estimated from their
+        values at the first call (up to 0.1 s).
+
+        The directional albedo at wo is the integral of the BRDF times cos theta_i over the hemisphere. Its Monte Carlo
+        estimate from a million samples:
+
+            wi, density = material.sample(wo, np.random.default_rng(1).random((1_000_000, 3)))
+            weights = np.divide(wi[:, 2], density, out=np.zeros_like(density), where=density > 0)
+            estimate = (material.evaluate(wi, wo) * weights[:, np.newaxis]).mean(axis=0)
 
         Args:
-            wo: Directions toward the viewer, shape (..., 3), unit vectors.
+            wo: Directions toward the viewer, shape (..., 3), unit vectors; broadcast with u.
             u: Uniform random numbers in [0, 1), shape (..., 3): the first chooses a lobe, the others the direction.
 
         Returns:
-            wi of shape (..., 3) and its density in 1/sr of shape (...). Density 0 marks a sample that is lost: it counts,
-            with the value 0.
+            The directions wi, shape (..., 3), and their densities in 1/sr with respect to solid angle, shape (...). A sample
+            with density 0 has no direction (it would lie below the horizon): an estimator counts it with the value 0, as above.
 
         Raises:
-            Error: A shape does not fit, a direction is no unit vector, or a number lies outside [0, 1).
+            Error: The shapes do not broadcast, a direction is not of length 1, or a number lies outside [0, 1).
         """
         return self._handle.sample(*_rows(wo, u, ("wo", "u")))
 
     def pdf(self, wi: ArrayLike, wo: ArrayLike) -> NDArray[np.float64]:
-        """Density of sample() at wi, in 1/sr.
+        """Density with which sample() returns wi for the viewer wo, with respect to solid angle.
 
         Args:
             wi: Directions toward the light, shape (..., 3), unit vectors.
-            wo: Directions toward the viewer, broadcast with wi.
+            wo: Directions toward the viewer, shape (..., 3), unit vectors; broadcast with wi.
 
         Returns:
-            Densities of shape (...): 0 below the horizon. The integral over wi is the fraction of samples that are not
-            lost.
+            Densities in 1/sr, shape (...); 0 below the horizon. Their integral over wi is the fraction of samples with a
+            density above 0.
 
         Raises:
-            Error: A shape does not fit, or a direction has another length than 1.
+            Error: The shapes do not broadcast, or a direction is not of length 1.
         """
         return self._handle.pdf(*_rows(wi, wo, ("wi", "wo")))
 
     def albedo(self, theta: ArrayLike) -> NDArray[np.float64]:
         """Directional albedo: the integral of the BRDF times cos theta_i over the hemisphere of wi.
 
-        About 20 ms per angle.
+        It is computed by quadrature, about 20 ms per angle, with the viewer at azimuth 0.
 
         Args:
-            theta: Polar angles of the viewer in rad, of any shape.
+            theta: Polar angles of the viewer in rad, an array of any shape or a number.
 
         Returns:
-            Albedo per channel, shape theta.shape + (3,); at most 1 where energy is conserved.
+            Linear RGB without unit, shape theta.shape + (3,); at most 1 where the material conserves energy.
         """
         angles = np.asarray(theta, dtype=np.float64)
         return self._handle.albedo(angles.ravel().tolist()).reshape(angles.shape + (3,))
 
     def tabulated(self, progress: Progress = None) -> Material:
-        """The material as a table over half-difference coordinates: itself where it is one.
+        """The material as a table over half-difference angles; a material that is a table is returned as it is.
 
-        Other forms are sampled at the nodes of the MERL grid (about 1 s); anisotropic materials become their mean over
-        the azimuths.
+        Other materials are evaluated at the nodes of the MERL grid, 90 x 90 x 180 (about 1 s). The table of an anisotropic
+        material is the mean over the azimuths.
 
         Args:
-            progress: Called with the fraction that is done. An exception that it raises stops the work.
+            progress: Called with the fraction that is done, 0 to 1; None: not reported.
         """
         return self if self.is_table else Material(self._handle.tabulated(progress))
 
     def info(self, progress: Progress = None) -> dict[str, Any]:
-        """Facts about the material, those of `goniotool info`.
+        """The facts that `goniotool info` prints.
+
+        Args:
+            progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
         Returns:
-            name, format, grid, path, sha256, description, notes; of its table `channels` ((min, max) of red, green and
-            blue, 1/sr), `invalid_fraction` and `dynamic_range`; `albedo` at viewer angles of 0, 30, 60, 80 degrees.
+            A dict with the properties name, format, grid, path, sha256, description and notes; `channels`, the (min, max) of
+            the table's red, green and blue values in 1/sr; `invalid_fraction` of the table's cells; `dynamic_range`, the
+            largest value over the smallest positive one; `albedo`, a dict from the viewer's polar angle in degrees (0, 30,
+            60, 80) to [red, green, blue].
         """
         keys = ("name", "format", "grid", "path", "sha256", "description", "notes")
         facts = {key: getattr(self, key) for key in keys}
@@ -222,119 +236,137 @@ class Material:
         return facts
 
     def save(self, path: PathLike, progress: Progress = None) -> list[str]:
-        """Writes the material, atomically, in the format of the suffix.
+        """Writes the material to a file in the format of its suffix; an existing file is replaced in one step.
 
-        .binary (MERL), .bsdf (RGL; an edited RGL file in its own parameterisation), .bin (of UTIA files), or .gonio: the
-        edits with the path and hash of the file that they edit, without measured data. What was only read and is written
-        in its own format is copied byte for byte.
+        .binary is a MERL table and .bsdf an RGL file (docs/formats.md). .bin is possible for UTIA files and their edits. .gonio
+        stores the edits, and the path and hash of the file that they edit, without measured data. An unedited material that is
+        written in its own format is copied byte for byte.
+
+        Args:
+            path: Name of the file with one of these suffixes.
+            progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
         Returns:
-            Sentences about what the file cannot hold; usually none.
+            What the file cannot hold, one sentence each; usually an empty list.
 
         Raises:
-            Error: The suffix is of no such format, the format does not hold the material, or the file cannot be written.
+            Error: The suffix is unknown, the format cannot hold the material, or the file cannot be written.
         """
         return self._handle.save(os.fspath(path), progress)
 
 
 def open(path: PathLike, progress: Progress = None) -> Material:
-    """Opens a material of any format, found by the content of the file.
+    """Opens a material. The format is recognised by the content of the file, not by its suffix (docs/formats.md).
 
     Args:
-        path: A MERL, RGL, UTIA, Zemax, LightTools, ASTM, pgII or CUReT file, PDV factors (.pdv), a sparse code (.code), a
-            .gonio document, whose edits are applied, or a bundled material: "library:rgl/NAME" (see gonio.library()).
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        path: A MERL, RGL, UTIA, Zemax, LightTools, ASTM, pgII or CUReT file; PDV factors (.pdv); a sparse code (.code); a
+            .gonio document, which is opened with its edits; or a bundled material, "library:rgl/NAME" (see gonio.library()).
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: No format takes the file (what each found stands in the message), or a document's source has changed.
+        Error: No reader accepts the file (the message lists what each found and expected), or the file that a document edits
+            has changed.
     """
     return Material(_core.open(os.fspath(path), progress))
 
 
 def from_table(values: ArrayLike, valid: Optional[ArrayLike] = None, reciprocal: bool = True, name: str = "table") -> Material:
-    """A material from an array of values over half-difference coordinates. The array is copied.
+    """A material from an array of values over half-difference angles. The array is copied.
 
     Args:
-        values: Linear RGB in 1/sr, shape (theta_h, theta_d, phi_d, 3); Material.values has the nodes, and
-            gonio.grid_directions() the directions at which to evaluate them. Negative values become 0.
-        valid: Which cells count, shape (theta_h, theta_d, phi_d); None: all above the horizon.
-        reciprocal: Whether phi_d covers [0, pi), which makes the material reciprocal; False: the whole circle.
+        values: Linear RGB in 1/sr, shape (n_h, n_d, n_phi, 3). Material.values describes the nodes, gonio.grid_directions()
+            returns their directions. Negative values become 0.
+        valid: Which cells have data, shape (n_h, n_d, n_phi); None: all cells above the horizon. Fits use valid cells only,
+            evaluate() interpolates between them.
+        reciprocal: True: phi_d covers [0, pi), and the material is reciprocal. False: phi_d covers [0, 2 pi).
         name: Name of the material.
 
     Raises:
-        Error: The shapes do not fit, or a valid value is not finite.
+        Error: The shapes do not match, or a value of a valid cell is not finite.
     """
     return Material(_core.from_table(np.asarray(values, dtype=np.float32), valid, reciprocal, name))
 
 
 @dataclass(frozen=True)
 class GridDirections:
-    """Nodes of a grid of half-difference coordinates as directions, see gonio.grid_directions()."""
+    """The directions of the nodes of a table, see gonio.grid_directions()."""
 
     wi: NDArray[np.float64]
-    """Directions toward the light, shape (theta_h, theta_d, phi_d, 3); phi_h = 0."""
+    """Directions toward the light, shape (n_h, n_d, n_phi, 3), with the half vector at azimuth 0."""
     wo: NDArray[np.float64]
-    """Directions toward the viewer, likewise."""
+    """Directions toward the viewer, of the same shape."""
     valid: NDArray[np.bool_]
-    """Whether both lie above the horizon, shape (theta_h, theta_d, phi_d)."""
+    """Whether both directions lie above the horizon, shape (n_h, n_d, n_phi)."""
     measure: NDArray[np.float64]
-    """Solid angles of each cell: its weight in an integral over wi and wo, but for a constant factor."""
+    """Weight of each cell in an integral over wi and wo, up to a constant factor, shape (n_h, n_d, n_phi)."""
 
 
 def grid_directions(shape: tuple[int, int, int] = (90, 90, 180), reciprocal: bool = True) -> GridDirections:
-    """The directions of the nodes of a table, to fill one by gonio.from_table(), or to weight errors over its cells.
+    """The directions of the nodes of a table, at which to compute its values for gonio.from_table().
 
     Args:
-        shape: Numbers of nodes along theta_h, theta_d, phi_d; by default those of MERL tables (Matusik et al. 2003).
-        reciprocal: Whether phi_d covers [0, pi) or the whole circle.
+        shape: Numbers of nodes (n_h, n_d, n_phi) along theta_h, theta_d, phi_d; by default those of MERL tables (Matusik et
+            al. 2003).
+        reciprocal: True: phi_d covers [0, pi). False: phi_d covers [0, 2 pi).
     """
     return GridDirections(*_core.grid_directions(list(shape), reciprocal))
 
 
 @dataclass(frozen=True)
 class LibraryEntry:
-    """A material that comes with Gonio, see gonio.library()."""
+    """A bundled material, see gonio.library()."""
 
     path: str
-    """What gonio.open() takes: "library:rgl/NAME"."""
+    """Argument for gonio.open(), such as "library:rgl/satin_purple"."""
     name: str
     """Name of the material."""
     description: str
-    """Description with the source."""
+    """Description, with who measured or fitted it."""
     origin: str
-    """"measured", "near-measured copy" or "published fit"."""
+    """"measured", "near-measured copy" (a neural fit of a measurement) or "published fit" (parameters from a paper)."""
     kind: str
-    """"metal", "paint", ..."""
+    """Kind of material: "metal", "paint", ..."""
 
 
 def library() -> list[LibraryEntry]:
-    """The bundled materials: measured ones, near-measured copies, published fits (docs/library.md)."""
+    """The materials that are bundled with Gonio: measured ones, near-measured copies and published fits (docs/library.md)."""
     return [LibraryEntry(*row) for row in _core.library()]
 
 
 @dataclass(frozen=True)
 class Check:
-    """One test of physical plausibility, see gonio.check()."""
+    """Result of one test of physical plausibility, see gonio.check()."""
 
     name: str
     """"reciprocity", "energy", "negative" or "non-finite"."""
     passed: bool
     """Whether `worst` is at most `limit`."""
     worst: float
-    """The largest violation: a relative difference, an albedo, a value in 1/sr, a number of directions."""
+    """The largest violation. "reciprocity": relative difference after wi and wo are exchanged. "energy": directional albedo.
+    "negative": size of a negative value, 1/sr. "non-finite": number of pairs of directions."""
     limit: float
-    """What passes."""
+    """The largest value of `worst` that passes."""
     fraction: float
-    """Of the directions that were tried: beyond the limit."""
+    """Fraction of the tested directions that exceed the limit."""
     where: str
-    """The directions of the worst, in degrees."""
+    """The directions at which `worst` was found, in degrees, as text; may be empty."""
 
 
 def check(material: Material, progress: Progress = None) -> list[Check]:
-    """Tests of plausibility: reciprocity, energy, negative and non-finite values, over a fixed set of directions (0.1 s)."""
+    """Tests the plausibility of a material over a fixed set of directions: reciprocity, energy, negative and non-finite
+    values. About 0.1 s.
+
+    Args:
+        material: The material to test.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
+    """
     return [Check(**row) for row in material._handle.check(progress)]
 
 
 def set_threads(count: int) -> None:
-    """Bounds the threads that Gonio uses in this process; 0: all cores. Results do not depend on it."""
+    """Sets the number of threads that Gonio uses in this process. Results do not depend on it.
+
+    Args:
+        count: Max number of threads; 0: one per core.
+    """
     _core.set_threads(count)

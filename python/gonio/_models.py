@@ -22,33 +22,34 @@ class Parameter:
     """One parameter of a model."""
 
     name: str
-    """Key of parameters: "roughness"."""
+    """Name in the dicts of parameters, such as "roughness"."""
     label: str
-    """Name for people."""
+    """Display name."""
     symbol: str
-    """Symbol in formulas."""
+    """Symbol in the formula."""
     unit: str
-    """"1/sr", "rad", or "" of a plain number."""
+    """Unit: "1/sr", "rad", or "" for a number without unit."""
     soft_range: tuple[float, float]
-    """The range that sliders cover."""
+    """Range (low, high) that the editor's slider covers."""
     hard_range: tuple[float, float]
-    """The range that is valid; values outside are cut to it."""
+    """Range (low, high) of valid values. Model.material() clamps values to it; gonio.edit() rejects values outside."""
     default: float
-    """Default value."""
+    """Value that is used if none is given."""
     scale: str
-    """How a slider spreads the range: "linear", "logarithmic", "angle" or "lightness"."""
+    """Scale of the editor's slider: "linear", "logarithmic", "angle" or "lightness"."""
     per_channel: bool
-    """Whether it has a value for each of red, green, blue."""
+    """Whether it has three values: red, green, blue."""
     linear: bool
-    """Whether the BRDF is linear in it."""
+    """Whether the BRDF is linear in this parameter."""
     description: str
-    """One sentence."""
+    """What it does, one sentence."""
     formula: str
-    """Formula, one line."""
+    """Formula on one line; "" if there is none."""
     reference: str
-    """Author, year, equation."""
+    """Source: author, year, equation."""
     choices: tuple[str, ...] = ()
-    """Names of a choice between conventions; the value is an index into them or the name itself."""
+    """Names of the options if the parameter is a choice, such as the Fresnel term; () for a number. The value of a choice is
+    its name or its index."""
 
 
 @dataclass(frozen=True)
@@ -56,34 +57,34 @@ class Model:
     """A parametric reflectance model, see gonio.models()."""
 
     id: str
-    """What functions take as `model`: "ggx"."""
+    """Argument `model` of gonio.fit() and others, such as "ggx"."""
     name: str
-    """Name for people."""
+    """Display name."""
     description: str
-    """What it is for, and its limits."""
+    """What the model is suited for, and its limits."""
     formula: str
-    """Its formula."""
+    """Formula."""
     reference: str
-    """Author, title, year, equation."""
+    """Source: author, title, year, equation."""
     family: str
-    """"empirical", "analytic" or "series"."""
+    """Family: "empirical", "analytic" or "series"."""
     is_reciprocal: bool
-    """Whether values stay when wi and wo are exchanged, for all parameters."""
+    """Whether the BRDF is the same after wi and wo are exchanged, for all parameters."""
     conserves_energy: bool
-    """Whether the albedo is at most 1 where the strengths add up to 1 at most."""
+    """Whether the albedo is at most 1 if the strengths of all lobes add up to at most 1."""
     parameters: tuple[Parameter, ...] = field(repr=False)
-    """Its parameters, in order."""
+    """Parameters, in the order of docs/models.md."""
 
     def material(self, name: str = "", **parameters: Value) -> Material:
         """The model as a material.
 
         Args:
-            name: Name of the material; "" for that of the model.
-            parameters: Values by name: a number, or red, green, blue of one that is per_channel; a choice by its name or
-                index. Those that are left out have their default.
+            name: Name of the material; "": the name of the model.
+            parameters: Values by name, such as roughness=0.2, specular=[0.1, 0.1, 0.1] or fresnel="schlick"; a parameter that
+                is not given has its default.
 
         Raises:
-            Error: The model has no such parameter, or a value is none.
+            Error: The model has no parameter of this name, or a value is not finite or not an option of the choice.
         """
         return Material(_core.instantiate(self.id, _text(self, parameters), name or self.name))
 
@@ -112,35 +113,35 @@ def _described(row: dict[str, Any]) -> Model:
 
 
 def models() -> dict[str, Model]:
-    """All parametric models by id, in the order of lists (docs/models.md)."""
+    """All parametric models, a dict by id (docs/models.md)."""
     return {row["id"]: _described(row) for row in _core.models()}
 
 
 def artist_controls() -> tuple[Parameter, ...]:
-    """The controls that mean the same for every model, for gonio.edit(controls=...)."""
+    """The controls that work on every model, such as roughness and saturation, for gonio.edit(controls=...)."""
     return _described(_core.artist_controls()).parameters
 
 
 @dataclass(frozen=True)
 class Metric:
-    """A distance between two BRDFs, see gonio.metrics()."""
+    """An error measure between two BRDFs, see gonio.metrics()."""
 
     id: str
-    """What functions take as `metric`, and key of errors."""
+    """Argument `metric` of gonio.fit(), and key of the dicts of errors, such as "log"."""
     name: str
-    """Name for people."""
+    """Display name."""
     formula: str
-    """Formula; x = rho cos theta_i, d the difference, <> the weighted mean over cells."""
+    """Formula: x is rho cos theta_i, d the difference of the two BRDFs, <> the weighted mean over the cells and channels."""
     unit: str
-    """Unit of the error, "" of a plain number."""
+    """Unit of the error; "" for a number without unit."""
     reference: str
-    """Author, year."""
+    """Source: author, year."""
     is_minimisable: bool
-    """Whether gonio.fit() can minimise it."""
+    """Whether gonio.fit() can minimise this metric."""
 
 
 def metrics() -> dict[str, Metric]:
-    """All metrics by id, in the order in which errors are listed."""
+    """All metrics, a dict by id (docs/command-line.md, Metrics)."""
     return {row[0]: Metric(*row) for row in _core.metrics()}
 
 
@@ -149,22 +150,26 @@ class Fit:
     """A model fitted to a material, see gonio.fit()."""
 
     model: Model = field(repr=False)
-    """The model."""
+    """The fitted model."""
     parameters: dict[str, Any]
-    """Fitted values by name: a number, or [red, green, blue]."""
+    """Fitted values by name: a number, [red, green, blue] for a parameter per channel, or the index of a choice."""
     errors: dict[str, float]
-    """Error of the fit by every metric (gonio.metrics())."""
+    """Error of the fit by the id of the metric, for every metric (gonio.metrics())."""
     seconds: float
-    """Time of the fit."""
+    """Time of the fit, s."""
     used_cells: int = field(repr=False)
-    """Cells of the material that counted."""
+    """Number of cells that the fit compared: valid, and within max_polar_angle."""
     warnings: list[str] = field(repr=False)
-    """Sentences about a degenerate measurement; usually none."""
+    """Problems of the measurement, one sentence each, such as a black channel; usually empty."""
     rendered_snr: float = math.nan
-    """Rendered SNR in dB, of gonio.fit_all(); else NaN."""
+    """Rendered SNR in dB for a fit by gonio.fit_all(); NaN for one by gonio.fit()."""
 
     def material(self, name: str = "") -> Material:
-        """The fitted model as a material."""
+        """The fitted model as a material.
+
+        Args:
+            name: Name of the material; "": the name of the model.
+        """
         return self.model.material(name, **self.parameters)
 
 
@@ -175,21 +180,23 @@ def _fit(row: dict[str, Any]) -> Fit:
 
 def fit(material: Material, model: str = "ggx", metric: str = "log", gamma: float = 2.0,
         max_polar_angle: float = math.radians(85), progress: Progress = None) -> Fit:
-    """Fits a model to a material: under 3 s of a table, twice that of anisotropic data.
+    """Fits a model to a material by minimising a metric over the valid cells. Under 3 s for a table, twice that for
+    anisotropic data.
 
-    Linear parameters are solved in closed form inside (variable projection), the others by bounded least squares from
-    several starts. Deterministic.
+    Linear parameters are solved in closed form (variable projection), the others by bounded least squares from several
+    starts. The result is deterministic.
 
     Args:
-        material: What is fitted; one that is no table is sampled first (1 s).
+        material: The material to fit. One that is not a table is sampled as one first (1 s); an anisotropic one is fitted
+            over all azimuths.
         model: Id of a model (gonio.models()).
         metric: Id of the metric that is minimised (gonio.metrics()).
-        gamma: Of the metric "gamma", 1 to 3.
-        max_polar_angle: Cells with a polar angle beyond this (rad) are left out.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        gamma: Exponent of the metric "gamma", 1 to 3; other metrics do not use it.
+        max_polar_angle: Max polar angle of both directions in rad; cells beyond it are left out.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: There is no such model or metric, or the metric cannot be minimised.
+        Error: The model or the metric is unknown, or the metric cannot be minimised.
     """
     return _fit(_core.fit(material._handle, model, metric, gamma, max_polar_angle, progress))
 
@@ -197,17 +204,17 @@ def fit(material: Material, model: str = "ggx", metric: str = "log", gamma: floa
 def fit_all(material: Material, models: Iterable[str] = (), metric: str = "log", gamma: float = 2.0,
             max_polar_angle: float = math.radians(85), size: int = 128, samples: int = 32,
             progress: Progress = None) -> list[Fit]:
-    """Fits several models and ranks them: best first by the metric. About a minute for all models on 2 cores.
+    """Fits several models and sorts the fits by their error, smallest first. About a minute for all models on 2 cores.
 
     Args:
-        material: What is fitted.
-        models: Ids of the models; none: all of them.
-        metric: Id of the metric that is minimised and ranks.
-        gamma: Of the metric "gamma", 1 to 3.
-        max_polar_angle: Cells with a polar angle beyond this (rad) are left out.
-        size: Width and height in pixels of the pictures by which rendered_snr is measured.
-        samples: Samples a pixel of these.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        material: The material to fit.
+        models: Ids of the models; (): all models.
+        metric: Id of the metric that is minimised, and by which the fits are sorted.
+        gamma: Exponent of the metric "gamma", 1 to 3; other metrics do not use it.
+        max_polar_angle: Max polar angle of both directions in rad; cells beyond it are left out.
+        size: Width and height in pixels of the pictures for Fit.rendered_snr.
+        samples: Samples per pixel of these pictures.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
     """
     rows = _core.fit_all(material._handle, list(models), metric, gamma, max_polar_angle, size, samples, progress)
     return [_fit(row) for row in rows]
@@ -216,25 +223,27 @@ def fit_all(material: Material, models: Iterable[str] = (), metric: str = "log",
 def edit(material: Material, model: Union[Fit, str], set: Optional[Mapping[str, Value]] = None,
          controls: Optional[Mapping[str, Value]] = None, composition: str = "", strength: float = 1.0,
          progress: Progress = None) -> Material:
-    """A differential edit: the change of a fitted model is brought to the material, so that what the model does not
-    explain survives (Tongbuasirilai 2023, Data-Driven Approaches for Sparse Reflectance Modeling and Acquisition,
-    section 4.4.1). Edits of a table make a table (0.5 s); others are evaluated with the material.
+    """A differential edit: the change from the fitted model to the edited model is applied to the measurement, which keeps
+    the detail that the model does not explain (Tongbuasirilai 2023, Data-Driven Approaches for Sparse Reflectance Modeling
+    and Acquisition, section 4.4.1). The edited table of a table takes 0.5 s; other materials apply the edit when they are
+    evaluated.
 
-    An edit that changes nothing leaves the material as it is, bit for bit. Edits add up: the result can be edited again,
-    and Material.save() writes all of them to a .gonio document.
+    An edit that changes nothing returns the same values bit for bit. The result can be edited again; Material.save() writes
+    all edits to a .gonio document.
 
     Args:
-        material: What is edited.
-        model: A fit of the material, or the id of a model, which is fitted first.
-        set: New values of parameters by name; the others stay as they were fitted.
-        controls: Values of gonio.artist_controls() by name, such as roughness=2: twice as rough.
-        composition: "additive" (as published), "log-plus" (a ratio at the highlight) or "lobes" (each lobe carries what
-            the fit does not explain along; models that are sums of lobes); "" for the default of the model.
+        material: The material to edit.
+        model: A fit of the material, or the id of a model, which is then fitted first.
+        set: New values of parameters by name; parameters that are not named keep their fitted values. None: no change.
+        controls: Values of gonio.artist_controls() by name, such as {"roughness": 2} for twice the roughness. None: no change.
+        composition: How the change is combined with the measurement: "additive" (the difference is added, as published),
+            "log-plus" (about a ratio in the highlight) or "lobes" (each lobe keeps its ratio of measurement and fit; for
+            models that are sums of lobes). "": the default of the model.
         strength: Fraction of the change that is applied, 0 to 1.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: There is no such model, parameter, control or composition. Values outside their hard range are errors too.
+        Error: The model, a parameter, a control or the composition is unknown, or a value is outside its hard range.
     """
     fitted = model if isinstance(model, Fit) else fit(material, model, progress=progress)
     spec = _described(_core.artist_controls())
@@ -248,14 +257,14 @@ def edit(material: Material, model: Union[Fit, str], set: Optional[Mapping[str, 
 
 def edit_factors(material: Material, original: Factors, edited: Factors, keep_detail: bool = True, strength: float = 1.0,
                  progress: Progress = None) -> Material:
-    """An edit of the factor curves of a material (Tongbuasirilai 2023, eq. 4.25).
+    """Edits a material by its factor curves (Tongbuasirilai 2023, eq. 4.25).
 
     Args:
-        material: What is edited.
-        original: The factors of the material, by gonio.factorize().
-        edited: The same with other curves: Factors.with_curves().
-        keep_detail: Whether the change of the factors is added to the material; False: the factors replace it.
+        material: The material to edit.
+        original: Its factors, by gonio.factorize().
+        edited: The same factors with changed curves, by Factors.with_curves().
+        keep_detail: True: the change of the factors is added to the measurement. False: the edited factors replace it.
         strength: Fraction of the change that is applied, 0 to 1.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
     """
     return Material(_core.edit_factors(material._handle, original._handle, edited._handle, keep_detail, strength, progress))

@@ -17,7 +17,7 @@ from ._representations import Dictionary
 
 
 def scenes() -> list[str]:
-    """Names of the scenes that come with Gonio (docs/scenes.md)."""
+    """Names of the bundled scenes (docs/scenes.md)."""
     return _core.scenes()
 
 
@@ -29,24 +29,25 @@ def _handles(materials: Union[Material, Sequence[Material]]) -> list[Any]:
 def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sphere", size: Union[int, tuple[int, int]] = 256,
            samples: int = 64, environment: PathLike = "", rotation: float = 0.0, seed: int = 1, alpha: bool = False,
            progress: Progress = None) -> NDArray[np.float32]:
-    """A path-traced picture, with the effects that the scene calls for. The same bits for any number of threads.
+    """Renders a picture by path tracing. Only the effects that can change a pixel are simulated (gonio.effects()).
 
     Args:
-        materials: One material, or one for each slot of the scene.
-        scene: Name of a bundled scene (gonio.scenes()), a scene file (.json) or a mesh.
+        materials: One material, or one for each material slot of the scene.
+        scene: Name of a bundled scene (gonio.scenes()), a scene file (.json), or a mesh (.obj, .ply, .gltf, .glb).
         size: Width and height in pixels, or one number for both.
-        samples: Samples a pixel.
-        environment: Bundled environment or latitude-longitude picture in place of the scene's own; "": its own.
-        rotation: Of the environment about the vertical axis, rad.
-        seed: Of the random numbers.
-        alpha: Whether the fourth channel is the coverage, by which the colours are multiplied.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        samples: Samples per pixel.
+        environment: Name of a bundled environment ("studio", "sky", "sunset", "window", "furnace") or of a latitude-longitude
+            picture (.hdr, .exr); "": the environment of the scene.
+        rotation: Rotation of the environment about the vertical axis, rad.
+        seed: Seed of the random numbers.
+        alpha: Whether to add the coverage as a fourth channel. The colours are multiplied by it (premultiplied alpha).
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Returns:
-        Linear RGB radiance, float32 of shape (height, width, 3), or 4 with alpha; the first row is the top.
+        Linear RGB radiance (sRGB primaries), shape (height, width, 3), or (height, width, 4) with alpha; row 0 is the top.
 
     Raises:
-        Error: There is no such scene or environment, or it shows fewer materials.
+        Error: The scene or environment is unknown or cannot be read, or there are more materials than slots.
     """
     width, height = (size, size) if isinstance(size, int) else size
     picture, coverage = _core.render(_handles(materials), os.fspath(scene), os.fspath(environment), rotation, width, height,
@@ -56,18 +57,24 @@ def render(materials: Union[Material, Sequence[Material]], scene: PathLike = "sp
 
 @dataclass(frozen=True)
 class Effect:
-    """A decision of the effect plan of a scene, see gonio.effects()."""
+    """An effect of light transport and whether a scene needs it, see gonio.effects()."""
 
     name: str
-    """"direct-light", "cast-shadows", "interreflection", .."""
+    """"direct-light", "cast-shadows", "interreflection", ... (docs/scenes.md)."""
     simulated: bool
     """Whether the renderer simulates it."""
     reason: str
-    """Why, or why not."""
+    """The reason for it, one sentence."""
 
 
 def effects(materials: Union[Material, Sequence[Material]], scene: PathLike = "sphere", environment: PathLike = "") -> list[Effect]:
-    """Which effects can change a pixel of a scene with these materials, so that they are simulated. Arguments of render()."""
+    """Determines which effects can change a pixel of a scene with these materials: the renderer simulates those.
+
+    Args:
+        materials: One material, or one for each material slot of the scene.
+        scene: As in gonio.render().
+        environment: As in gonio.render(); "": the environment of the scene.
+    """
     return [Effect(*row) for row in _core.effects(_handles(materials), os.fspath(scene), os.fspath(environment))]
 
 
@@ -76,79 +83,82 @@ class Comparison:
     """Differences of two materials, see gonio.compare()."""
 
     errors: dict[str, float]
-    """Error by every metric (gonio.metrics()), over the cells of the reference's table."""
+    """Error by the id of the metric, for every metric (gonio.metrics()), over the cells of the reference's table."""
     brdf_snr: float
-    """SNR in dB of rho cos theta_i cos theta_o over valid cells; infinite for equal materials."""
+    """SNR in dB of rho cos theta_i cos theta_o over the valid cells; infinite for equal materials."""
     rendered_snr: float
-    """SNR in dB of pictures in the scene "sphere-studio", without their noise; infinite for equal pictures."""
+    """SNR in dB of pictures in the scene "sphere-studio", corrected for their noise; infinite for equal pictures."""
     rendered_psnr: float
-    """PSNR of the same."""
+    """PSNR in dB of the same pictures; the peak is the largest value of the reference's picture."""
     pictures: Optional[tuple[NDArray[np.float32], NDArray[np.float32]]] = field(repr=False)
-    """Pictures of the reference and of the other material, linear RGB of shape (size, size, 3), where asked for."""
+    """Pictures of the reference and of the other material, linear RGB, shape (size, size, 3) each; None unless compare() was
+    called with pictures=True."""
 
 
 def compare(reference: Material, other: Material, max_polar_angle: float = math.radians(85), size: int = 256, samples: int = 64,
             pictures: bool = False, progress: Progress = None) -> Comparison:
-    """Every metric between two materials, and the SNR of pictures. Some seconds.
+    """Computes every metric between two materials, and the SNR of their pictures. Some seconds.
 
     Args:
         reference: The reference.
-        other: What is compared with it; where it is anisotropic, metrics take its mean over the azimuths.
-        max_polar_angle: Cells with a polar angle beyond this (rad) do not count in `errors`.
+        other: The material to compare with the reference. If it is anisotropic, the metrics use its mean over the azimuths.
+        max_polar_angle: Max polar angle of both directions in rad; `errors` leave out cells beyond it.
         size: Width and height of the pictures in pixels.
-        samples: Samples a pixel.
-        pictures: Whether the result holds the pictures.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        samples: Samples per pixel of the pictures.
+        pictures: Whether the result contains the pictures.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
     """
     return Comparison(**_core.compare(reference._handle, other._handle, max_polar_angle, size, samples, pictures, progress))
 
 
 @dataclass(frozen=True)
 class Record:
-    """A representation of a material at one budget, measured, see gonio.study()."""
+    """Accuracy and cost of a representation of a material at one budget, see gonio.study()."""
 
     family: str
     """"table", "fits", "factors", "codes" or "nonparametric"."""
     representation: str
-    """"ggx", "factors-3d", "code", .."""
+    """Id of the representation: "ggx", "factors-3d", "code", ..."""
     label: str
-    """Name for people."""
+    """Display name."""
     budget: float
-    """Terms, coefficients or fitted numbers; 0 where nothing is counted."""
+    """Number of terms, of coefficients per channel or of fitted numbers; 0 for representations without a budget."""
     bytes: int
-    """Size of its file, or of its numbers in single precision."""
+    """Size in bytes of its file; for a table, of its memory; for a fit, of its numbers in single precision."""
     encode_seconds: float
-    """Time from the table to the representation."""
+    """Time from the table to the representation, s."""
     evaluation_ns: float
-    """Time of an evaluation on one thread, in batches; of timed studies."""
+    """Time of one evaluation on one thread, in batches, ns; 0 if the study was not timed."""
     frame_ms: float
-    """Time of a frame of "sphere-studio"; of timed studies."""
+    """Time of a frame of the scene "sphere-studio" on all threads, ms; 0 if the study was not timed."""
     errors: dict[str, float] = field(repr=False)
-    """Error by every metric."""
+    """Error by the id of the metric, for every metric."""
     rendered_snr: float
-    """SNR in dB of pictures in "sphere-studio"."""
+    """SNR in dB of pictures in the scene "sphere-studio"; infinite for equal pictures."""
 
 
 def study(material: Material, representations: Sequence[str] = ("table", "fits", "factors", "codes", "nonparametric"),
           models: Iterable[str] = (), terms: Sequence[int] = (1, 2, 3, 5, 8, 10, 14, 20),
           coefficients: Sequence[int] = (32, 64, 128, 256, 512, 1024, 2048), dictionary: Optional[Dictionary] = None,
           size: int = 128, samples: int = 32, timed: bool = True, progress: Progress = None) -> list[Record]:
-    """Accuracy against cost: representations of a material over their budgets, measured. About 2 s each.
+    """Measures accuracy against cost for several representations of a material, each at several budgets (docs/study.md). About
+    2 s per record.
 
     Args:
-        material: What is represented.
-        representations: Families that are measured.
-        models: Ids of the models of "fits"; none: all.
-        terms: Budgets of "factors".
-        coefficients: Budgets of "codes", a channel.
-        dictionary: Of "codes"; None: the one that comes with Gonio.
+        material: The material to represent.
+        representations: Families of representations: "table", "fits", "factors", "codes", "nonparametric" (a non-parametric
+            microfacet model).
+        models: Ids of the models for "fits"; (): all models.
+        terms: Numbers of terms for "factors".
+        coefficients: Numbers of coefficients per channel for "codes".
+        dictionary: The ensemble of dictionaries for "codes"; None: the bundled one.
         size: Width and height of the pictures in pixels.
-        samples: Samples a pixel.
-        timed: Whether evaluations and frames are timed.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        samples: Samples per pixel of the pictures.
+        timed: Whether to measure the times of evaluations and frames.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: There is no such family or model.
+        Error: A family or a model is unknown.
     """
     rows = _core.study(material._handle, list(representations), list(models), list(terms), list(coefficients),
                        dictionary._handle if dictionary else None, size, samples, timed, progress)
@@ -160,58 +170,60 @@ class Target:
     """A renderer or format that materials are exported to, see gonio.targets()."""
 
     id: str
-    """What gonio.export() takes: "mitsuba"."""
+    """Argument `target` of gonio.export(), such as "mitsuba"."""
     label: str
-    """Name for people."""
+    """Display name."""
     description: str
-    """What is written and how it is used."""
+    """What is written, and how to use it."""
     holds: str
-    """What the files can hold and what not."""
+    """What the files can hold and what they cannot."""
     has_scenes: bool
     """Whether a scene can be written with the material."""
 
 
 def targets() -> dict[str, Target]:
-    """All targets of gonio.export() by id (docs/exports.md)."""
+    """All targets of gonio.export(), a dict by id (docs/exports.md)."""
     return {row[0]: Target(*row) for row in _core.targets()}
 
 
 @dataclass(frozen=True)
 class Export:
-    """Files that gonio.export() has written."""
+    """Result of gonio.export()."""
 
     files: list[str]
-    """Paths of the files."""
+    """Paths of the files that were written."""
     snr: float
-    """Rendered SNR in dB of what the renderer shows against the material; infinite for equal pictures."""
+    """Rendered SNR in dB of the exported material, as the renderer shows it, against the material; infinite for equal
+    pictures."""
     bytes: int
-    """Size of all files."""
+    """Size of all files, bytes."""
     facts: dict[str, Any] = field(repr=False)
-    """Numbers of the target."""
+    """Further properties of the export, by name, which depend on the target."""
     warnings: list[str]
-    """Sentences about what the files do not hold."""
+    """What the files do not hold, one sentence each."""
     material: Material = field(repr=False)
-    """What the renderer shows of the files, by the target's own formula."""
+    """The exported material as the renderer shows it, by the formula of the target."""
 
 
 def export(material: Material, path: PathLike, target: str, snr: float = 40.0, grid: Optional[tuple[int, int]] = None,
            scene: PathLike = "", environment: PathLike = "", overwrite: bool = False, progress: Progress = None) -> Export:
-    """Writes a material, with its edits, as the files of a renderer. Some seconds.
+    """Writes a material, with its edits, as files for a renderer. Some seconds.
 
     Args:
-        material: What is exported.
-        path: Name of the files without their suffix.
-        target: Id of a target (gonio.targets()).
-        snr: Rendered SNR in dB that files should reach, where their size can be chosen.
-        grid: Of .bsdf files, the number of incident polar angles and of nodes along each side of a slice; None: the
-            smallest that reach the SNR.
-        scene: Scene to write with the material; "": none.
-        environment: In place of the scene's own.
-        overwrite: Whether files that exist are replaced.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        material: The material to export.
+        path: Name of the files without the suffixes that the target adds.
+        target: Id of the target (gonio.targets()).
+        snr: Rendered SNR in dB to reach, for targets that can choose the size of their files.
+        grid: Size of .bsdf files: the number of incident polar angles, and the number of nodes along each side of a slice;
+            None: the smallest size that reaches the SNR.
+        scene: Name of a scene to write with the material, for targets with `has_scenes`; "": none.
+        environment: Environment of this scene; "": its own.
+        overwrite: Whether existing files are replaced.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: There is no such target, a file exists, or one cannot be written; then none is.
+        Error: The target or scene is unknown, a file exists and `overwrite` is False, or a file cannot be written. Then no
+            file is written.
     """
     theta_count, side = grid or (0, 0)
     row = _core.export(material._handle, os.fspath(path), target, snr, theta_count, side, os.fspath(scene),

@@ -19,7 +19,9 @@ class Factors:
 
         y(theta_R, |Dp|, |phi|) = sum_l F1_l(theta_R) F2_l(|Dp|) F3_l(|phi|)
 
-    with y the transformed BRDF value (Tongbuasirilai et al. 2017 and 2019; docs/factors.md). Immutable.
+    y is the transformed BRDF value of one channel, theta_R the polar angle of the viewer, Dp the vector from the mirror
+    direction of the viewer to the light, both projected onto the surface, and phi its azimuth (Tongbuasirilai et al. 2017 and
+    2019; docs/factors.md). Factors do not change after they are made.
     """
 
     __slots__ = ("_handle",)
@@ -35,17 +37,17 @@ class Factors:
 
     @property
     def form(self) -> str:
-        """"2d": F1 and F2 (round highlights); "3d": F1, F2 and F3."""
+        """"2d": F1 and F2 (highlights that are round on the projected disk). "3d": F1, F2 and F3."""
         return self._handle.form
 
     @property
     def transform(self) -> str:
-        """Transform of BRDF values: "log-plus", "cosine-log", "root" or "none"."""
+        """Transform of BRDF values: "log-plus", "cosine-log", "root" or "none" (see gonio.factorize())."""
         return self._handle.transform
 
     @property
     def terms(self) -> int:
-        """Number of products that are summed, in each channel."""
+        """Number of terms (products of curves) per channel."""
         return self._handle.terms
 
     @property
@@ -55,92 +57,102 @@ class Factors:
 
     @property
     def residuals(self) -> NDArray[np.float64]:
-        """|y - y^| / |y| for 0, 1, .. terms in the weighted norm; empty of factors that were read or changed."""
+        """Relative errors |y - y^| / |y| with 0, 1, ... terms, in the weighted norm of the factorisation; empty for factors that
+        were read from a file or changed."""
         return self._handle.residuals
 
     @property
     def seconds(self) -> float:
-        """Time of the factorisation; 0 of factors that were read or changed."""
+        """Time of the factorisation, s; 0 for factors that were read from a file or changed."""
         return self._handle.seconds
 
     @property
     def theta_nodes(self) -> NDArray[np.float64]:
-        """Nodes of theta_R in rad: the polar angle of the viewer."""
+        """Nodes of theta_R in rad, shape (n,)."""
         return self._handle.theta_nodes
 
     @property
     def deviation_nodes(self) -> NDArray[np.float64]:
-        """Nodes of |Dp|: the distance of wi from the mirror direction, projected to the surface."""
+        """Nodes of |Dp|, a length on the unit disk, shape (n,)."""
         return self._handle.deviation_nodes
 
     @property
     def phi_nodes(self) -> NDArray[np.float64]:
-        """Nodes of |phi| in rad; one node in the form "2d"."""
+        """Nodes of |phi| in rad, shape (n,); one node in the form "2d"."""
         return self._handle.phi_nodes
 
     @property
     def f1(self) -> NDArray[np.float64]:
-        """F1, specular strength over theta_R: a copy of shape (3, terms, nodes)."""
+        """F1, specular strength over theta_R: a copy, shape (3, terms, nodes of theta_R)."""
         return self._handle.f1
 
     @property
     def f2(self) -> NDArray[np.float64]:
-        """F2, highlight profile over |Dp|, of largest value 1 in size: a copy of shape (3, terms, nodes)."""
+        """F2, highlight profile over |Dp|, scaled to a largest absolute value of 1: a copy, shape (3, terms, nodes of
+        |Dp|)."""
         return self._handle.f2
 
     @property
     def f3(self) -> NDArray[np.float64]:
-        """F3 over |phi|, of largest value 1 in size: a copy of shape (3, terms, nodes)."""
+        """F3 over |phi|, scaled to a largest absolute value of 1: a copy, shape (3, terms, nodes of |phi|)."""
         return self._handle.f3
 
     def with_curves(self, f1: Optional[ArrayLike] = None, f2: Optional[ArrayLike] = None,
                     f3: Optional[ArrayLike] = None) -> Factors:
-        """The factors with other curves, each of the shape that it has; None: as they are.
+        """The factors with some curves replaced.
+
+        Args:
+            f1: New F1, of the shape of `f1`; None: unchanged.
+            f2: New F2, of the shape of `f2`; None: unchanged.
+            f3: New F3, of the shape of `f3`; None: unchanged.
 
         Raises:
-            Error: A shape does not fit, or a value is not finite.
+            Error: A shape differs, or a value is not finite.
         """
         return Factors(self._handle.with_curves(f1, f2, f3))
 
     def truncated(self, terms: int) -> Factors:
-        """The factors with their first terms alone: the same as a factorisation with so many."""
+        """The factors with only their first terms: the same as a factorisation with this number of terms."""
         return Factors(self._handle.truncated(terms))
 
     def material(self, name: str = "factors") -> Material:
-        """The material that the factors stand for, evaluated from the curves without a table."""
+        """The factors as a material, which is evaluated from the curves without a table."""
         return Material(self._handle.material(name))
 
     def save(self, path: PathLike) -> None:
-        """Writes a .pdv file, atomically, in single precision. Raises Error naming the file."""
+        """Writes a .pdv file in single precision; an existing file is replaced in one step. Raises Error if it cannot be
+        written."""
         self._handle.save(os.fspath(path))
 
 
 def factorize(material: Material, terms: int = 10, form: str = "3d", transform: str = "log-plus",
               deviation_nodes: Sequence[float] = (), progress: Progress = None) -> Factors:
-    """Factorises a material into curves of projected-deviation coordinates. About 1 s for ten terms.
+    """Factorises a material into curves over projected-deviation coordinates. About 1 s for ten terms.
 
     Args:
-        material: What is factorised; one that is no table is sampled first (1 s).
-        terms: Products of curves that are summed, 1 to 20. Fewer are the first ones of more.
-        form: "2d" (Tongbuasirilai et al. 2017) or "3d" (2019; Tongbuasirilai 2023, eq. 4.25).
-        transform: "log-plus" (ln(1 + rho)), "cosine-log", "root" or "none".
-        deviation_nodes: Nodes of |Dp|, strictly increasing from 0; none: those that suit the material.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        material: The material to factorise. One that is not a table is sampled as one first (1 s).
+        terms: Number of terms (products of curves) per channel, 1 to 20. The first terms do not depend on the number.
+        form: "2d" (two curves per term; Tongbuasirilai et al. 2017) or "3d" (three; Tongbuasirilai et al. 2019, and 2023, eq.
+            4.25).
+        transform: Transform of BRDF values rho before the factorisation: "log-plus", ln(1 + rho); "cosine-log",
+            ln(1 + rho cos theta_i cos theta_o); "root", the square root; or "none" (docs/factors.md).
+        deviation_nodes: Nodes of |Dp|, strictly increasing from 0; (): chosen for the material.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: An option is out of its range.
+        Error: An argument is out of its range.
     """
     return Factors(_core.factorize(material._handle, terms, form, transform, list(deviation_nodes), progress))
 
 
 def open_factors(path: PathLike) -> Factors:
-    """Reads a .pdv file. Raises Error naming the file."""
+    """Reads a .pdv file. Raises Error if it cannot be read."""
     return Factors(_core.read_factors(os.fspath(path)))
 
 
 class Dictionary:
-    """An ensemble of orthonormal dictionaries for sparse codes (Miandji et al. 2019; Tongbuasirilai 2023, section 4.3.2;
-    docs/dictionaries.md), see gonio.dictionary()."""
+    """An ensemble of orthonormal dictionaries for sparse codes, see gonio.dictionary() (Miandji et al. 2019; Tongbuasirilai
+    2023, section 4.3.2; docs/dictionaries.md)."""
 
     __slots__ = ("_handle",)
 
@@ -154,53 +166,64 @@ class Dictionary:
         return f"<gonio.Dictionary {self.id:016x}: {len(self)} dictionaries>"
 
     def __len__(self) -> int:
-        """Number of dictionaries; each channel of a code is over one of them."""
+        """Number of dictionaries in the ensemble; each channel of a code uses one of them."""
         return len(self._handle)
 
     @property
     def id(self) -> int:
-        """What codes call it by: the first eight bytes of the SHA-256 of its file."""
+        """Identifier that codes store: the first eight bytes of the SHA-256 of the file."""
         return self._handle.id
 
     @property
     def bytes(self) -> int:
-        """Size in single precision."""
+        """Size in single precision, bytes."""
         return self._handle.bytes
 
     @property
     def grid(self) -> tuple[int, int, int]:
-        """Nodes along theta_h, theta_d, phi_d of the tables that it encodes."""
+        """Shape (n_h, n_d, n_phi) of the tables that it encodes."""
         return self._handle.grid
 
     @property
-    def learned_from(self) -> list[str]:
+    def training_set(self) -> list[str]:
         """Names of the training materials."""
         return self._handle.learned_from
 
     def atoms(self, number: int) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """The orthonormal matrices of one dictionary for phi_d, theta_d and theta_h; columns are atoms. Copies."""
+        """The three orthonormal matrices of one dictionary, for phi_d, theta_d and theta_h, as copies. Their columns are the
+        one-dimensional atoms: an atom of the dictionary is a product of three columns.
+
+        Args:
+            number: Index of the dictionary, from 0 to len() - 1.
+        """
         return self._handle.atoms(number)
 
 
 def dictionary(path: PathLike = "") -> Dictionary:
-    """A .dictionary file that `goniotool dictionary train` has written; "": the one that comes with Gonio."""
+    """Opens an ensemble of dictionaries.
+
+    Args:
+        path: A .dictionary file written by `goniotool dictionary train`; "": the bundled ensemble.
+    """
     return Dictionary(_core.dictionary(os.fspath(path)))
 
 
 @dataclass(frozen=True)
 class ChannelCode:
-    """Coefficients of one channel of a code."""
+    """The coefficients of one channel of a code."""
 
     dictionary: int
-    """Number of the dictionary in its ensemble."""
+    """Index of the dictionary in the ensemble, from 0."""
     indices: NDArray[np.int64]
-    """Atoms along phi_d, theta_d, theta_h of each coefficient, shape (n, 3)."""
+    """Indices of the columns for phi_d, theta_d and theta_h of each coefficient's atom, shape (n, 3) (see
+    Dictionary.atoms())."""
     values: NDArray[np.float32]
-    """Coefficients, larger in size first, shape (n,)."""
+    """Coefficients in descending order of absolute value, shape (n,)."""
 
 
 class Code:
-    """A material as a sparse code over a dictionary, in half precision, see gonio.encode(). Immutable."""
+    """A material as a sparse code over a dictionary, in half precision, see gonio.encode(). A code does not change after it is
+    made."""
 
     __slots__ = ("_handle",)
 
@@ -215,12 +238,12 @@ class Code:
 
     @property
     def coefficients(self) -> int:
-        """Coefficients of the channel that has most."""
+        """Number of coefficients of the channel with the most."""
         return self._handle.count
 
     @property
     def transform(self) -> str:
-        """Transform of BRDF values: "log-plus" or "cosine-log"."""
+        """Transform of BRDF values before encoding: "log-plus" or "cosine-log"."""
         return self._handle.transform
 
     @property
@@ -230,30 +253,31 @@ class Code:
 
     @property
     def seconds(self) -> float:
-        """Time of the encoding; 0 of a code that was read."""
+        """Time of the encoding, s; 0 for a code that was read from a file."""
         return self._handle.seconds
 
     @property
     def rendered_snr(self) -> float:
-        """Rendered SNR in dB where the code was made for one, else NaN."""
+        """Rendered SNR in dB if encode() was given one to reach; otherwise NaN."""
         return self._handle.rendered_snr
 
     @property
     def channels(self) -> list[ChannelCode]:
-        """The coefficients of red, green and blue."""
+        """The coefficients of red, green and blue, a list of three."""
         return [ChannelCode(*channel) for channel in self._handle.channels]
 
     def material(self, as_table: bool = True, name: str = "code") -> Material:
-        """The material that the code stands for.
+        """The code as a material.
 
         Args:
-            as_table: Whether a table is decoded (50 ms); False: evaluated from the coefficients, under 1 us per pair.
+            as_table: True: the code is decoded to a table (50 ms), which is fast to evaluate. False: values are computed from
+                the coefficients when they are evaluated, under 1 us per pair of directions.
             name: Name of the material.
         """
         return Material(self._handle.material(as_table, name))
 
     def save(self, path: PathLike) -> None:
-        """Writes a .code file, atomically. Raises Error naming the file."""
+        """Writes a .code file; an existing file is replaced in one step. Raises Error if it cannot be written."""
         self._handle.save(os.fspath(path))
 
 
@@ -261,75 +285,89 @@ def encode(material: Material, coefficients: int = 262, dictionary: Optional[Dic
            transforms: Sequence[str] = ("log-plus", "cosine-log"), gamma: float = 2.0,
            relative_error: Optional[float] = None, max_bytes: Optional[int] = None,
            rendered_snr: Optional[float] = None, progress: Progress = None) -> Code:
-    """A material as a sparse code: about 1 s; a minute where a rendered SNR is asked for.
+    """Encodes a material as a sparse code. About 1 s; a minute if `rendered_snr` is given.
 
     Args:
-        material: What is encoded; one that is no table is sampled first (1 s).
-        coefficients: Of each channel, at most.
-        dictionary: The dictionary; None: the one that comes with Gonio.
-        transforms: Transforms that are tried; the one of least gamma error is chosen.
-        gamma: Of that error, 1 to 3 (Tongbuasirilai 2023, section 4.3.2.4).
-        relative_error: Fewer coefficients where the squared error is at most this fraction of the energy.
-        max_bytes: Fewer coefficients where the file would be larger.
-        rendered_snr: As few coefficients as reach this rendered SNR in dB.
-        progress: Called with the fraction that is done. An exception that it raises stops the work.
+        material: The material to encode. One that is not a table is sampled as one first (1 s).
+        coefficients: Max number of coefficients per channel.
+        dictionary: The ensemble of dictionaries; None: the bundled one.
+        transforms: Transforms to try, "log-plus" or "cosine-log" or both; the one with the smallest gamma error is used.
+        gamma: Exponent of the gamma error, 1 to 3 (Tongbuasirilai 2023, section 4.3.2.4).
+        relative_error: Use fewer coefficients if the squared error of the transformed values is then at most this fraction of
+            their energy; None: no such limit.
+        max_bytes: Use fewer coefficients if the file would be larger than this; None: no such limit.
+        rendered_snr: Use the smallest number of coefficients that reaches this rendered SNR in dB; None: no such limit.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
     Raises:
-        Error: An option is out of its range, or the grid does not fit.
+        Error: An argument is out of its range, or the material's table has another grid than the dictionary.
     """
     return Code(_core.encode(material._handle, coefficients, dictionary._handle if dictionary else None, list(transforms),
                              gamma, relative_error, max_bytes, rendered_snr, progress))
 
 
 def open_code(path: PathLike, dictionary: Optional[Dictionary] = None) -> Code:
-    """Reads a .code file. Raises Error naming the file, and where it is over another dictionary."""
+    """Reads a .code file.
+
+    Args:
+        path: Name of the file.
+        dictionary: The ensemble of dictionaries that it was encoded with; None: the bundled one.
+
+    Raises:
+        Error: The file cannot be read, or was encoded with another dictionary.
+    """
     return Code(_core.read_code(os.fspath(path), dictionary._handle if dictionary else None))
 
 
 def decode(code: Union[Code, PathLike], dictionary: Optional[Dictionary] = None) -> Material:
-    """The table that a code, or a .code file over a dictionary, stands for (50 ms)."""
+    """Decodes a code to a material that is a table (50 ms).
+
+    Args:
+        code: A code, or the name of a .code file.
+        dictionary: The ensemble of dictionaries for a file; None: the bundled one. A Code has its own.
+    """
     return (code if isinstance(code, Code) else open_code(code, dictionary)).material()
 
 
 class Interpolation:
-    """Materials prepared for blending: fits, factorisations and codes are made once, so that each blend is quick.
+    """Materials prepared for blending: fits, factorisations and codes are made once, so that each blend is fast.
 
-    Spaces (docs/interpolation.md): "linear" mixes BRDF values; "parameters" those of a fitted model, without the measured
-    detail; "differential" moves each material by a differential edit, which keeps its detail (Tongbuasirilai and Unger
-    2016); "factors" mixes curves; "dictionary" sparse codes.
+    A blend is computed in one of five spaces (docs/interpolation.md): "linear" mixes BRDF values; "parameters" mixes the
+    parameters of a fitted model, without the measured detail; "differential" moves each material by a differential edit, which
+    keeps its detail (Tongbuasirilai and Unger 2016); "factors" mixes factor curves; "dictionary" mixes sparse codes.
     """
 
     __slots__ = ("_handle", "_names")
 
     def __init__(self, materials: Sequence[Material], space: str = "linear", model: str = "ggx", terms: int = 10,
                  coefficients: int = 1024, dictionary: Optional[Dictionary] = None, progress: Progress = None) -> None:
-        """Prepares materials: about 1 s each, nothing in the space "linear".
+        """Prepares materials, about 1 s each; no time in the space "linear".
 
         Args:
-            materials: Two or more.
+            materials: Two or more materials.
             space: "linear", "parameters", "differential", "factors" or "dictionary".
-            model: Of "parameters" and "differential".
-            terms: Of "factors".
-            coefficients: Of "dictionary", a channel, at most.
-            dictionary: Of "dictionary"; None: the one that comes with Gonio.
-            progress: Called with the fraction that is done. An exception that it raises stops the work.
+            model: Id of the model for "parameters" and "differential"; other spaces do not use it.
+            terms: Number of terms for "factors".
+            coefficients: Max number of coefficients per channel for "dictionary".
+            dictionary: The ensemble of dictionaries for "dictionary"; None: the bundled one.
+            progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
         Raises:
-            Error: There is no such space, or materials cannot be blended in it.
+            Error: The space is unknown, or the materials cannot be blended in it.
         """
         self._names = [material.name for material in materials]
         self._handle = _core.prepare_interpolation([material._handle for material in materials], space, model, terms,
                                                    coefficients, dictionary._handle if dictionary else None, progress)
 
     def blend(self, weights: Sequence[float], name: str = "") -> Material:
-        """The blend of weights, evaluated directly.
+        """The blend with the given weights.
 
         Args:
-            weights: One per material, in [0, 1], of sum 1. A weight of 1 gives that material itself, bit for bit.
-            name: Name of the material; "": those of the blended ones.
+            weights: One per material, each in [0, 1], with the sum 1. A weight of 1 returns that material, bit for bit.
+            name: Name of the blend; "": the names of the materials, joined by " + ".
 
         Raises:
-            Error: The weights are none.
+            Error: The number of weights differs from that of the materials, or their sum is not 1.
         """
         return Material(_core.blend(self._handle, [float(weight) for weight in weights], name or " + ".join(self._names)))
 
@@ -337,5 +375,16 @@ class Interpolation:
 def interpolate(materials: Sequence[Material], weights: Sequence[float], space: str = "linear", model: str = "ggx",
                 terms: int = 10, coefficients: int = 1024, dictionary: Optional[Dictionary] = None,
                 progress: Progress = None) -> Material:
-    """One blend of materials; for several use Interpolation, which has the arguments too."""
+    """One blend of materials. For several blends of the same materials, use Interpolation.
+
+    Args:
+        materials: Two or more materials.
+        weights: One per material, each in [0, 1], with the sum 1.
+        space: "linear", "parameters", "differential", "factors" or "dictionary" (see Interpolation).
+        model: Id of the model for "parameters" and "differential"; other spaces do not use it.
+        terms: Number of terms for "factors".
+        coefficients: Max number of coefficients per channel for "dictionary".
+        dictionary: The ensemble of dictionaries for "dictionary"; None: the bundled one.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
+    """
     return Interpolation(materials, space, model, terms, coefficients, dictionary, progress).blend(weights)

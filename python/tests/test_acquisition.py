@@ -24,7 +24,7 @@ def basis(files):
 
 
 def test_a_training_material_is_in_the_span_of_its_basis(basis, files):
-    assert basis.grid == (90, 90, 180) and basis.learned_from == sorted(TRAINING)
+    assert basis.grid == (90, 90, 180) and basis.training_set == sorted(TRAINING)
     assert np.all(np.diff(basis.singular_values) <= 0)
     material = gonio.open(files / "chrome.binary")
     code = basis.encode(material, len(basis))

@@ -4,8 +4,11 @@
 import importlib.util
 import inspect
 import pathlib
+import re
+import textwrap
 import typing
 
+import numpy as np
 import pytest
 
 import gonio
@@ -85,3 +88,40 @@ def test_the_reference_page_is_made_from_the_docstrings():
 def test_types_are_for_type_checkers():
     assert (pathlib.Path(gonio.__file__).parent / "py.typed").exists()
     assert gonio.__version__
+
+
+def examples(page):
+    """The indented blocks of Python before the reference of the page, in order."""
+    blocks = re.findall(r"(?:^    .*\n|(?<=\n)\n(?=    ))+", page.split("## Reference")[0], re.MULTILINE)
+    return [textwrap.dedent(block) for block in blocks if "PYTHONPATH" not in block]
+
+
+def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
+    """With readings of a paint as the reader's own file, half of them near the mirror direction."""
+    random = np.random.default_rng(2)
+    theta = random.uniform(5, 70, (24, 2))
+    theta[:12, 1] = theta[:12, 0] + random.normal(0, 4, 12)
+    angles = np.column_stack((theta[:, 0], np.zeros(24), theta[:, 1], 180 + random.normal(0, 5, 24)))
+
+    def unit(polar, azimuth):
+        return np.stack((np.sin(polar) * np.cos(azimuth), np.sin(polar) * np.sin(azimuth), np.cos(polar)), axis=-1)
+
+    paint = gonio.open("library:sgd/blue-metallic-paint")
+    light, viewer = unit(*np.radians(angles[:, :2]).T), unit(*np.radians(angles[:, 2:]).T)
+    monkeypatch.chdir(tmp_path)
+    np.savetxt("readings.csv", np.column_stack((angles, paint.evaluate(light, viewer))), delimiter=",", header="angles, values")
+
+    names = {}
+    blocks = examples((ROOT / "docs" / "python.md").read_text())
+    assert len(blocks) >= 5
+    for block in blocks:
+        exec(block.replace("samples=64", "samples=4"), names)
+    assert names["table"].valid.sum() == len(np.unique(names["cells"], axis=0))
+    assert gonio.compare(paint, names["found"].material, size=64, samples=16).rendered_snr > 15
+    # The directions of a node lie in its own cell.
+    nodes = gonio.grid_directions(tuple(names["shape"]))
+    valid = nodes.valid.copy()
+    valid[0], valid[:, 0] = False, False
+    own = {**names, "wi": nodes.wi[valid], "wo": nodes.wo[valid], "values": np.zeros((valid.sum(), 3))}
+    exec(next(block for block in blocks if "cells =" in block).split("count,")[0], own)
+    np.testing.assert_array_equal(own["cells"], np.argwhere(valid))
