@@ -78,8 +78,13 @@ def markdown(docstring):
     return "\n".join(lines)
 
 
+def linked(text):
+    """Names of pages as links."""
+    return re.sub(r"\bdocs/([\w-]+)\.md\b", r"[\1](\1.md)", text)
+
+
 def described(title, item, level):
-    return f"{'#' * level} {title}\n\n{markdown(inspect.getdoc(item))}\n"
+    return f"{'#' * level} {title}\n\n{linked(markdown(inspect.getdoc(item)))}\n"
 
 
 def class_text(name, item):
@@ -87,7 +92,7 @@ def class_text(name, item):
     fields = fields_of(item) if hasattr(item, "__dataclass_fields__") else {}
     properties = {key: inspect.getdoc(value) for key, value in vars(item).items() if isinstance(value, property) and key[0] != "_"}
     if fields or properties:
-        parts.append("\n".join(f"- `{key}`: {' '.join(text.split())}" for key, text in {**fields, **properties}.items()) + "\n")
+        parts.append("\n".join(f"- `{key}`: {linked(' '.join(text.split()))}" for key, text in {**fields, **properties}.items()) + "\n")
     if "__init__" in vars(item) and not fields and "not directly" not in item.__init__.__doc__:
         parts.append(described(f"`{name}{signature(item.__init__)}`", item.__init__, 4))
     for key, value in vars(item).items():

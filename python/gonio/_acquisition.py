@@ -19,7 +19,8 @@ Box = Sequence[Sequence[float]]
 
 class Basis:
     """Principal components of a training set of materials (Nielsen et al. 2015, "On Optimal, Minimal BRDF Sampling for
-    Reflectance Acquisition"). Made by gonio.bundled_basis(), gonio.learn_basis() and gonio.open_basis().
+    Reflectance Acquisition"). Made by gonio.bundled_basis(), gonio.learn_basis() and gonio.open_basis(). len() is the
+    number of components.
 
     The components are those of mapped values: each BRDF value rho is mapped to
 
@@ -137,7 +138,8 @@ class Plan:
     """A list of pairs of directions at which to measure a material, called its samples. gonio.plan() chooses them, the most
     informative first; the constructor takes directions at which you have measured.
 
-    Besides the properties, a plan has `condition_number`, `residuals` and `warning`, see gonio.plan().
+    len() is the number of samples. Besides the properties, a plan has `condition_number`, `residuals` and `warning`, see
+    gonio.plan().
     """
 
     __slots__ = ("_handle", "condition_number", "residuals", "warning")

@@ -168,7 +168,7 @@ class Material:
 
         Returns:
             The directions wi, shape (..., 3), and their densities in 1/sr with respect to solid angle, shape (...). A sample
-            with density 0 has no direction (it would lie below the horizon): an estimator counts it with the value 0, as above.
+            with density 0 has failed, and its wi has no meaning: an estimator counts it with the value 0, as above.
 
         Raises:
             Error: The shapes do not broadcast, a direction is not of length 1, or a number lies outside [0, 1).

@@ -118,7 +118,8 @@ def models() -> dict[str, Model]:
 
 
 def artist_controls() -> tuple[Parameter, ...]:
-    """The controls that work on every model, such as roughness and saturation, for gonio.edit(controls=...)."""
+    """The controls that work on every model, for gonio.edit(controls=...): roughness, specular-strength, tint, saturation,
+    contrast, coat-strength, edge-brightness. At 1 each changes nothing; `description` states what other values do."""
     return _described(_core.artist_controls()).parameters
 
 

@@ -52,7 +52,7 @@ class Factors:
 
     @property
     def bytes(self) -> int:
-        """Size of the file that save() writes."""
+        """Size of the file that save() writes, bytes."""
         return self._handle.bytes
 
     @property
@@ -135,7 +135,7 @@ def factorize(material: Material, terms: int = 10, form: str = "3d", transform: 
         form: "2d" (two curves per term; Tongbuasirilai et al. 2017) or "3d" (three; Tongbuasirilai et al. 2019, and 2023, eq.
             4.25).
         transform: Transform of BRDF values rho before the factorisation: "log-plus", ln(1 + rho); "cosine-log",
-            ln(1 + rho cos theta_i cos theta_o); "root", the square root; or "none" (docs/factors.md).
+            ln(1 + rho w) with w = max(cos theta_i cos theta_o, 0.001); "root", the square root; or "none" (docs/factors.md).
         deviation_nodes: Nodes of |Dp|, strictly increasing from 0; (): chosen for the material.
         progress: Called with the fraction that is done, 0 to 1; None: not reported.
 
@@ -152,7 +152,7 @@ def open_factors(path: PathLike) -> Factors:
 
 class Dictionary:
     """An ensemble of orthonormal dictionaries for sparse codes, see gonio.dictionary() (Miandji et al. 2019; Tongbuasirilai
-    2023, section 4.3.2; docs/dictionaries.md)."""
+    2023, section 4.3.2; docs/dictionaries.md). len() is the number of dictionaries."""
 
     __slots__ = ("_handle",)
 
@@ -248,7 +248,7 @@ class Code:
 
     @property
     def bytes(self) -> int:
-        """Size of the file that save() writes."""
+        """Size of the file that save() writes, bytes."""
         return self._handle.bytes
 
     @property
