@@ -31,7 +31,7 @@ void TrainingRows::build(QFormLayout& form) {
                    tr("Measured and near-measured"), tr("Materials shown in the library"), QString(),
                    tr("A folder of files...")});
   hideItem(*m_box, otherSet, true);
-  form.addRow(tr("Mater&ials"), m_box);
+  form.addRow(tr("Materia&ls"), m_box);
   m_leaveOut->setToolTip(
       tr("Excludes the measured material, and files of the same name, from the training set; otherwise the error is "
          "too small for a new material."));
