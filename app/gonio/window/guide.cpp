@@ -18,7 +18,8 @@ namespace gonio::app {
 
 namespace {
 
-const QString root = QStringLiteral(":/docs/"), firstPage = QStringLiteral("editor.md");
+const QString root = QStringLiteral(":/docs/"), firstPage = QStringLiteral("editor.md"),
+              resultsFolder = QStringLiteral("results/");
 constexpr int lastListedLevel = 2;
 
 QString read(const QString& file) {
@@ -46,12 +47,18 @@ const std::vector<GuidePage>& guidePages() {
     QStringList files = QDir(root).entryList(QDir::Files, QDir::Name);
     files.removeAll(firstPage);
     files.prepend(firstPage);
+    for (const QString& file : QDir(root + resultsFolder).entryList(QDir::Files, QDir::Name))
+      files << resultsFolder + file;
     std::vector<GuidePage> all;
     for (const QString& file : files)
       for (const GuidePage& page : headingsOf(file)) all.push_back(page);
     return all;
   }();
   return pages;
+}
+
+QString linkedPage(const QString& file, const QString& path) {
+  return path.isEmpty() ? file : QDir::cleanPath(file.left(file.lastIndexOf('/') + 1) + path);
 }
 
 QString anchorOf(const QString& heading) {
@@ -94,8 +101,9 @@ GuideWindow::GuideWindow(QWidget* parent) : QDialog(parent), m_pages(new QListWi
 void GuideWindow::showPage(const QString& file, const QString& heading) {
   if (file != m_file) {
     m_file = file;
-    // Comments with the licence are for the source.
-    m_text->document()->setMarkdown(read(file).remove(QRegularExpression(QStringLiteral("<!--.*?-->"))));
+    // Comments are for the source, and pictures are not built in.
+    static const QRegularExpression leftOut(QStringLiteral("<!--.*?-->|!\\[[^\\]]*\\]\\([^)]*\\)"));
+    m_text->document()->setMarkdown(read(file).remove(leftOut));
     for (int row = 0; row < m_pages->count(); ++row)
       if (m_pages->item(row)->data(Qt::UserRole) == file) m_pages->setCurrentRow(row);
   }
@@ -112,7 +120,7 @@ void GuideWindow::scrollTo(const std::function<bool(const QString&)>& fits) {
 }
 
 void GuideWindow::follow(const QUrl& link) {
-  const QString file = link.path().isEmpty() ? m_file : link.path();
+  const QString file = linkedPage(m_file, link.path());
   if (!link.isRelative()) {
     QDesktopServices::openUrl(link);
     return;

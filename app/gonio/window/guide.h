@@ -12,13 +12,16 @@ namespace gonio::app {
 
 /// A page of the documentation that is built in: a file of docs/, or a heading on it.
 struct GuidePage {
-  QString file;   ///< "editor.md"
+  QString file;   ///< "editor.md", "results/exports.md"
   QString title;  ///< "The editor", "Export Image"
   int level = 1;  ///< 1: the page itself
 };
 
-/// All pages with their headings of the second level below them; the editor's own page first.
+/// All pages with their headings of the second level below them; the editor's own page first, measured results last.
 const std::vector<GuidePage>& guidePages();
+
+/// The page that a link on a page leads to, as GuidePage::file: "../study.md" on "results/factors.md" is "study.md".
+QString linkedPage(const QString& file, const QString& path);
 
 /// Help > Guide: the documentation, with links between its pages.
 class GuideWindow : public QDialog {
