@@ -93,7 +93,7 @@ def test_types_are_for_type_checkers():
 def examples(page):
     """The indented blocks of Python before the reference of the page, in order."""
     blocks = re.findall(r"(?:^    .*\n|(?<=\n)\n(?=    ))+", page.split("## Reference")[0], re.MULTILINE)
-    return [textwrap.dedent(block) for block in blocks if "PYTHONPATH" not in block]
+    return [textwrap.dedent(block).strip("\n") + "\n" for block in blocks if "PYTHONPATH" not in block]
 
 
 def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
@@ -115,7 +115,10 @@ def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
     blocks = examples((ROOT / "docs" / "python.md").read_text())
     assert len(blocks) >= 5
     for block in blocks:
-        exec(block.replace("samples=64", "samples=4"), names)
+        for written, quicker in (("size=256, samples=64", "size=32, samples=4"),
+                                 ("fit.material())", "fit.material(), size=64, samples=8)")):
+            block = block.replace(written, quicker)
+        exec(block, names)
     assert names["table"].valid.sum() == len(np.unique(names["cells"], axis=0))
     assert gonio.compare(paint, names["found"].material, size=64, samples=16).rendered_snr > 15
     # The directions of a node lie in its own cell.
@@ -125,3 +128,15 @@ def test_the_examples_of_the_page_run(tmp_path, monkeypatch):
     own = {**names, "wi": nodes.wi[valid], "wo": nodes.wo[valid], "values": np.zeros((valid.sum(), 3))}
     exec(next(block for block in blocks if "cells =" in block).split("count,")[0], own)
     np.testing.assert_array_equal(own["cells"], np.argwhere(valid))
+
+
+def test_the_figure_of_the_tutorial_is_drawn(tmp_path, monkeypatch):
+    pytest.importorskip("matplotlib").use("Agg")
+    monkeypatch.chdir(tmp_path)
+    page = (ROOT / "docs" / "tutorial-compare.md").read_text()
+    names = {}
+    for start in ("import matplotlib", "theta = np", "shown = ["):
+        block = next(block for block in examples(page) if block.startswith(start))
+        exec(block.replace("size=128, samples=64", "size=16, samples=4").replace(', "abc"]', "]"), names)
+    assert [fit.model.id for fit in names["fits"]] == ["ggx", "cook-torrance", "ward", "blinn-phong"]
+    assert (tmp_path / "five-models.png").stat().st_size > 10000
