@@ -195,7 +195,11 @@ void InterpolationPanel::begin() {
 }
 
 void InterpolationPanel::endsChanged() {
-  m_place = widgets::nearestPlace(m_ends.count(), m_place);
+  const int count = m_ends.count();
+  // What was equal fractions stays equal fractions.
+  const bool middle = m_place == widgets::middlePlace(m_placeCount);
+  m_place = middle ? widgets::middlePlace(count) : widgets::nearestPlace(count, m_place);
+  m_placeCount = count;
   m_spaces.setEnds(m_ends.isComplete() ? m_ends.ends() : std::vector<editing::InterpolationEnd>());
   showEnds();
   m_overview->showSpaces();

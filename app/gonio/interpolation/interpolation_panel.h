@@ -7,6 +7,7 @@
 
 #include "app/gonio/interpolation/blend_ends.h"
 #include "app/gonio/interpolation/blend_spaces.h"
+#include "widgets/interpolation/blend_place.h"
 #include "widgets/preview/gl/preview_subject.h"
 
 class QCheckBox;
@@ -95,6 +96,7 @@ class InterpolationPanel : public QWidget {
   BlendEnds m_ends;
   BlendSpaces m_spaces;
   QPointF m_place;
+  int m_placeCount = widgets::minBlended;  ///< the number of materials for which m_place was chosen
   editing::InterpolationSpace m_space = editing::InterpolationSpace::linear;
   BlendWells* m_wells;
   BlendPlaceEditor* m_placeEditor;

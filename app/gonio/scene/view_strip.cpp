@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/scene/view_strip.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QImage>
@@ -92,6 +93,8 @@ void ViewStrip::build() {
     box->setMinimumContentsLength(6);
     box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);  // one with icons is taller: all are then
   }
+  // The lists show whole names where the boxes have no room for them.
+  for (QComboBox* box : {m_shapes, m_backgrounds}) box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   add(tr("S&hape"), m_shapes);
   add(tr("&Light"), m_lights);

@@ -83,10 +83,11 @@ void applyTheme(QApplication& application, Theme theme) {
   const bool dark = theme == Theme::dark || (theme == Theme::system && systemDark);
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   application.setPalette(paletteOf(dark ? darkTones : lightTones));
-  // Fusion outlines the box in a tone that a dark window swallows.
-  QPalette checkBoxes = application.palette();
-  if (dark) checkBoxes.setColor(QPalette::Base, darkTones.light);
-  application.setPalette(checkBoxes, "QCheckBox");
+  // Fusion outlines boxes and radio buttons in a tone that a dark window swallows.
+  QPalette indicators = application.palette();
+  if (dark) indicators.setColor(QPalette::Base, darkTones.light);
+  application.setPalette(indicators, "QCheckBox");
+  application.setPalette(indicators, "QRadioButton");
   application.setStyleSheet(QString::fromLatin1(styleSheet));
 }
 

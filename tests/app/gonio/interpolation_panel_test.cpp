@@ -109,6 +109,7 @@ class InterpolationPanelTest : public QObject {
     editor.panel.ends().addPlace();
     QVERIFY(!editor.panel.placeEditor().slider().isVisible() && editor.panel.placeEditor().pad().isVisible());
     QVERIFY(!editor.panel.subject());
+    for (const double weight : editor.panel.weights()) QVERIFY(std::abs(weight - 1 / 3.0) < 1e-12);  // as before: equal
     editor.fill(2, "white", 0.9);
     QTRY_VERIFY_WITH_TIMEOUT(editor.panel.subject() || !editor.panel.isShownInPreview(), patienceMilliseconds);
     editor.panel.placeEditor().pad().setFocus();
