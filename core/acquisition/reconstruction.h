@@ -30,7 +30,7 @@ struct ReconstructionOptions {
   ReconstructionMethod method = ReconstructionMethod::ridge;
   std::optional<double> ridge;  ///< eta >= 0, such as publishedRidge; without one by leave-one-out (leaveOneOutRidge())
   int components = 0;           ///< of the basis, may be more than samples; 0: all; never more than it has
-  int atoms = 0;  ///< of `sparse`: components that are chosen, a channel; 0: by leave-one-out, at most half as many
+  int atoms = 0;  ///< of `sparse`: components that are chosen per channel; 0: by leave-one-out, at most half as many
                   ///< as samples
   std::optional<double> noise;  ///< standard deviation of a mapped value for `deviation`; without one estimated
   bool uncertainty = true;      ///< whether `deviation` is made

@@ -13,7 +13,7 @@ namespace gonio::dictionary {
 std::array<Eigen::MatrixXd, 3> rotationsBetween(const Dictionary& u, const Dictionary& v);
 
 /// The code between codes, sum of weight times code in the transformed domain (dissertation eq. 4.42-4.44), with at
-/// most `coefficients` a channel: codes over another dictionary than the first one's are carried over by their
+/// most `coefficients` per channel: codes over another dictionary than the first one's are carried over by their
 /// rotations, which makes them dense, and the largest coefficients are kept. Since the rotations lose nothing, this is
 /// the linear interpolation of the transformed materials, re-sparsified. A weight of 1 gives its code back bit for bit.
 /// @param weights as many as codes, each in [0, 1], with the sum 1 (to 1e-9).

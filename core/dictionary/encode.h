@@ -13,7 +13,7 @@
 namespace gonio::dictionary {
 
 struct EncodeOptions {
-  std::size_t coefficients = 262;  ///< a channel, at most (dissertation 4.3.2.4: 262, the size of Bagher et al. 2016)
+  std::size_t coefficients = 262;  ///< per channel, at most (dissertation 4.3.2.4: 262, the size of Bagher et al. 2016)
   /// Fewer coefficients where the squared error of the signal, scaled by GridGeometry::importance, is then at most this
   /// fraction of its energy.
   std::optional<double> relativeError;

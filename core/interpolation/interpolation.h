@@ -59,7 +59,7 @@ struct InterpolationOptions {
   factorization::PdvOptions pdv = {};
   std::shared_ptr<const dictionary::Ensemble> ensemble = nullptr;  ///< of `dictionary`, which needs it
   dictionary::EncodeOptions encode = {.coefficients = 1024};       ///< of tables
-  std::size_t codeCoefficients = 1024;  ///< a channel, of what lies in between: the largest are kept
+  std::size_t codeCoefficients = 1024;  ///< per channel, of what lies in between: the largest are kept
 };
 
 /// A table of transformed values, which may be negative.

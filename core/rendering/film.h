@@ -79,7 +79,7 @@ struct Film {
         radiance(std::size_t(filmWidth) * std::size_t(filmHeight), Rgb(0)),
         coverage(radiance.size(), 0) {}
 
-  /// Before the first sample: 16 bytes more a pixel.
+  /// Before the first sample: 16 bytes more per pixel.
   void keepFeatures() { features.assign(radiance.size(), glm::vec4(0)); }
 
   /// The mean of the samples: premultiplied by its alpha; black where there are none.

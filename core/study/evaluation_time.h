@@ -9,7 +9,7 @@
 
 namespace gonio::study {
 
-/// Nanoseconds a pair over several runs of the same batch.
+/// Nanoseconds per pair over several runs of the same batch.
 struct EvaluationTime {
   double median = 0, lowerQuartile = 0, upperQuartile = 0;
 };

@@ -32,7 +32,7 @@ class SceneTracer : public QObject {
   bool isDone() const { return m_isDone; }
   /// The picture reached so far; null before the first. Smaller than asked for while it is coarse.
   const std::shared_ptr<const Film>& film() const { return m_film; }
-  /// Of the last pass, a sample a pixel at full size.
+  /// Of the last pass, one sample per pixel at full size.
   double millisecondsOfSample() const { return m_milliseconds; }
 
  Q_SIGNALS:

@@ -15,7 +15,7 @@ namespace gonio::app {
 struct MaterialCode {
   LoadedMaterialPtr material;
   std::shared_ptr<const materials::NamedEnsemble> dictionary;
-  std::size_t coefficients = 0;  ///< a channel, as they were asked for
+  std::size_t coefficients = 0;  ///< per channel, as they were asked for
   dictionary::Encoded encoded;
   std::shared_ptr<const widgets::EnsembleCode> stored;  ///< what the file holds, which is rounded
   std::shared_ptr<const TabulatedBrdf> table;           ///< decoded from `stored`

@@ -33,7 +33,7 @@ class RepresentationPanel : public QWidget {
 
   RepresentationPanel(Document& document, BackgroundTasks& tasks, QWidget* parent = nullptr);
 
-  /// Coefficients a channel that are chosen; setCoefficients() takes the nearest step.
+  /// Coefficients per channel that are chosen; setCoefficients() takes the nearest step.
   std::size_t coefficients() const;
   void setCoefficients(std::size_t coefficients);
   /// The code of the document's material; null while it is not known.

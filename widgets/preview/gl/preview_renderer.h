@@ -45,7 +45,7 @@ class PreviewRenderer : protected QOpenGLFunctions_4_1_Core {
 
   bool hasMaterial() const { return !subject_.isEmpty(); }
   QSize size() const { return size_; }
-  /// Samples a pixel accumulated since the last change.
+  /// Samples per pixel accumulated since the last change.
   int samples() const { return samples_; }
   void restart() { samples_ = 0; }
 
