@@ -24,10 +24,10 @@ std::shared_ptr<const TabulatedBrdf> material(double roughness, const Rgb& colou
 
 /// Four materials that nobody takes for each other; the last on a grid of its own.
 std::vector<editing::InterpolationEnd> ends(int count) {
-  static const std::vector<editing::InterpolationEnd> all{{material(0.15, {0.9, 0.5, 0.2}, {60, 60, 60})},
-                                                          {material(0.5, {0.2, 0.6, 0.9}, {60, 60, 60})},
-                                                          {material(0.3, {0.8, 0.8, 0.8}, {60, 60, 60})},
-                                                          {material(0.4, {0.1, 0.9, 0.1}, {45, 50, 90})}};
+  static const std::vector<editing::InterpolationEnd> all{{material(0.15, {0.9, 0.5, 0.2}, {30, 30, 36})},
+                                                          {material(0.5, {0.2, 0.6, 0.9}, {30, 30, 36})},
+                                                          {material(0.3, {0.8, 0.8, 0.8}, {30, 30, 36})},
+                                                          {material(0.4, {0.1, 0.9, 0.1}, {25, 28, 45})}};
   return {all.begin(), all.begin() + count};
 }
 

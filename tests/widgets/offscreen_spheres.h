@@ -12,7 +12,7 @@ namespace gonio::test {
 /// Pictures of a sphere by the preview's shader, beside those of the CPU. Tests skip when isValid() is false.
 class OffscreenSpheres {
  public:
-  static constexpr int side = 48;
+  static constexpr int side = 32;
 
   OffscreenSpheres() {
     if (isValid()) renderer_.initialize();
@@ -32,14 +32,16 @@ class OffscreenSpheres {
   }
 
   /// SNR of the shader's picture against that of `brdf` on the CPU, dB: of 64 samples where that is above `enough`,
-  /// else of 256, which few pictures need. The CPU's noise does not count (metrics::PicturePair), the shader's does.
+  /// else of 256 or of 512, which few pictures need. The CPU's noise does not count (metrics::PicturePair), the
+  /// shader's does.
   double agreement(const widgets::PreviewSubject& subject, const Brdf& brdf, const Scene& scene, double enough) {
     double snr = 0;
-    for (const int samples : {64, 512}) {
+    const auto material = pictureMaterial(brdf, {});
+    for (const int samples : {64, 256, 512}) {
       metrics::PicturePair reference;
       for (std::size_t i = 0; i < 2; ++i)
         reference[i] =
-            renderPicture(brdf, scene, {.width = side, .height = side, .samples = samples / 2, .seed = 7 + i});
+            renderPicture(material, scene, {.width = side, .height = side, .samples = samples / 2, .seed = 7 + i});
       const Image shown = drawn(subject, scene, samples);
       snr = metrics::signalToNoiseRatio(reference, {shown, shown});
       if (snr > enough) break;

@@ -7,13 +7,14 @@
 
 namespace gonio::test {
 
-/// The table of a model; of its parameters those of `set` have other values than the default ones.
+/// The table of a model, coarser than MERL's as no picture here needs more; of its parameters those of `set` have other
+/// values than the default ones.
 inline std::shared_ptr<const TabulatedBrdf> bakedModel(const char* id,
                                                        const std::vector<std::pair<const char*, double>>& set) {
   const models::Model& model = models::findModel(id);
   models::ParameterValues values = models::defaultParameters(model.spec());
   for (const auto& [name, value] : set) values.values[*model.spec().find(name)] = Rgb(value);
-  return bakeTable(*model.instantiate(values));
+  return bakeTable(*model.instantiate(values), {60, 60, 60});
 }
 
 /// A model's edit of its roughness.

@@ -58,11 +58,12 @@ class RglPreviewTest : public QObject {
   void syntheticFiles() {
     QFETCH(std::vector<float>, phis);
     const auto brdf = synthetic(phis);
-    verify({widgets::EditedMaterial{brdf}}, sphereScene(), 50);
+    const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);
+    verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(), 50);
     // Divided by the viewer's cosine, so that the silhouette outshines everything: its pixels are sampled by chance.
     for (const IncidentSlot slot : {IncidentSlot::light, IncidentSlot::mean})
-      verify({widgets::EditedMaterial{brdf->withIncident(slot)}}, sphereScene(), 24);
-    verify({widgets::EditedMaterial{brdf, {rougher()}}}, sphereScene(), 50);
+      verify({widgets::EditedMaterial{brdf->withIncident(slot)}, lobe}, sphereScene(), 24);
+    verify({widgets::EditedMaterial{brdf, {rougher()}}, lobe}, sphereScene(), 50);
   }
 
   /// Under one light, where nothing is drawn, and under the studio, where directions are.
@@ -76,16 +77,15 @@ class RglPreviewTest : public QObject {
     const fs::path path = fs::path(GONIO_SHARED_DIR) / "data/rgl" / (name.toStdString() + "_rgb.bsdf");
     if (!fs::exists(path)) QSKIP("the development data is absent");
     const auto brdf = io::readRgl(io::FileSource(path)).brdf;
-    verify({widgets::EditedMaterial{brdf}}, sphereScene(), 40);
-    verify({widgets::EditedMaterial{brdf}}, sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2}), 30);
-    verify({widgets::EditedMaterial{brdf, {rougher()}}}, sphereScene(), 40);
+    const auto lobe = std::make_shared<const TabulatedLobe>(*brdf);
+    verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(), 40);
+    verify({widgets::EditedMaterial{brdf}, lobe}, sphereScene(studioEnvironment(), {.yaw = 0.4, .pitch = 0.2}), 30);
+    verify({widgets::EditedMaterial{brdf, {rougher()}}, lobe}, sphereScene(), 40);
   }
 
  private:
-  void verify(widgets::PreviewSubject subject, const Scene& scene, double least) {
-    const auto brdf = widgets::subjectBrdf(subject);
-    subject.lobe = std::make_shared<const TabulatedLobe>(*brdf);
-    const double snr = spheres_->agreement(subject, *brdf, scene, least);
+  void verify(const widgets::PreviewSubject& subject, const Scene& scene, double least) {
+    const double snr = spheres_->agreement(subject, *widgets::subjectBrdf(subject), scene, least);
     qInfo("%.1f dB", snr);
     QVERIFY2(snr > least, qPrintable(QString("%1 dB").arg(snr)));
   }
