@@ -34,6 +34,7 @@ std::string describe(const DictionaryArguments& options, const TrainingMaterials
             {"tolerance", t.tolerance},
             {"subspaceLoss", t.subspaceLoss},
             {"seed", t.seed},
+            {"grid", {materials.grid.thetaHCount, materials.grid.thetaDCount, materials.grid.phiDCount}},
             {"materials", materials.names}};
   return json.dump();
 }
@@ -58,8 +59,8 @@ TrainingResult trainWithCheckpoints(const DictionaryArguments& options, const Tr
 }
 
 int train(const DictionaryArguments& options, const Tool& tool) {
-  const TrainingMaterials materials =
-      editing::trainingMaterials(editing::trainingFiles(options.sources, options.excluded));
+  const std::vector<std::string> files = editing::trainingFiles(options.sources, options.excluded);
+  const TrainingMaterials materials = editing::trainingMaterials(files, editing::trainingGrid(files));
   const TrainingResult result = trainWithCheckpoints(options, materials, tool);
   materials::writeDictionary(result.ensemble, options.out);
   Json ensembles = Json::array();

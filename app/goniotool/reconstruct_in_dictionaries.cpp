@@ -28,7 +28,8 @@ int reconstructWithDictionaries(const DictionaryReconstructionRequest& request, 
   const acquisition::MeasuredValues values = materials::readValues(request.values, plan);
   const auto dictionary =
       request.dictionary.empty() ? materials::bundledDictionary() : materials::readDictionary(request.dictionary);
-  const auto materials = editing::trainingMaterials(editing::trainingFiles(request.train, request.excluded));
+  const auto materials =
+      editing::trainingMaterials(editing::trainingFiles(request.train, request.excluded), dictionary->ensemble.grid);
   auto start = std::chrono::steady_clock::now();
   const auto prior = acquisition::learnDictionaryPrior(
       dictionary->ensemble, materials, {},

@@ -10,6 +10,15 @@
 
 namespace gonio::editing {
 
+namespace {
+
+std::string cellsText(const HalfDifferenceGrid& grid) {
+  return std::to_string(grid.thetaHCount) + " x " + std::to_string(grid.thetaDCount) + " x " +
+         std::to_string(grid.phiDCount) + (grid.reciprocal ? " cells" : " cells of the whole circle");
+}
+
+}  // namespace
+
 std::string trainingHelp() {
   return "Folders of " + materials::suffixText(materials::isMeasurement, "and") + " files, or files";
 }
@@ -40,13 +49,21 @@ std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
   return files;
 }
 
-dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files) {
+HalfDifferenceGrid trainingGrid(const std::vector<std::string>& files) {
+  const materials::Material first = openMaterial(files.front());
+  const TabulatedBrdf* table = first.brdf->asTable();
+  return table ? table->grid() : HalfDifferenceGrid();
+}
+
+dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files, const HalfDifferenceGrid& grid) {
   dictionary::TrainingMaterials materials;
+  materials.grid = grid;
   for (const std::string& file : files) materials.names.push_back(std::filesystem::path(file).stem().string());
-  materials.load = [files](std::size_t m) {
+  materials.load = [files, grid](std::size_t m) {
     auto table = openMaterial(files[m]).tabulated();
-    if (!(table->grid() == HalfDifferenceGrid{}))
-      throw Error(files[m] + ": found another grid than that of MERL tables, 90 x 90 x 180");
+    if (!(table->grid() == grid))
+      throw Error(files[m] + ": found a table of " + cellsText(table->grid()) + ", expected " + cellsText(grid) +
+                  " as of all materials of the training");
     return table;
   };
   return materials;

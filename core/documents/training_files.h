@@ -18,7 +18,11 @@ std::string trainingHelp();
 std::vector<std::string> trainingFiles(const std::vector<std::string>& sources,
                                        const std::vector<std::string>& excluded = {});
 
-/// Their tables over the grid of MERL tables; `load` throws Error naming a file of another grid.
-dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files);
+/// The grid of the first file's table, which all others must share; that of MERL tables where it has a form of its own.
+HalfDifferenceGrid trainingGrid(const std::vector<std::string>& files);
+
+/// Their tables; `load` throws Error naming a file of another grid than the one expected.
+dictionary::TrainingMaterials trainingMaterials(const std::vector<std::string>& files,
+                                                const HalfDifferenceGrid& grid = {});
 
 }  // namespace gonio::editing

@@ -18,12 +18,14 @@ class GoniotoolDictionaryTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
-    plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic, HalfDifferenceGrid());
-    rough_ = folder_.writeTable("rough.binary", "ggx", {{Rgb(0.1), Rgb(0.5), Rgb(0.5), Rgb(0.6), Rgb(0)}},
-                                HalfDifferenceGrid());
+    const models::ParameterValues rough{{Rgb(0.1), Rgb(0.5), Rgb(0.5), Rgb(0.6), Rgb(0)}};
+    plastic_ = folder_.writeTable("plastic.binary", "ggx", plastic);
+    rough_ = folder_.writeTable("rough.binary", "ggx", rough);
+    merl_ = folder_.writeTable("merl.binary", "ggx", rough, HalfDifferenceGrid());
   }
 
-  /// What it learned from, it encodes well; a checkpoint is left, and is of that training alone.
+  /// Over a grid of its own. What it learned from, it encodes well; a checkpoint is left, and is of that training
+  /// alone.
   void learnsAndEncodes() {
     const QString out = folder_.path("two.dictionary"), checkpoint = folder_.path("two.checkpoint");
     const QStringList options{"--dictionaries",  "1",     "--sparsities", "40", "--iterations", "1",
@@ -40,6 +42,7 @@ class GoniotoolDictionaryTest : public QObject {
     const ToolResult info = runJson({"dictionary", "info", out});
     VERIFY_SUCCESS(info);
     QVERIFY(info.json["learnedFrom"] == nlohmann::json({"plastic", "rough"}));
+    QVERIFY(info.json["grid"] == nlohmann::json({30, 30, 36}));
     QVERIFY(info.json["sparsities"] == nlohmann::json({40}));
 
     const QString code = folder_.path("plastic.code"), decoded = folder_.path("decoded.binary");
@@ -66,6 +69,10 @@ class GoniotoolDictionaryTest : public QObject {
     const ToolResult misspelt = runTool({"dictionary", "train", plastic_, "--exclude", "plastik", "--out", out});
     QCOMPARE(misspelt.code, 1);
     QVERIFY(misspelt.error.contains("plastik"));
+    const ToolResult mixed = runTool({"dictionary", "train", plastic_, merl_, "--out", out});
+    QCOMPARE(mixed.code, 1);
+    QVERIFY2(mixed.error.contains("merl.binary: found a table of 90 x 90 x 180 cells, expected 30 x 30 x 36"),
+             qPrintable(mixed.error));
     QCOMPARE(runTool({"encode", plastic_, "--bytes", "900", "--single"}).code, 2);
     QVERIFY(!QFile::exists(out));
     QCOMPARE(runTool({"dictionary", "info", plastic_}).code, 1);
@@ -75,19 +82,19 @@ class GoniotoolDictionaryTest : public QObject {
   /// Over the bundled dictionary: budgets, precisions, a target, and the code as a material of every subcommand.
   void bundledDictionary() {
     const QString code = folder_.path("bundled.code"), single = folder_.path("single.code");
-    const ToolResult half = runJson({"encode", rough_, "--bytes", "900", "--out", code});
+    const ToolResult half = runJson({"encode", merl_, "--bytes", "900", "--out", code});
     VERIFY_SUCCESS(half);
     QVERIFY(bytesOf(code).size() <= 900 && bytesOf(code).size() > 700);
     VERIFY_SUCCESS(
-        runJson({"encode", rough_, "--coefficients", "60", "--single", "--transform", "log-plus", "--out", single}));
+        runJson({"encode", merl_, "--coefficients", "60", "--single", "--transform", "log-plus", "--out", single}));
     QVERIFY(materials::readCode(single.toStdString()).precision == dictionary::CodePrecision::single);
     const ToolResult info = runJson({"info", single});
     VERIFY_SUCCESS(info);
     QCOMPARE(QString::fromStdString(info.json["format"]), QString("sparse code"));
-    const ToolResult compared = runJson({"compare", rough_, code, "--size", "16", "--samples", "4"});
+    const ToolResult compared = runJson({"compare", merl_, code, "--size", "16", "--samples", "4"});
     VERIFY_SUCCESS(compared);
     QVERIFY(std::abs(compared.json["brdfSnr"].get<double>() - half.json["brdfSnr"].get<double>()) < 0.01);
-    const ToolResult target = runJson({"encode", rough_, "--coefficients", "12", "--rendered-snr", "15"});
+    const ToolResult target = runJson({"encode", merl_, "--coefficients", "12", "--rendered-snr", "15"});
     VERIFY_SUCCESS(target);
     QVERIFY2(target.json["renderedSnr"].get<double>() >= 15 || target.json["coefficients"].get<int>() == 12,
              qPrintable(target.out));
@@ -100,7 +107,7 @@ class GoniotoolDictionaryTest : public QObject {
 
  private:
   TestFolder folder_{"goniotool-dictionary"};
-  QString plastic_, rough_;
+  QString plastic_, rough_, merl_;
 };
 
 GONIO_TEST(GoniotoolDictionaryTest)

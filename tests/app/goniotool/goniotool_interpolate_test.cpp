@@ -118,34 +118,32 @@ class GoniotoolInterpolateTest : public QObject {
 
   /// Over a dictionary that learned from the ends: codes that are files, and tables.
   void dictionaryGivesCodesAndTables() {
-    const QString smooth = folder_.writeTable("large-smooth.binary", "ggx", ggx(0.3, 0.15), HalfDifferenceGrid());
-    const QString rough = folder_.writeTable("large-rough.binary", "ggx", ggx(0.1, 0.6), HalfDifferenceGrid());
     const QString own = path("own.dictionary");
-    VERIFY_SUCCESS(runTool({"dictionary", "train", smooth, rough, "--dictionaries", "1", "--sparsities", "60",
+    VERIFY_SUCCESS(runTool({"dictionary", "train", smooth_, rough_, "--dictionaries", "1", "--sparsities", "60",
                             "--iterations", "1", "--out", own}));
     const QStringList space{"--space", "dictionary", "--dictionary", own, "--coefficients", "300", "--out"};
     const ToolResult result =
-        runJson(QStringList{"interpolate", smooth, rough} + space + QStringList{path("half.code")});
+        runJson(QStringList{"interpolate", smooth_, rough_} + space + QStringList{path("half.code")});
     VERIFY_SUCCESS(result);
     QCOMPARE(result.json["coefficients"].get<int>(), 300);
-    VERIFY_SUCCESS(runJson(QStringList{"interpolate", smooth, rough} + space + QStringList{path("half.binary")}));
+    VERIFY_SUCCESS(runJson(QStringList{"interpolate", smooth_, rough_} + space + QStringList{path("half.binary")}));
     VERIFY_SUCCESS(runTool({"decode", path("half.code"), "--dictionary", own, "--out", path("decoded.binary")}));
     QVERIFY(logError(path("half.binary"), path("decoded.binary")) < 0.01);  // the file's half precision
     // Of a code its own coefficients are taken, in its own transform.
-    const ToolResult whole = runJson(QStringList{"interpolate", path("half.code"), rough, "--at", "0"} + space +
+    const ToolResult whole = runJson(QStringList{"interpolate", path("half.code"), rough_, "--at", "0"} + space +
                                      QStringList{path("again.code")});
     VERIFY_SUCCESS(whole);
     QCOMPARE(bytesOf(path("again.code")), bytesOf(path("half.code")));
-    const ToolResult mixed = runJson(QStringList{"interpolate", path("half.code"), rough, "--at", "0.25"} + space +
+    const ToolResult mixed = runJson(QStringList{"interpolate", path("half.code"), rough_, "--at", "0.25"} + space +
                                      QStringList{path("quarter.code")});
     VERIFY_SUCCESS(mixed);
     QVERIFY(mixed.json["transform"] == result.json["transform"]);
     // Over the bundled dictionary it is nothing.
     const ToolResult foreign =
-        runTool({"interpolate", path("half.code"), rough, "--space", "dictionary", "--out", path("x.code")});
+        runTool({"interpolate", path("half.code"), rough_, "--space", "dictionary", "--out", path("x.code")});
     QCOMPARE(foreign.code, 1);
     QVERIFY(foreign.error.contains("half.code") && foreign.error.contains("another dictionary"));
-    QCOMPARE(runTool({"interpolate", smooth, rough, "--out", path("x.code")}).code, 2);
+    QCOMPARE(runTool({"interpolate", smooth_, rough_, "--out", path("x.code")}).code, 2);
   }
 
   void theBundledDictionaryIsTheDefault() {
