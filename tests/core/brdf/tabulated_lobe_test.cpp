@@ -43,7 +43,7 @@ class Sampled final : public Brdf {
   TabulatedLobe lobe_;
 };
 
-constexpr int draws = 1 << 20;
+constexpr int draws = 1 << 18;
 constexpr double tolerance = 1e-5;
 
 class TabulatedLobeTest : public QObject {

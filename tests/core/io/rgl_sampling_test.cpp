@@ -13,7 +13,7 @@ namespace rgl_sampling_test {
 using namespace gonio;
 namespace fs = std::filesystem;
 
-constexpr int draws = 1 << 20;
+constexpr int draws = 1 << 18;
 constexpr double tolerance = 1e-5;
 
 /// Any densities, anisotropic where there are more than two azimuths.

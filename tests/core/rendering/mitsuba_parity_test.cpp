@@ -20,7 +20,7 @@ class MitsubaParityTest : public QObject {
     QFETCH(QString, material);
     const std::filesystem::path shared = GONIO_SHARED_DIR;
     if (!std::filesystem::exists(shared / "data/renderings")) QSKIP("the development data is absent");
-    const auto found = test::parityWithMitsuba(shared, material.toStdString(), 64);
+    const auto found = test::parityWithMitsuba(shared, material.toStdString(), 32);
     const QString text = QString("error %1 with a standard error of %2").arg(found.error).arg(found.standardError);
     qInfo("%s", qPrintable(text));
     QVERIFY2(found.standardError < 1e-4, qPrintable(text));                    // else it would prove nothing
