@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/math/fast_atan2.h"
+
 namespace gonio {
 
 Direction fromSpherical(double theta, double phi) {
@@ -11,8 +13,8 @@ Direction fromSpherical(double theta, double phi) {
   return {s * std::cos(phi), s * std::sin(phi), std::cos(theta)};
 }
 
-double polarAngle(const Direction& w) { return std::atan2(std::hypot(w.x, w.y), w.z); }
+double polarAngle(const Direction& w) { return fastAtan2(std::sqrt(w.x * w.x + w.y * w.y), w.z); }
 
-double azimuth(const Direction& w) { return (w.x == 0 && w.y == 0) ? 0.0 : std::atan2(w.y, w.x); }
+double azimuth(const Direction& w) { return (w.x == 0 && w.y == 0) ? 0.0 : fastAtan2(w.y, w.x); }
 
 }  // namespace gonio
