@@ -36,7 +36,10 @@ class ModelSamplingTest : public QObject {
     constexpr std::size_t count = std::size(viewerDegrees);
     gonio::test::SamplingCheck checks[count];
     parallelForBlocks(count, 1, [&](std::size_t i, std::size_t) {
-      checks[i] = gonio::test::checkSampling(*brdf, direction(viewerDegrees[i], 25));
+      const Direction wo = direction(viewerDegrees[i], 25);
+      checks[i] = gonio::test::checkSampling(*brdf, wo, 1 << 15, 1e-5);
+      // Some densities at grazing angles need finer cells for the integral.
+      if (std::abs(checks[i].integral - 1) > 5e-5) checks[i] = gonio::test::checkSampling(*brdf, wo);
     });
     for (std::size_t i = 0; i < count; ++i) {
       const QByteArray where = QByteArray::number(viewerDegrees[i]) + " degrees: integral " +
