@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/goniotool/materials.h"
+#include "app/goniotool/picture_options.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/brdf/statistics.h"
@@ -58,9 +59,11 @@ std::string text(const Json& json) {
 struct InfoArguments {
   std::string material;
   bool tableError = false;
+  PictureOptions picture;  ///< size and samples of the pictures of the table's error
 };
 
 int info(const InfoArguments& options, const Tool& tool) {
+  const RenderOptions pictures = options.picture.renderOptions();  // reports a wrong size before the work
   const materials::Material material = openMaterial(options.material, tool.control("reading"));
   const auto table = material.tabulated(tool.control("tabulating"));
   Json json = describe(material, tableStatistics(*table));
@@ -68,7 +71,7 @@ int info(const InfoArguments& options, const Tool& tool) {
   if (options.tableError) {
     json["tableSnr"] = nullptr;
     if (material.brdf != table) {
-      const RenderedComparison comparison(*material.brdf, {}, tool.control("rendering the material"));
+      const RenderedComparison comparison(*material.brdf, pictures, tool.control("rendering the material"));
       json["tableSnr"] =
           decibelsJson(comparison.signalToNoiseRatio(comparison.render(*table, tool.control("rendering the table"))));
     }
@@ -84,8 +87,12 @@ void addInfo(CLI::App& app, Tool& tool) {
   CLI::App* command =
       app.add_subcommand("info", "Shows format, grid, ranges, fraction of invalid cells and albedo of a material");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_flag("--table-error", options->tableError,
-                    "Also measure the rendered SNR of the material's table (some seconds)");
+  CLI::Option* tableError = command->add_flag("--table-error", options->tableError,
+                                              "Also measure the rendered SNR of the material's table (some seconds)");
+  command->add_option("--size", options->picture.size, "Size of its pictures, pixels (256)")->needs(tableError);
+  command->add_option("--samples", options->picture.samples, "Samples per pixel (64)")
+      ->check(CLI::Range(1, 1 << 20))
+      ->needs(tableError);
   command->callback([options, &tool] { tool.run = [options, &tool] { return info(*options, tool); }; });
 }
 
