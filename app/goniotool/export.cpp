@@ -20,6 +20,7 @@ namespace {
 struct ExportArguments {
   std::string material, out, target;
   double snr = 40;
+  int samples = exports::ExportOptions{}.samples;
   std::size_t thetaCount = 0, size = 0;
   std::string scene;        ///< a name or a file; empty: none
   std::string environment;  ///< in the place of the scene's own
@@ -54,6 +55,7 @@ exports::ExportOptions exportOptions(const ExportArguments& arguments, const exp
     throw UsageError("export: --theta-count and --size belong together");
   exports::ExportOptions options;
   options.snr = arguments.snr;
+  options.samples = arguments.samples;
   if (arguments.size == 0) return options;
   if (!target.choosesSize)
     throw UsageError("export: --theta-count and --size are for .bsdf files, expected --for mitsuba or pbrt");
@@ -122,6 +124,8 @@ void addExport(CLI::App& app, Tool& tool) {
       ->required()
       ->check(CLI::IsMember(targetIds()));
   command->add_option("--snr", options->snr, "Min. rendered SNR of the files, dB (40)")->check(CLI::Range(0, 100));
+  command->add_option("--samples", options->samples, "Samples per pixel of the pictures that measure the SNR (128)")
+      ->check(CLI::Range(1, 1 << 20));
   command->add_option("--theta-count", options->thetaCount, "Number of incident polar angles, with --size")
       ->check(CLI::Range(4, 1024));
   command->add_option("--size", options->size, "Nodes along each side of a slice, with --theta-count")

@@ -23,7 +23,7 @@ class GoniotoolExportTest : public QObject {
   }
   void filesAreWritten() {
     QFETCH(QString, target);
-    const ToolResult result = runJson({"export", plastic_, out("a"), "--for", target, "--snr", "10"});
+    const ToolResult result = runJson({"export", plastic_, out("a"), "--for", target, "--snr", "10", "--samples", "8"});
     VERIFY_SUCCESS(result);
     QCOMPARE(result.json["target"].get<std::string>(), target.toStdString());
     QVERIFY(!result.json["files"].empty());
@@ -34,8 +34,8 @@ class GoniotoolExportTest : public QObject {
   }
 
   void aSceneIsWrittenBeside() {
-    const ToolResult result = runJson(
-        {"export", plastic_, out("b"), "--for", "pbrt", "--theta-count", "4", "--size", "4", "--environment", "sky"});
+    const ToolResult result = runJson({"export", plastic_, out("b"), "--for", "pbrt", "--theta-count", "4", "--size",
+                                       "4", "--samples", "8", "--environment", "sky"});
     VERIFY_SUCCESS(result);
     for (const char* suffix : {"_rgb.bsdf", "_spec.bsdf", "_scene.pbrt", "_environment_octahedral.exr"})
       QVERIFY2(QFileInfo::exists(out("b") + suffix), suffix);
