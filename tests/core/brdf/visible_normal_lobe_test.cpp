@@ -94,8 +94,11 @@ class VisibleNormalLobeTest : public QObject {
     const auto check = [&](const auto& lobe) {
       for (const double degrees : viewerDegrees) {
         const int draws = width == 1 && degrees == 60 ? 1 << 20 : 1 << 15;
-        const test::SamplingCheck found =
-            test::checkSampling(LobeBrdf(TurnedLobe(lobe, 0.4)), fromSpherical(radians(degrees), 0.9), draws);
+        const LobeBrdf sampled(TurnedLobe(lobe, 0.4));
+        const Direction wo = fromSpherical(radians(degrees), 0.9);
+        test::SamplingCheck found = test::checkSampling(sampled, wo, draws, 1e-5);
+        // Some densities at grazing angles need finer cells for the integral.
+        if (std::abs(found.integral - 1) > 5e-5) found = test::checkSampling(sampled, wo, draws);
         const QByteArray where = QByteArray::number(degrees) + " degrees: integral " +
                                  QByteArray::number(found.integral, 'g', 9) + ", p " + QByteArray::number(found.pValue);
         QVERIFY2(found.valid, where);
