@@ -21,6 +21,7 @@ struct FitArguments {
   std::string material, model, metric = "log", gamma, sort, out;
   double maxAngle = degrees(metrics::defaultMaxPolarAngle);
   bool all = false;
+  int samples = study::RankingOptions{}.picture.samples;
 
   fitting::FitOptions fitOptions() const {
     const bool isNumber = !gamma.empty() && gamma != chooseGamma;
@@ -100,6 +101,7 @@ int fitAll(const FitArguments& options, const materials::Material& material, con
   const metrics::BrdfMetric metric = metrics::metricByName(options.metric);
   study::RankingOptions rankingOptions;
   rankingOptions.fit = options.fitOptions();
+  rankingOptions.picture.samples = options.samples;
   std::vector<study::RankedFit> ranking =
       study::rankFits({table, material.brdf}, rankingOptions, tool.control("fitting all models"));
   const bool isBySnr = options.sort == bySnr;
@@ -152,6 +154,11 @@ void addFit(CLI::App& app, Tool& tool) {
                       "Gamma of the metric gamma: 1 to 3 (2), or auto for the highest rendered SNR");
   command->add_option("--sort", options->sort, "Order of the ranking: a metric, or snr (the minimised metric)")
       ->check(CLI::IsMember(orders));
+  command
+      ->add_option("--samples", options->samples,
+                   "Samples per pixel of the pictures of --all (" + std::to_string(options->samples) + ")")
+      ->check(CLI::Range(1, 1 << 20))
+      ->needs(command->get_option("--all"));
   command->add_option("--max-angle", options->maxAngle, "Max. polar angle of the cells that are fitted, degrees (85)")
       ->check(CLI::Range(1.0, 90.0));
   command->add_option("--out", options->out, "Bake the fitted model to this file");
