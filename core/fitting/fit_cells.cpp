@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/coordinates/grid_directions.h"
 #include "core/math/parallel.h"
 
 namespace gonio::fitting {
@@ -66,9 +67,18 @@ CellCensus takeCensus(const TabulatedBrdf& table, double maxPolarAngle) {
   CellCensus census;
   census.counts.assign(size, 0);
   std::vector<std::size_t> used((size + block - 1) / block, 0);
+  // Angles cost more than cosines: they decide only what rounding could turn.
+  constexpr double rounding = 1e-9;
+  const double leastCosine = std::cos(maxPolarAngle);
+  const GridDirections directions(table.grid());
+  const auto isWithin = [&](std::size_t cell) {
+    const DirectionPair pair = directions.at(cell).pair;
+    const double excess = std::min(pair.wi.z, pair.wo.z) - leastCosine;
+    return std::abs(excess) > rounding ? excess > 0 : table.grid().nodeWithin(cell, maxPolarAngle);
+  };
   parallelForBlocks(size, block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
-      if (!table.valid()[cell] || !table.grid().nodeWithin(cell, maxPolarAngle)) continue;
+      if (!table.valid()[cell] || !isWithin(cell)) continue;
       census.counts[cell] = 1;
       ++used[begin / block];
     }

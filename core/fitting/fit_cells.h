@@ -16,7 +16,7 @@ struct CellCensus {
   std::vector<std::uint8_t> counts;  ///< one flag a cell
   std::size_t used = 0, invalid = 0, grazing = 0;
 };
-/// @param maxPolarAngle rad; a cell with a direction beyond it is grazing. In parallel, about 0.1 s.
+/// @param maxPolarAngle rad; a cell with a direction beyond it is grazing. In parallel, about 20 ms.
 CellCensus takeCensus(const TabulatedBrdf& table, double maxPolarAngle);
 
 /// The cells that a fit compares, in arrays.

@@ -25,13 +25,16 @@ struct ChannelProblem {
   std::size_t size() const { return factor.size(); }
   /// The model at all cells, 1/sr.
   std::vector<double> model(const LinearVector& p) const;
+  /// The same at the cells from `begin` on, as many as `values` has.
+  void evaluateModel(const LinearVector& p, std::size_t begin, std::span<double> values) const;
 };
 
 struct ChannelSolution {
   LinearVector parameters;
-  double cost = 0;                ///< sum of the squared residuals
-  std::vector<double> model;      ///< at the cells, 1/sr
-  std::vector<double> residuals;  ///< rootWeight shape(transform(model factor) - transformed)
+  double cost = 0;                  ///< sum of the squared residuals
+  std::vector<double> model;        ///< at the cells, 1/sr
+  std::vector<double> differences;  ///< transform(model factor) - transformed
+  std::vector<double> residuals;    ///< rootWeight shape(difference)
 };
 
 /// Bounded least squares in the metric's own domain: Gauss-Newton steps, each an exact bounded linear problem

@@ -13,6 +13,10 @@ namespace gonio::fitting {
 /// A metric as least squares: the residual of one value is `shape(transform(x) - transform(y))` with x the reflectance
 /// of the model times the metric's factor and y that of the measurement; the sum of the squares is the metric's sum
 /// (core/metrics).
+///
+/// Of x below 0 (a model with signed coefficients) a transform is its straight continuation, so that the solver is led
+/// back. Slopes are bounded, so that a root at 0 does not swallow all other cells. Loops over many values ask once for
+/// the functions (visitDomain(), visitPower()) and become vector code.
 class MetricTransform {
  public:
   explicit MetricTransform(metrics::BrdfMetric metric, double gamma = metrics::defaultGamma)
@@ -24,75 +28,82 @@ class MetricTransform {
   /// What the metric multiplies the measure of a cell by.
   double weight(double cosI, double cosO) const { return metrics::metricWeight(record_->weight, cosI, cosO); }
 
-  /// Calls `visitor` with the function x -> y of the domain, for loops over many values. Of x below 0 (a model with
-  /// signed coefficients) the straight continuation, so that the solver is led back.
+  /// Calls `visitor` with two functions of x: the transform and its slope.
   template <typename Visitor>
-  void visitTransform(Visitor&& visitor) const {
+  void visitDomain(Visitor&& visitor) const {
     switch (domain_) {
       case metrics::MetricDomain::cubeRoot:
-        return visitor([](double x) { return fastCbrt(x); });
+        return visitor([](double x) { return fastCbrt(x); },
+                       [](double x) {
+                         const double root = fastCbrt(std::max(std::abs(x), smallest));
+                         return 1 / (3 * root * root);
+                       });
       case metrics::MetricDomain::log:
-        return visitor([](double x) { return x < 0 ? x : fastLog1p(std::max(x, 0.0)); });
-      case metrics::MetricDomain::gamma:
         return visitor(
-            [gamma = gamma_](double x) { return x < 0 ? -gammaTransformed(-x, gamma) : gammaTransformed(x, gamma); });
+            [](double x) {
+              const double y = fastLog1p(std::max(x, 0.0));
+              return x < 0 ? x : y;
+            },
+            [](double x) { return 1 / (1 + std::max(x, 0.0)); });
+      case metrics::MetricDomain::gamma:
+        if (gamma_ == 2)
+          return visitor([](double x) { return std::copysign(std::sqrt(std::abs(x)), x); },
+                         [](double x) { return 0.5 / std::sqrt(std::max(std::abs(x), smallest)); });
+        return visitor([gamma = gamma_](double x) { return std::copysign(gammaTransformed(std::abs(x), gamma), x); },
+                       [gamma = gamma_](double x) {
+                         const double bounded = std::max(std::abs(x), smallest);
+                         return gammaTransformed(bounded, gamma) / (gamma * bounded);
+                       });
       case metrics::MetricDomain::logRelative:
-        return visitor([atZero = std::log(offset)](double x) {
-          return atZero + (x < 0 ? x / offset : fastLog1p(std::max(x, 0.0) / offset));
-        });
+        return visitor(
+            [atZero = std::log(offset)](double x) {
+              const double y = fastLog1p(std::max(x, 0.0) / offset);
+              return atZero + (x < 0 ? x / offset : y);
+            },
+            [](double x) { return 1 / (std::max(x, 0.0) + offset); });
       default:
-        return visitor([](double x) { return x; });
+        return visitor([](double x) { return x; }, [](double) { return 1.0; });
     }
   }
   double transform(double x) const {
     double y = 0;
-    visitTransform([&](const auto& function) { y = function(x); });
+    visitDomain([&](const auto& function, const auto&) { y = function(x); });
     return y;
   }
-  /// Derivative of transform(); bounded, so that a root at 0 does not swallow all other cells.
+  /// Derivative of transform().
   double slope(double x) const {
-    switch (domain_) {
-      case metrics::MetricDomain::cubeRoot: {
-        const double root = fastCbrt(std::max(std::abs(x), smallest));
-        return 1 / (3 * root * root);
-      }
-      case metrics::MetricDomain::log:
-        return 1 / (1 + std::max(x, 0.0));
-      case metrics::MetricDomain::gamma: {
-        const double bounded = std::max(std::abs(x), smallest);
-        return gammaTransformed(bounded, gamma_) / (gamma_ * bounded);
-      }
-      case metrics::MetricDomain::logRelative:
-        return 1 / (std::max(x, 0.0) + offset);
-      default:
-        return 1;
-    }
+    double y = 0;
+    visitDomain([&](const auto&, const auto& derivative) { y = derivative(x); });
+    return y;
   }
 
-  bool isReweighted() const { return power_ != metrics::MetricPower::square; }
-  /// d for the quadratic metrics; for the means of |d|^p a smooth function whose square tends to |d|^p.
-  double shape(double d) const { return isReweighted() ? d * reweight(d) : d; }
-  double shapeSlope(double d) const {
-    const double square = d * d + kink * kink;
+  /// Calls `visitor` with two functions of d: reweight(), and the slope of shape() over it.
+  template <typename Visitor>
+  void visitPower(Visitor&& visitor) const {
     switch (power_) {
       case metrics::MetricPower::absolute:
-        return reweight(d) * (1 - d * d / (2 * square));
+        return visitor([](double d) { return 1 / std::sqrt(std::sqrt(d * d + kink * kink)); },
+                       [](double d) { return 1 - d * d / (2 * (d * d + kink * kink)); });
       case metrics::MetricPower::twoThirds:
-        return reweight(d) * (1 - 2 * d * d / (3 * square));
+        return visitor([](double d) { return 1 / fastCbrt(d * d + kink * kink); },
+                       [](double d) { return 1 - 2 * d * d / (3 * (d * d + kink * kink)); });
       default:
-        return 1;
+        return visitor([](double) { return 1.0; }, [](double) { return 1.0; });
     }
+  }
+  bool isReweighted() const { return power_ != metrics::MetricPower::square; }
+  /// d for the quadratic metrics; for the means of |d|^p a smooth function whose square tends to |d|^p.
+  double shape(double d) const { return d * reweight(d); }
+  double shapeSlope(double d) const {
+    double y = 0;
+    visitPower([&](const auto& weight, const auto& slope) { y = weight(d) * slope(d); });
+    return y;
   }
   /// shape(d) / d: the weight of iteratively reweighted least squares.
   double reweight(double d) const {
-    switch (power_) {
-      case metrics::MetricPower::absolute:
-        return 1 / std::sqrt(std::sqrt(d * d + kink * kink));
-      case metrics::MetricPower::twoThirds:
-        return 1 / fastCbrt(d * d + kink * kink);
-      default:
-        return 1;
-    }
+    double y = 0;
+    visitPower([&](const auto& weight, const auto&) { y = weight(d); });
+    return y;
   }
 
  private:

@@ -24,52 +24,48 @@ double stepFrom(double unit, const UnitScale& scale) {
 /// One channel's residuals linearised at its solution.
 class Linearisation {
  public:
-  Linearisation(const ChannelProblem& problem, const ChannelSolution& solution) : slopes_(problem.size()) {
-    for (std::size_t i = 0; i < problem.size(); ++i) {
-      const double x = solution.model[i] * problem.factor[i];
-      const double d = problem.metric.transform(x) - problem.transformed[i];
-      slopes_[i] = problem.rootWeight[i] * problem.metric.shapeSlope(d) * problem.metric.slope(x) * problem.factor[i];
-    }
+  Linearisation(const ChannelProblem& problem, const ChannelSolution& solution)
+      : slopes_(Eigen::Index(problem.size())), columns_(slopes_.size(), Eigen::Index(problem.bases.size())) {
+    problem.metric.visitDomain([&](const auto&, const auto& slope) {
+      problem.metric.visitPower([&](const auto& reweight, const auto& powerSlope) {
+        const double *factor = problem.factor.data(), *rootWeight = problem.rootWeight.data(),
+                     *model = solution.model.data(), *differences = solution.differences.data();
+        double* slopes = slopes_.data();
+        for (std::size_t i = 0; i < problem.size(); ++i) {
+          const double d = differences[i];
+          slopes[i] = rootWeight[i] * (reweight(d) * powerSlope(d)) * slope(model[i] * factor[i]) * factor[i];
+        }
+      });
+    });
     for (std::size_t j = 0; j < problem.bases.size(); ++j) {
       const double p = solution.parameters[Eigen::Index(j)];
       if (p > problem.lower[Eigen::Index(j)] && p < problem.upper[Eigen::Index(j)]) addColumn(problem.bases[j]);
     }
-    const Eigen::Index count = Eigen::Index(columns_.size());
-    LinearMatrix gram(count, count);
-    for (Eigen::Index a = 0; a < count; ++a)
-      for (Eigen::Index b = 0; b < count; ++b) gram(a, b) = dot(columns_[a], columns_[b]);
-    gram_.compute(gram);
+    columns_.conservativeResize(Eigen::NoChange, usedCount_);
+    gram_.compute(columns_.transpose() * columns_);
   }
 
   /// Turns a change of the model into that of the residuals, without what the free linear parameters can undo.
-  void apply(std::vector<double>& column) const {
-    for (std::size_t i = 0; i < column.size(); ++i) column[i] *= slopes_[i];
-    if (columns_.empty()) return;
-    LinearVector right(Eigen::Index(columns_.size()));
-    for (std::size_t a = 0; a < columns_.size(); ++a) right[Eigen::Index(a)] = dot(columns_[a], column);
-    const LinearVector fractions = gram_.solve(right);
-    for (std::size_t a = 0; a < columns_.size(); ++a)
-      for (std::size_t i = 0; i < column.size(); ++i) column[i] -= fractions[Eigen::Index(a)] * columns_[a][i];
+  void apply(Eigen::VectorXd& column) const {
+    column.array() *= slopes_;
+    if (usedCount_ == 0) return;
+    const LinearVector right = columns_.transpose() * column;
+    column.noalias() -= columns_ * gram_.solve(right);
   }
 
  private:
-  static double dot(std::span<const double> a, std::span<const double> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
-  }
-
   void addColumn(std::span<const double> basis) {
-    std::vector<double> column(slopes_);
-    for (std::size_t i = 0; i < column.size(); ++i) column[i] *= basis[i];
-    const double length = std::sqrt(dot(column, column));
+    auto column = columns_.col(usedCount_);
+    column = slopes_ * Eigen::Map<const Eigen::ArrayXd>(basis.data(), slopes_.size());
+    const double length = column.norm();
     if (!(length > 0)) return;
-    for (double& x : column) x /= length;
-    columns_.push_back(std::move(column));
+    column /= length;
+    ++usedCount_;
   }
 
-  std::vector<double> slopes_;
-  std::vector<std::vector<double>> columns_;  ///< of the linear parameters off their bounds, unit length
+  Eigen::ArrayXd slopes_;
+  LinearMatrix columns_;  ///< of the linear parameters off their bounds, unit length
+  Eigen::Index usedCount_ = 0;
   Eigen::LDLT<LinearMatrix> gram_;
 };
 
@@ -111,7 +107,7 @@ void ProjectedProblem::jacobian(double* out) const {
   parallelForBlocks(channels_.size(), 1, [&](std::size_t slot, std::size_t) {
     linearisations[slot].emplace(problems[slot], solutions_[slot]);
   });
-  std::vector<double> column(cells);
+  Eigen::VectorXd column{Eigen::Index(cells)};
   for (std::size_t first = 0; first < unknowns; first += stride) {
     const std::size_t count = std::min(stride, unknowns - first);
     const std::vector<Rgb> perturbed = perturbedModel(first, count);
@@ -120,11 +116,12 @@ void ProjectedProblem::jacobian(double* out) const {
       const double slope = preference * (units_[k] - unknowns_[k].defaultUnit) / factor;
       for (std::size_t slot = 0; slot < channels_.size(); ++slot) {
         const int channel = channels_.size() == 1 ? int(k - first) : channels_[slot];
-        for (std::size_t i = 0; i < cells; ++i) column[i] = (perturbed[i][channel] - solutions_[slot].model[i]) / step;
+        const double *model = solutions_[slot].model.data(), *residuals = solutions_[slot].residuals.data();
+        for (std::size_t i = 0; i < cells; ++i) column[Eigen::Index(i)] = (perturbed[i][channel] - model[i]) / step;
         linearisations[slot]->apply(column);
         double* row = out + slot * cells * unknowns + k;
         for (std::size_t i = 0; i < cells; ++i)
-          row[i * unknowns] = factor * column[i] + slope * solutions_[slot].residuals[i];
+          row[i * unknowns] = factor * column[Eigen::Index(i)] + slope * residuals[i];
       }
     }
   }

@@ -4,9 +4,11 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -86,7 +88,8 @@ Cells cellsOfBlock(const TabulatedBrdf& reference, const GridDirections& directi
 /// Cells that lie at the greatest angle exactly count, whatever the rounding of their directions.
 double smallestCosine(double maxPolarAngle) { return std::cos(maxPolarAngle) - 1e-12; }
 
-constexpr std::size_t block = 8192;
+/// Cells at a time: what all metrics look at stays in the caches.
+constexpr std::size_t block = 1024;
 
 /// Weighted sums over the cells of a block, one of each a metric, in the order of metricRecords().
 struct Sums {
@@ -94,14 +97,19 @@ struct Sums {
   std::vector<double> weights = std::vector<double>(metricRecords().size(), 0.0);
 };
 
-/// Sums the metrics asked for over one block of cells. Metrics of one factor and domain share their differences. Its
-/// loops run over channels side by side, so that they become vector code.
+/// Sums the metrics asked for over one block of cells. Metrics of one factor and domain share their differences; all
+/// share the weights. Its loops run over channels side by side, so that they become vector code.
 class BlockSums {
  public:
-  BlockSums(const Compared& cells, double gamma) : cells_(cells), gamma_(gamma) {}
+  BlockSums(const Compared& cells, double gamma)
+      : cells_(cells), gamma_(gamma), reference_(columns(cells.reference)), test_(columns(cells.test)) {
+    differences_.resize(3, reference_.cols());
+    powers_.resize(3, reference_.cols());
+  }
 
   Sums sum(std::span<const BrdfMetric> wanted) {
     Sums sums;
+    if (cells_.pairs.empty()) return sums;
     std::vector<bool> done(metricRecords().size(), false);
     for (const BrdfMetric metric : wanted) {
       const MetricRecord& first = metricRecord(metric);
@@ -120,54 +128,74 @@ class BlockSums {
 
  private:
   using Array = Eigen::Array3Xd;  ///< a column for each pair
+  /// The number of each pair, in all channels, and their sum over the pairs.
+  struct OfPairs {
+    Array columns;
+    double sum = 0;
+  };
 
-  static Eigen::Map<const Array> columns(std::span<const Rgb> values) {
-    return {glm::value_ptr(values.front()), 3, Eigen::Index(values.size())};
+  static Array columns(std::span<const Rgb> values) {
+    if (values.empty()) return {};
+    return Eigen::Map<const Array>(glm::value_ptr(values.front()), 3, Eigen::Index(values.size())).max(0);
+  }
+
+  /// Made on first use.
+  template <typename ValueAt>
+  const OfPairs& ofPairs(std::optional<OfPairs>& known, const ValueAt& valueAt) const {
+    if (known) return *known;
+    known.emplace();
+    known->columns.resize(3, reference_.cols());
+    double* column = known->columns.data();
+    for (std::size_t i = 0; i < cells_.pairs.size(); ++i, column += 3) {
+      const double value = valueAt(i);
+      column[0] = column[1] = column[2] = value;
+      known->sum += value;
+    }
+    return *known;
+  }
+  const Array& factors(MetricFactor factor) {
+    return ofPairs(factors_[static_cast<std::size_t>(factor)],
+                   [&](std::size_t i) {
+                     const DirectionPair& pair = cells_.pairs[i];
+                     return metricFactor(factor, pair.wi.z, pair.wo.z);
+                   })
+        .columns;
+  }
+  const OfPairs& weights(MetricWeight weight) {
+    return ofPairs(weights_[static_cast<std::size_t>(weight)], [&](std::size_t i) {
+      const DirectionPair& pair = cells_.pairs[i];
+      return cells_.measures[i] * metricWeight(weight, pair.wi.z, pair.wo.z);
+    });
   }
 
   void computeDifferences(const MetricRecord& record) {
-    const auto count = Eigen::Index(cells_.pairs.size());
-    differences_.resize(3, count);
-    if (count == 0) return;
-    reference_ = columns(cells_.reference).max(0);
-    test_ = columns(cells_.test).max(0);
     if (record.domain == MetricDomain::lab) {
       labDifferences(reference_, test_, differences_);
       return;
     }
-    if (record.factor != MetricFactor::one)
-      for (Eigen::Index i = 0; i < count; ++i) {
-        const DirectionPair& pair = cells_.pairs[std::size_t(i)];
-        const double factor = metricFactor(record.factor, pair.wi.z, pair.wo.z);
-        reference_.col(i) *= factor;
-        test_.col(i) *= factor;
-      }
+    const double* factor = factors(record.factor).data();
     visitDifference(record.domain, gamma_, [&](const auto& difference) {
       const double *r = reference_.data(), *t = test_.data();
       double* d = differences_.data();
-      for (Eigen::Index i = 0; i < 3 * count; ++i) d[i] = difference(r[i], t[i]);
+      for (Eigen::Index i = 0; i < differences_.size(); ++i) d[i] = difference(factor[i] * r[i], factor[i] * t[i]);
     });
   }
 
   void accumulate(const MetricRecord& record, double& deviation, double& weightSum) {
-    powers_.resize(3, differences_.cols());
     visitPower(record.power, [&](const auto& power) {
       const double* d = differences_.data();
       double* p = powers_.data();
       for (Eigen::Index i = 0; i < differences_.size(); ++i) p[i] = power(d[i]);
     });
-    const double terms = record.domain == MetricDomain::lab ? 1 : 3;
-    for (std::size_t i = 0; i < cells_.pairs.size(); ++i) {
-      const DirectionPair& pair = cells_.pairs[i];
-      const double weight = cells_.measures[i] * metricWeight(record.weight, pair.wi.z, pair.wo.z);
-      weightSum += terms * weight;
-      deviation += weight * powers_.col(Eigen::Index(i)).sum();
-    }
+    const OfPairs& weight = weights(record.weight);
+    weightSum += (record.domain == MetricDomain::lab ? 1 : 3) * weight.sum;
+    deviation += (weight.columns * powers_).sum();
   }
 
   Compared cells_;
   double gamma_;
   Array reference_, test_, differences_, powers_;
+  std::array<std::optional<OfPairs>, 3> factors_, weights_;
 };
 
 Sums sumsOfBlock(std::span<const BrdfMetric> wanted, const TabulatedBrdf& reference, const Cells& cells, double gamma) {

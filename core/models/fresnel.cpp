@@ -33,7 +33,7 @@ double fresnelConductor(double cosD, double eta, double k) {
   const double c = std::clamp(cosD, 0.0, 1.0), cos2 = c * c, sin2 = 1 - cos2;
   const double contrast = (eta - 1) * (eta + 1) - k * k, product = 2 * eta * k;
   // (a + i b)^2 = index^2 - sin^2; the smaller of a^2 and b^2 by their product, where the difference would cancel.
-  const double difference = contrast + cos2, modulus = std::hypot(difference, product);
+  const double difference = contrast + cos2, modulus = std::sqrt(difference * difference + product * product);
   const double larger = (modulus + std::abs(difference)) / 2;
   const double smaller = larger > 0 ? product * product / (4 * larger) : 0;
   const double a = std::sqrt(difference > 0 ? larger : smaller), b2 = difference > 0 ? smaller : larger;

@@ -9,6 +9,7 @@
 
 #include "core/brdf/half_vector_lobe.h"
 #include "core/brdf/tabulated_normals.h"
+#include "core/math/fast_atan2.h"
 #include "core/math/special_functions.h"
 #include "core/models/common_parameters.h"
 #include "core/models/registry.h"
@@ -143,8 +144,9 @@ std::unique_ptr<const Brdf> create(const ParameterValues& p) {
   return makeGeometryBrdf(
       [channels](const SurfaceGeometry& g) {
         const double cos2H = g.half.z * g.half.z, m = 1 - g.cosD;
-        const Angles angles{.thetaI = polarAngle(g.wi),
-                            .thetaO = polarAngle(g.wo),
+        const auto theta = [](const Direction& w) { return fastAtan2(std::sqrt(w.x * w.x + w.y * w.y), w.z); };
+        const Angles angles{.thetaI = theta(g.wi),
+                            .thetaO = theta(g.wo),
                             .tan2H = g.sin2H / cos2H,
                             .log4CosH = 2 * std::log(cos2H),
                             .oneMinusCosD5 = (m * m) * (m * m) * m,
@@ -170,11 +172,17 @@ std::vector<glm::vec3> shaderParameters(const ParameterValues& p) {
 double sgdLogNormalisation(double alpha, double p) { return -std::log(alpha) - logUpperIncompleteGamma(1 - p, alpha); }
 
 double sgdMasking(double theta, double lambda, double logC, double k, double theta0) {
-  constexpr double maxExponent = 700;  // exp() of it is finite, and 1 - lambda exp() is far below 0
+  constexpr double maxExponent = 700;  // exp() of it is finite
   const double beyond = theta - theta0;
   if (!(beyond > 0)) return 1;
-  const double growth = std::exp(std::min(maxExponent, logC + k * std::log(beyond)));
-  return std::clamp(1 - lambda * std::expm1(std::min(maxExponent, growth)), 0.0, 1.0);
+  const double exponent = logC + k * std::log(beyond);
+  if (exponent < -40 && lambda < 10) return 1;  // what is taken away is below half of the last digit
+  const double growth = std::exp(std::min(maxExponent, exponent));
+  if (lambda * growth >= 1) return 0;
+  constexpr double fewTerms = 1e-4;  // up to here the series is exact to the last digit
+  const double excess =
+      growth < fewTerms ? growth * (1 + growth / 2 * (1 + growth / 3 * (1 + growth / 4))) : std::expm1(growth);
+  return std::clamp(1 - lambda * excess, 0.0, 1.0);
 }
 
 const Model& sgd() {
