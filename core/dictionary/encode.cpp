@@ -78,11 +78,15 @@ void measure(EncodedCandidate& candidate, const TabulatedBrdf& table, const Tabu
   std::vector<Sums> sums((table.grid().size() + block - 1) / block);
   parallelForBlocks(table.grid().size(), block, [&](std::size_t begin, std::size_t end) {
     Sums& sum = sums[begin / block];
+    const auto rowLength = std::size_t(table.grid().phiDCount);
+    double cellMeasure = 0;
     for (std::size_t cell = begin; cell < end; ++cell) {
+      if (cell == begin || cell % rowLength == 0)
+        cellMeasure = table.grid().cellMeasure(cell);  // the same for all phi_d
       if (table.valid()[cell] == 0 || decoded.valid()[cell] == 0) continue;
       const DirectionPair pair = directions.at(cell).pair;
       if (std::min(pair.wi.z, pair.wo.z) < cosGrazing) continue;
-      const double weight = table.grid().cellMeasure(cell) * pair.wi.z * pair.wo.z;
+      const double weight = cellMeasure * pair.wi.z * pair.wo.z;
       for (int c = 0; c < 3; ++c) {
         const double a = table.values()[cell][c], b = decoded.values()[cell][c];
         const double d = gammaTransformed(a, gamma) - gammaTransformed(b, gamma);
@@ -202,14 +206,18 @@ Encoded Encoder::encode(const TabulatedBrdf& table, const EncodeOptions& options
   Encoded result;
   std::vector<Attempt> attempts;
   const int trialRounds = std::min(options.trialRefinements, options.refinements);
-  const double stages = double(options.transforms.size()) + 1;
-  for (const DataTransform transform : options.transforms) {
-    Attempt& attempt = attempts.emplace_back(Attempt{.table = table, .options = options});
-    this->start(attempt, transform, control);
-    refine(attempt, trialRounds, control);
-    result.candidates.push_back(finished(attempt));
-    control.report(double(attempts.size()) / stages);
-  }
+  for (std::size_t t = 0; t < options.transforms.size(); ++t) attempts.push_back({.table = table, .options = options});
+  result.candidates.resize(attempts.size());
+  const double trialShare = double(attempts.size()) / double(attempts.size() + 1);
+  parallelForBlocks(
+      attempts.size(), 1,
+      [&](std::size_t t, std::size_t) {
+        const TaskControl silent{.stop = control.stop, .progress = {}};
+        this->start(attempts[t], options.transforms[t], silent);
+        refine(attempts[t], trialRounds, silent);
+        result.candidates[t] = finished(attempts[t]);
+      },
+      control.between(0, trialShare));
   const auto best = std::min_element(result.candidates.begin(), result.candidates.end(),
                                      [](const auto& a, const auto& b) { return a.gammaError < b.gammaError; });
   if (options.refinements > trialRounds) {

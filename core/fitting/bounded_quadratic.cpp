@@ -11,7 +11,7 @@ namespace gonio::fitting {
 namespace {
 
 /// Up to here all active sets are tried.
-constexpr Eigen::Index fewVariables = 4;
+constexpr int fewVariables = 4;
 /// A bound is left only for a slope that rounding does not explain; the variables have unit curvature.
 constexpr double slopeTolerance = 1e-12;
 
@@ -19,37 +19,44 @@ enum class State { lower, free, upper };
 using States = std::vector<State>;
 
 /// The problem in variables of unit curvature: columns of highlights are a million times larger than diffuse ones.
+/// @tparam maxVariables known beforehand, so that nothing is allocated; Eigen::Dynamic: any number.
+template <int maxVariables>
 struct Problem {
-  LinearMatrix n;
-  LinearVector b, lower, upper;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, maxVariables, maxVariables>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, maxVariables, 1>;
+  using Indices = Eigen::Matrix<Eigen::Index, Eigen::Dynamic, 1, 0, maxVariables, 1>;
+
+  Matrix n;
+  Vector b, lower, upper;
   std::vector<bool> isSeen;
 
-  double value(const LinearVector& x) const { return 0.5 * x.dot(n * x) - b.dot(x); }
-  bool isInside(const LinearVector& x) const {
-    return ((x.array() >= lower.array()) && (x.array() <= upper.array())).all();
-  }
+  double value(const Vector& x) const { return 0.5 * x.dot(n * x) - b.dot(x); }
+  bool isInside(const Vector& x) const { return ((x.array() >= lower.array()) && (x.array() <= upper.array())).all(); }
 
   /// The minimum over the free variables with the others at their bounds; it may lie outside the bounds.
-  LinearVector minimumOf(const States& states) const {
-    std::vector<Eigen::Index> free;
-    LinearVector x = LinearVector::Zero(b.size());
+  Vector minimumOf(const States& states) const {
+    Indices free(b.size());
+    Eigen::Index freeCount = 0;
+    Vector x = Vector::Zero(b.size());
     for (Eigen::Index j = 0; j < b.size(); ++j) {
       if (states[std::size_t(j)] == State::free)
-        free.push_back(j);
+        free[freeCount++] = j;
       else
         x[j] = states[std::size_t(j)] == State::upper ? upper[j] : lower[j];
     }
-    if (free.empty()) return x;
-    const LinearMatrix reduced = n(free, free);
-    const LinearVector right = b(free) - n(free, Eigen::all) * x;
-    const LinearVector solution = reduced.ldlt().solve(right);
+    if (freeCount == 0) return x;
+    free.conservativeResize(freeCount);
+    const Matrix reduced = n(free, free);
+    const Vector right = b(free) - n(free, Eigen::all) * x;
+    const Vector solution = reduced.ldlt().solve(right);
     x(free) = solution;
     return x;
   }
 };
 
 /// Steps through all combinations of three states of the variables that are seen; false after the last.
-bool nextStates(const Problem& problem, States& states) {
+template <int maxVariables>
+bool nextStates(const Problem<maxVariables>& problem, States& states) {
   for (std::size_t j = 0; j < states.size(); ++j) {
     if (!problem.isSeen[j]) continue;
     if (states[j] != State::upper) {
@@ -62,19 +69,22 @@ bool nextStates(const Problem& problem, States& states) {
 }
 
 /// Variables that are not seen have both bounds at 0.
-States allAt(const Problem& problem, State state) {
+template <int maxVariables>
+States allAt(const Problem<maxVariables>& problem, State state) {
   States states(problem.isSeen.size(), state);
   for (std::size_t j = 0; j < states.size(); ++j)
     if (!problem.isSeen[j]) states[j] = State::lower;
   return states;
 }
 
-LinearVector bestOfAllSets(const Problem& problem) {
-  LinearVector best = LinearVector::Zero(problem.b.size());
+template <int maxVariables>
+auto bestOfAllSets(const Problem<maxVariables>& problem) {
+  using Vector = typename Problem<maxVariables>::Vector;
+  Vector best = Vector::Zero(problem.b.size());
   double lowest = 0;
   States states = allAt(problem, State::lower);
   do {
-    const LinearVector x = problem.minimumOf(states);
+    const Vector x = problem.minimumOf(states);
     if (!problem.isInside(x)) continue;
     const double value = problem.value(x);
     if (value < lowest) {
@@ -85,10 +95,12 @@ LinearVector bestOfAllSets(const Problem& problem) {
   return best;
 }
 
+using AnyProblem = Problem<Eigen::Dynamic>;
+
 class ActiveSet {
  public:
   /// @param start its part outside the bounds is moved to them.
-  ActiveSet(const Problem& problem, const LinearVector& start) : p_(problem), states_(allAt(problem, State::free)) {
+  ActiveSet(const AnyProblem& problem, const LinearVector& start) : p_(problem), states_(allAt(problem, State::free)) {
     x_ = start.allFinite() ? start : LinearVector::Zero(start.size());
     x_ = x_.cwiseMax(p_.lower).cwiseMin(p_.upper);
     for (Eigen::Index j = 0; j < x_.size(); ++j) {
@@ -162,20 +174,20 @@ class ActiveSet {
     return best;
   }
 
-  const Problem& p_;
+  const AnyProblem& p_;
   States states_;
   LinearVector x_;
 };
 
-}  // namespace
-
-LinearVector solveBounded(const LinearMatrix& normal, const LinearVector& rightSide, const LinearVector& lower,
+template <int maxVariables>
+LinearVector solveProblem(const LinearMatrix& normal, const LinearVector& rightSide, const LinearVector& lower,
                           const LinearVector& upper) {
+  using Vector = typename Problem<maxVariables>::Vector;
   const Eigen::Index count = normal.rows();
-  LinearVector scale = LinearVector::Zero(count);
-  Problem problem;
+  Vector scale = Vector::Zero(count);
+  Problem<maxVariables> problem;
   problem.isSeen.resize(std::size_t(count));
-  problem.lower = problem.upper = LinearVector::Zero(count);
+  problem.lower = problem.upper = Vector::Zero(count);
   for (Eigen::Index j = 0; j < count; ++j) {
     problem.isSeen[std::size_t(j)] = normal(j, j) > 0;
     if (!problem.isSeen[std::size_t(j)]) continue;
@@ -186,14 +198,27 @@ LinearVector solveBounded(const LinearMatrix& normal, const LinearVector& rightS
   problem.n = scale.asDiagonal() * normal * scale.asDiagonal();
   problem.b = scale.cwiseProduct(rightSide);
   // The free minimum, where it is inside, is the answer.
-  LinearVector x = problem.minimumOf(allAt(problem, State::free));
-  if (!problem.isInside(x)) x = count <= fewVariables ? bestOfAllSets(problem) : ActiveSet(problem, x).solve();
+  Vector x = problem.minimumOf(allAt(problem, State::free));
+  if (!problem.isInside(x)) {
+    if constexpr (maxVariables == Eigen::Dynamic)
+      x = ActiveSet(problem, x).solve();
+    else
+      x = bestOfAllSets(problem);
+  }
   LinearVector result(count);
   for (Eigen::Index j = 0; j < count; ++j) {
     const double value = x[j] == problem.upper[j] ? upper[j] : x[j] == problem.lower[j] ? lower[j] : scale[j] * x[j];
     result[j] = problem.isSeen[std::size_t(j)] ? std::clamp(value, lower[j], upper[j]) : 0;
   }
   return result;
+}
+
+}  // namespace
+
+LinearVector solveBounded(const LinearMatrix& normal, const LinearVector& rightSide, const LinearVector& lower,
+                          const LinearVector& upper) {
+  return normal.rows() <= fewVariables ? solveProblem<fewVariables>(normal, rightSide, lower, upper)
+                                       : solveProblem<Eigen::Dynamic>(normal, rightSide, lower, upper);
 }
 
 }  // namespace gonio::fitting

@@ -179,10 +179,7 @@ double sgdMasking(double theta, double lambda, double logC, double k, double the
   if (exponent < -40 && lambda < 10) return 1;  // what is taken away is below half of the last digit
   const double growth = std::exp(std::min(maxExponent, exponent));
   if (lambda * growth >= 1) return 0;
-  constexpr double fewTerms = 1e-4;  // up to here the series is exact to the last digit
-  const double excess =
-      growth < fewTerms ? growth * (1 + growth / 2 * (1 + growth / 3 * (1 + growth / 4))) : std::expm1(growth);
-  return std::clamp(1 - lambda * excess, 0.0, 1.0);
+  return std::clamp(1 - lambda * std::expm1(std::min(maxExponent, growth)), 0.0, 1.0);
 }
 
 const Model& sgd() {
