@@ -23,7 +23,8 @@ std::size_t endOfGroup(const std::vector<Coefficient<Scalar>>& coefficients, std
 }  // namespace
 
 template <typename Scalar>
-void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scalar>> coefficients, Scalar* block) {
+ComposedSlabs<Scalar> composeSlabs(const ModeMatrices<Scalar>& matrices,
+                                   std::vector<Coefficient<Scalar>> coefficients) {
   const Eigen::Index n0 = matrices[0].rows(), n1 = matrices[1].rows(), n2 = matrices[2].rows();
   std::sort(coefficients.begin(), coefficients.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
   const auto atom1 = [&](const Coefficient<Scalar>& c) { return Eigen::Index(c.index) / n0; };  // with that of mode 2
@@ -32,7 +33,7 @@ void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scala
   for (std::size_t i = 0; i < coefficients.size(); i = endOfGroup(coefficients, i, atom2))
     atoms2.push_back(atom2(coefficients[i]));
   const Eigen::Index slabCount = Eigen::Index(atoms2.size());
-  Matrix<Scalar> slabs(n0 * n1, slabCount), selected(slabCount, n2);
+  ComposedSlabs<Scalar> result{Matrix<Scalar>(n0 * n1, slabCount), Matrix<Scalar>(slabCount, n2)};
   Matrix<Scalar> fibres(n0, n1), partners(n1, n1);
   for (std::size_t begin = 0, slab = 0; begin < coefficients.size(); ++slab) {
     const std::size_t end = endOfGroup(coefficients, begin, atom2);
@@ -45,13 +46,21 @@ void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scala
         fibres.col(used) += coefficients[begin].value * matrices[0].col(Eigen::Index(coefficients[begin].index) % n0);
       ++used;
     }
-    Eigen::Map<Matrix<Scalar>>(slabs.col(Eigen::Index(slab)).data(), n0, n1).noalias() =
+    Eigen::Map<Matrix<Scalar>>(result.slabs.col(Eigen::Index(slab)).data(), n0, n1).noalias() =
         fibres.leftCols(used) * partners.leftCols(used).transpose();
-    selected.row(Eigen::Index(slab)) = matrices[2].col(atoms2[slab]).transpose();
+    result.atoms.row(Eigen::Index(slab)) = matrices[2].col(atoms2[slab]).transpose();
   }
-  Eigen::Map<Matrix<Scalar>>(block, n0 * n1, n2).noalias() = slabs * selected;
+  return result;
 }
 
+template <typename Scalar>
+void compose(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scalar>> coefficients, Scalar* block) {
+  const ComposedSlabs<Scalar> composed = composeSlabs(matrices, std::move(coefficients));
+  Eigen::Map<Matrix<Scalar>>(block, composed.slabs.rows(), composed.atoms.cols()).noalias() =
+      composed.slabs * composed.atoms;
+}
+
+template ComposedSlabs<float> composeSlabs<float>(const ModeMatrices<float>&, std::vector<Coefficient<float>>);
 template void compose<float>(const ModeMatrices<float>&, std::vector<Coefficient<float>>, float*);
 template void compose<double>(const ModeMatrices<double>&, std::vector<Coefficient<double>>, double*);
 

@@ -11,6 +11,15 @@
 
 namespace gonio::dictionary {
 
+/// What few coefficients compose, but for the last product: the block is slabs * atoms.
+template <typename Scalar>
+struct ComposedSlabs {
+  Matrix<Scalar> slabs;  ///< modes 0 and 1 (rows) of each atom of mode 2 that has a coefficient
+  Matrix<Scalar> atoms;  ///< these atoms as rows
+};
+template <typename Scalar>
+ComposedSlabs<Scalar> composeSlabs(const ModeMatrices<Scalar>& matrices, std::vector<Coefficient<Scalar>> coefficients);
+
 /// S x_0 U_0 x_1 U_1 x_2 U_2 of few coefficients, into `block` (count(sizes) numbers): one mode at a time, so that the
 /// cost is that of one product with as many columns as there are distinct atoms of mode 2.
 template <typename Scalar>

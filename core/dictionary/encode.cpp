@@ -9,6 +9,7 @@
 #include "core/dictionary/code_packing.h"
 #include "core/dictionary/decode.h"
 #include "core/dictionary/gram.h"
+#include "core/dictionary/invalid_cells.h"
 #include "core/dictionary/largest_projections.h"
 #include "core/dictionary/mode_products.h"
 #include "core/math/decompositions.h"
@@ -134,8 +135,8 @@ struct Encoder::Attempt {
   const EncodeOptions& options;
   DataTransform transform = DataTransform::logPlus;
   std::array<Eigen::ArrayXf, 3> signals = {};  ///< in the invalid cells what the rounds put there
-  std::array<Eigen::ArrayXf, 3> decoded = {};  ///< of the last round; empty before the first
   std::array<ChannelCode, 3> channels = {};    ///< as they were found, in no order
+  std::array<std::optional<InvalidCellRounds>, 3> channelRounds = {};  ///< from the choice of the dictionaries on
   int rounds = 0;
 };
 
@@ -156,29 +157,19 @@ void Encoder::start(Attempt& attempt, DataTransform transform, const TaskControl
 /// Each channel's largest coefficients, after so many more rounds.
 void Encoder::refine(Attempt& attempt, int rounds, const TaskControl& control) const {
   const Sizes sizes = modeSizes(ensemble_.grid);
-  const auto keep = [&](std::size_t c, Workspace<float>& workspace) {
-    ChannelCode& code = attempt.channels[c];
-    keepLargestProjections(attempt.signals[c].data(), sizes, matrices_[std::size_t(code.dictionary)],
-                           attempt.options.coefficients, workspace, code.coefficients);
-  };
   parallelForBlocks(3, 1,
                     [&](std::size_t c, std::size_t) {
-                      Workspace<float> workspace;
-                      Eigen::ArrayXf& signal = attempt.signals[c];
-                      Eigen::ArrayXf now(signal.size());
-                      if (attempt.rounds == 0) keep(c, workspace);
+                      ChannelCode& code = attempt.channels[c];
+                      std::optional<InvalidCellRounds>& channel = attempt.channelRounds[c];
+                      if (!channel) {
+                        channel.emplace(attempt.signals[c], attempt.table.valid(), sizes,
+                                        matrices_[std::size_t(code.dictionary)]);
+                        channel->keepLargest(attempt.options.coefficients, code.coefficients);
+                      }
                       for (int round = attempt.rounds; round < attempt.rounds + rounds; ++round) {
                         control.throwIfStopped();
-                        compose(matrices_[std::size_t(attempt.channels[c].dictionary)],
-                                attempt.channels[c].coefficients, now.data());
-                        Eigen::ArrayXf& before = attempt.decoded[c];
-                        if (round == 0) before = now;
-                        const float momentum = float(round) / float(round + 3);
-                        for (Eigen::Index cell = 0; cell < signal.size(); ++cell)
-                          if (attempt.table.valid()[std::size_t(cell)] == 0)
-                            signal[cell] = now[cell] + momentum * (now[cell] - before[cell]);
-                        before.swap(now);
-                        keep(c, workspace);
+                        channel->update(code.coefficients, float(round) / float(round + 3));
+                        channel->keepLargest(attempt.options.coefficients, code.coefficients);
                       }
                     },
                     {.stop = control.stop, .progress = {}});

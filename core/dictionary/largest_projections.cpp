@@ -25,18 +25,25 @@ void keepLargestProjections(const float* signal, const Sizes& sizes, const ModeM
                             std::size_t count, Workspace<float>& workspace, std::vector<Coefficient<float>>& kept) {
   kept.clear();
   if (count == 0) return;
+  workspace.first.resize(std::size_t(sizes[0]) * std::size_t(sizes[1]) * std::size_t(matrices[2].cols()));
+  transposedModeProduct(signal, sizes, 2, matrices[2], workspace.first.data());
+  keepLargestOfSlices(workspace.first.data(), sizes, matrices, count, kept);
+}
+
+void keepLargestOfSlices(const float* projected2, const Sizes& sizes, const ModeMatrices<float>& matrices,
+                         std::size_t count, std::vector<Coefficient<float>>& kept) {
+  kept.clear();
+  if (count == 0) return;
   using Map = Eigen::Map<const Eigen::MatrixXf>;
   const Eigen::Index n0 = sizes[0], n1 = sizes[1];
   const Eigen::Index slices = matrices[2].cols(), fibres = matrices[1].cols(), coefficients = matrices[0].cols();
-  workspace.first.resize(std::size_t(n0 * n1 * slices));
-  transposedModeProduct(signal, sizes, 2, matrices[2], workspace.first.data());
-  const Eigen::VectorXf sliceNorms = rounding * Map(workspace.first.data(), n0 * n1, slices).colwise().norm();
+  const Eigen::VectorXf sliceNorms = rounding * Map(projected2, n0 * n1, slices).colwise().norm();
 
   LargestCoefficients<float> largest(kept, count);
   Eigen::MatrixXf projected(n0, fibres), chosen(n0, fibres), values(coefficients, fibres);
   for (const Eigen::Index slice : byNorm(sliceNorms)) {
     if (sliceNorms[slice] < largest.threshold()) break;
-    projected.noalias() = Map(workspace.first.data() + n0 * n1 * slice, n0, n1) * matrices[1];
+    projected.noalias() = Map(projected2 + n0 * n1 * slice, n0, n1) * matrices[1];
     const Eigen::VectorXf fibreNorms = rounding * projected.colwise().norm();
     std::vector<Eigen::Index> large;
     for (Eigen::Index fibre = 0; fibre < fibres; ++fibre)

@@ -16,4 +16,9 @@ namespace gonio::dictionary {
 void keepLargestProjections(const float* signal, const Sizes& sizes, const ModeMatrices<float>& matrices,
                             std::size_t count, Workspace<float>& workspace, std::vector<Coefficient<float>>& kept);
 
+/// The same of a signal that is projected onto the atoms of mode 2 already. @param projected2 sizes[0] x sizes[1] x
+/// matrices[2].cols() numbers, the first index fastest.
+void keepLargestOfSlices(const float* projected2, const Sizes& sizes, const ModeMatrices<float>& matrices,
+                         std::size_t count, std::vector<Coefficient<float>>& kept);
+
 }  // namespace gonio::dictionary

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/dictionary/decode.h"
+#include "core/dictionary/invalid_cells.h"
 #include "core/dictionary/largest_projections.h"
 #include "core/dictionary/procrustes.h"
 #include "tests/core/dictionary/dictionary_test_support.h"
@@ -120,6 +121,45 @@ class SparseBlocksTest : public QObject {
           QCOMPARE(found[i].index, expected[i].index);
           QVERIFY(std::abs(found[i].value - expected[i].value) < 1e-6f);
         }
+      }
+    }
+  }
+
+  /// Rounds that compute only what changes, against whole blocks: invalid cells in a corner, scattered, none and all.
+  void invalidCellsTakeTheCodesValues() {
+    std::mt19937_64 random(6);
+    const Sizes sizes{18, 9, 10};
+    ModeMatrices<float> matrices;
+    const ModeMatrices<double> wide = randomDictionary(sizes, random);
+    for (std::size_t mode = 0; mode < 3; ++mode) matrices[mode] = wide[mode].cast<float>();
+    for (const int pattern : {0, 1, 2, 3}) {
+      std::vector<std::uint8_t> valid(count(sizes));
+      for (std::size_t cell = 0; cell < valid.size(); ++cell) {
+        const std::size_t row = cell / 18 % 9, slice = cell / 162;
+        valid[cell] = pattern == 0 ? row + slice < 12 : pattern == 1 ? cell % 97 != 5 : pattern == 2;
+      }
+      Eigen::ArrayXf signal = Eigen::ArrayXf::Random(Eigen::Index(valid.size())), expected = signal;
+      Eigen::ArrayXf before, now(expected.size());
+      InvalidCellRounds rounds(signal, valid, sizes, matrices);
+      std::vector<Coefficient<float>> found, kept;
+      Workspace<float> workspace;
+      for (int round = 0; round < 4; ++round) {
+        rounds.keepLargest(60, found);
+        keepLargestProjections(expected.data(), sizes, matrices, 60, workspace, kept);
+        found = sortedByIndex(found);
+        kept = sortedByIndex(kept);
+        QCOMPARE(found.size(), kept.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          QCOMPARE(found[i].index, kept[i].index);
+          QVERIFY(std::abs(found[i].value - kept[i].value) < 1e-5f);
+        }
+        rounds.update(found, 0.3f);
+        compose(matrices, kept, now.data());
+        if (round == 0) before = now;
+        for (Eigen::Index cell = 0; cell < now.size(); ++cell)
+          if (valid[std::size_t(cell)] == 0) expected[cell] = now[cell] + 0.3f * (now[cell] - before[cell]);
+        before = now;
+        QVERIFY((signal - expected).abs().maxCoeff() < 1e-5f);
       }
     }
   }
