@@ -85,6 +85,14 @@ class PdvFactorsTest : public QObject {
       QVERIFY(glm::length(brdf->evaluate(fromSpherical(0.6, phi), {0, 0, 1}) - first) < 1e-12);
   }
 
+  /// Factors declare that light and viewer are no equals, and their values differ in the two orders.
+  void hardCase48NotReciprocal() {
+    const auto brdf = makePdvBrdf(someFactors());
+    QVERIFY(!brdf->isReciprocal());
+    const Direction wi = fromSpherical(0.3, 0.4), wo = fromSpherical(1, 2);
+    QVERIFY(glm::length(brdf->evaluate(wi, wo) - brdf->evaluate(wo, wi)) > 1e-3 * glm::length(brdf->evaluate(wi, wo)));
+  }
+
   void residualsFallWithTheTerms() {
     const PdvFactorization f = factorizePdv(*glossyTable(), {.terms = 8});
     QCOMPARE(f.residuals.size(), std::size_t(9));
