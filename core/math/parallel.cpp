@@ -12,44 +12,52 @@
 #include <unistd.h>
 #endif
 
-#ifdef __SANITIZE_THREAD__
-#include <sanitizer/tsan_interface.h>
-#endif
-
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 namespace gonio {
 
 namespace {
 
-// The thread sanitizer does not see into TBB, which is not built with it: it is told what a parallel loop orders,
-// namely all before the loop, then the tasks, then all after it.
 #ifdef __SANITIZE_THREAD__
-class LoopOrder {
- public:
-  LoopOrder() { __tsan_release(&begin_); }
-  ~LoopOrder() { __tsan_acquire(&end_); }
-
-  class Task {
-   public:
-    explicit Task(LoopOrder& order) : order_(order) { __tsan_acquire(&order_.begin_); }
-    ~Task() { __tsan_release(&order_.end_); }
-
-   private:
-    LoopOrder& order_;
+/// TBB is not built with the thread sanitizer, which would take its ways of passing work on for data races: plain
+/// threads do the work instead.
+void forEachBlock(std::size_t blocks, const std::function<void(std::size_t block)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> failed = false;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto run = [&] {
+    try {
+      for (std::size_t block = next++; block < blocks && !failed; block = next++) work(block);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failed.exchange(true)) failure = std::current_exception();
+    }
   };
-
- private:
-  char begin_ = 0, end_ = 0;
-};
+  {
+    std::vector<std::jthread> others;
+    for (int thread = 1; thread < threadCount(); ++thread) others.emplace_back(run);
+    run();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
 #else
-struct LoopOrder {
-  struct Task {
-    explicit Task(LoopOrder&) {}
-  };
-};
+void forEachBlock(std::size_t blocks, const std::function<void(std::size_t block)>& work) {
+  tbb::task_group_context context;
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, blocks, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t block = range.begin(); block != range.end(); ++block) work(block);
+      },
+      tbb::simple_partitioner(), context);
+  // Within a block of an outer loop that ends by an exception, TBB ends the inner loops too, and returns.
+  if (context.is_group_execution_cancelled()) throw Cancelled();
+}
 #endif
 
 }  // namespace
@@ -63,25 +71,15 @@ void parallelForBlocks(std::size_t count, std::size_t blockSize,
   const std::size_t blocks = (count + blockSize - 1) / blockSize;
   std::mutex progressMutex;
   std::size_t done = 0;
-  LoopOrder order;
-  tbb::task_group_context context;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, blocks, 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        [[maybe_unused]] const LoopOrder::Task task(order);
-        for (std::size_t block = range.begin(); block != range.end(); ++block) {
-          control.throwIfStopped();
-          const std::size_t begin = block * blockSize;
-          work(begin, begin + blockSize < count ? begin + blockSize : count);
-          if (control.progress) {
-            const std::lock_guard lock(progressMutex);
-            control.report(static_cast<double>(++done) / static_cast<double>(blocks));
-          }
-        }
-      },
-      tbb::simple_partitioner(), context);
-  // Within a block of an outer loop that ends by an exception, TBB ends the inner loops too, and returns.
-  if (context.is_group_execution_cancelled()) throw Cancelled();
+  forEachBlock(blocks, [&](std::size_t block) {
+    control.throwIfStopped();
+    const std::size_t begin = block * blockSize;
+    work(begin, begin + blockSize < count ? begin + blockSize : count);
+    if (control.progress) {
+      const std::lock_guard lock(progressMutex);
+      control.report(static_cast<double>(++done) / static_cast<double>(blocks));
+    }
+  });
 }
 
 double parallelSumBlocks(std::size_t count, std::size_t blockSize,
