@@ -8,6 +8,7 @@
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/io/image_io.h"
+#include "core/metrics/image_errors.h"
 #include "core/rendering/rendered_comparison.h"
 
 namespace gonio::tool {
@@ -40,18 +41,16 @@ int compare(const CompareArguments& options, const Tool& tool) {
   const ComparisonPicture picture = comparison.render(*b.brdf, tool.control("rendering the second"));
   const double snr = comparison.signalToNoiseRatio(picture);
   const double psnr = comparison.peakSignalToNoiseRatio(picture);
+  const std::vector<double> imageErrors = metrics::imageErrors(comparison.reference(), picture.image);
   if (!options.image.empty()) writeComparison(comparison.reference(), picture.image, a, b, options.image);
-  Json json{{"errors", errorsJson(errors)},
-            {"renderedSnr", decibelsJson(snr)},
-            {"renderedPsnr", decibelsJson(psnr)},
-            {"scene", comparisonSceneName},
-            {"brdfSnr", decibelsJson(brdfSnr)},
-            {"samples", options.picture.samples},
-            {"identical", std::isinf(snr) && std::isinf(brdfSnr)}};
+  Json json{{"errors", errorsJson(errors)},       {"renderedSnr", decibelsJson(snr)},
+            {"renderedPsnr", decibelsJson(psnr)}, {"imageMetrics", imageErrorsJson(imageErrors)},
+            {"scene", comparisonSceneName},       {"brdfSnr", decibelsJson(brdfSnr)},
+            {"samples", options.picture.samples}, {"identical", std::isinf(snr) && std::isinf(brdfSnr)}};
   if (!options.image.empty()) json["image"] = options.image;
   print(tool, json,
         "rendered SNR " + number(snr) + " dB, PSNR " + number(psnr) + " dB (" + comparisonSceneName + "), BRDF SNR " +
-            number(brdfSnr) + " dB\n" + errorsText(errors));
+            number(brdfSnr) + " dB\n" + imageErrorsText(imageErrors) + errorsText(errors));
   return 0;
 }
 
@@ -60,7 +59,7 @@ int compare(const CompareArguments& options, const Tool& tool) {
 void addCompare(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<CompareArguments>();
   CLI::App* command =
-      app.add_subcommand("compare", "Computes every metric between two materials, rendered SNR and PSNR");
+      app.add_subcommand("compare", "Computes every metric between two materials and between their pictures");
   command->add_option("A", options->reference, "Reference material")->required();
   command->add_option("B", options->test, "Material to compare with the reference")->required();
   command->add_option("--image", options->image, "PNG file to write: both pictures side by side and the error map");

@@ -6,9 +6,21 @@
 #include <cstdio>
 #include <iostream>
 
+#include "core/metrics/image_errors.h"
 #include "core/models/parameters_json.h"
 
 namespace gonio::tool {
+
+namespace {
+
+std::string metricLine(std::string_view id, const std::string& value, std::string_view name) {
+  char line[160];
+  std::snprintf(line, sizeof line, "  %-27s %-24s %s\n", std::string(id).c_str(), value.c_str(),
+                std::string(name).c_str());
+  return line;
+}
+
+}  // namespace
 
 void print(const Tool& tool, const Json& json, const std::string& text) {
   if (tool.json)
@@ -52,11 +64,23 @@ std::string errorsText(const std::vector<double>& errors) {
   const auto records = metrics::metricRecords();
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const std::string value = number(errors[i]) + (records[i].unit.empty() ? "" : " ") + std::string(records[i].unit);
-    char line[160];
-    std::snprintf(line, sizeof line, "  %-27s %-24s %s\n", std::string(records[i].id).c_str(), value.c_str(),
-                  std::string(records[i].name).c_str());
-    text += line;
+    text += metricLine(records[i].id, value, records[i].name);
   }
+  return text;
+}
+
+Json imageErrorsJson(const std::vector<double>& errors) {
+  Json json = Json::object();
+  const auto records = metrics::imageMetricRecords();
+  for (std::size_t i = 0; i < errors.size(); ++i) json[std::string(records[i].id)] = errors[i];
+  return json;
+}
+
+std::string imageErrorsText(const std::vector<double>& errors) {
+  std::string text;
+  const auto records = metrics::imageMetricRecords();
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    text += metricLine(records[i].id, number(errors[i]), std::string(records[i].name) + " of the pictures");
   return text;
 }
 

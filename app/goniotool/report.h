@@ -33,6 +33,10 @@ Json errorsJson(const std::vector<double>& errors);
 /// A line for each metric: id, error, unit, and what it is.
 std::string errorsText(const std::vector<double>& errors);
 
+/// {"mse": 0.01, ...} of values in the order of metrics::imageMetricRecords(), and a line for each.
+Json imageErrorsJson(const std::vector<double>& errors);
+std::string imageErrorsText(const std::vector<double>& errors);
+
 /// {name: value or [r, g, b]}; a choice by its index. The text has a line for each, a choice by its name.
 Json parametersJson(const models::ModelSpec& spec, const models::ParameterValues& values);
 std::string parametersText(const models::ModelSpec& spec, const models::ParameterValues& values);

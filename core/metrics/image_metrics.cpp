@@ -17,15 +17,8 @@ struct Energies {
   double signal = 0, noise = 0, peak = 0;
 };
 
-void checkSizes(const Image& reference, const Image& test) {
-  if (reference.width != test.width || reference.height != test.height)
-    throw Error("pictures of different sizes cannot be compared: " + std::to_string(reference.width) + " x " +
-                std::to_string(reference.height) + " and " + std::to_string(test.width) + " x " +
-                std::to_string(test.height));
-}
-
 Energies energies(const Image& reference, const Image& test) {
-  checkSizes(reference, test);
+  checkEqualSizes(reference, test);
   Energies sums;
   for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
     const Rgb r(reference.pixels[i]), difference = r - Rgb(test.pixels[i]);
@@ -37,9 +30,9 @@ Energies energies(const Image& reference, const Image& test) {
 }
 
 Energies energies(const PicturePair& reference, const PicturePair& test) {
-  checkSizes(reference[0], reference[1]);
-  checkSizes(reference[0], test[0]);
-  checkSizes(reference[1], test[1]);
+  checkEqualSizes(reference[0], reference[1]);
+  checkEqualSizes(reference[0], test[0]);
+  checkEqualSizes(reference[1], test[1]);
   Energies sums;
   double squares = 0, ofMeans = 0;
   for (std::size_t i = 0; i < reference[0].pixels.size(); ++i) {
@@ -61,7 +54,27 @@ double peakRatio(const Energies& sums, const Image& picture) {
   return decibels(sums.peak * sums.peak * 3 * double(picture.pixels.size()), sums.noise);
 }
 
+/// The mean of error(reference, test) over all pixels and channels.
+template <typename Error>
+double channelMean(const Image& reference, const Image& test, Error error) {
+  checkEqualSizes(reference, test);
+  double sum = 0;
+  for (std::size_t i = 0; i < reference.pixels.size(); ++i)
+    for (int channel = 0; channel < 3; ++channel)
+      sum += error(double(reference.pixels[i][channel]), double(test.pixels[i][channel]));
+  return sum / (3 * double(reference.pixels.size()));
+}
+
+double square(double x) { return x * x; }
+
 }  // namespace
+
+void checkEqualSizes(const Image& reference, const Image& test) {
+  if (reference.width != test.width || reference.height != test.height)
+    throw Error("pictures of different sizes cannot be compared: " + std::to_string(reference.width) + " x " +
+                std::to_string(reference.height) + " and " + std::to_string(test.width) + " x " +
+                std::to_string(test.height));
+}
 
 double signalToNoiseRatio(const Image& reference, const Image& test) {
   const Energies sums = energies(reference, test);
@@ -79,6 +92,21 @@ double peakSignalToNoiseRatio(const Image& reference, const Image& test) {
 
 double peakSignalToNoiseRatio(const PicturePair& reference, const PicturePair& test) {
   return peakRatio(energies(reference, test), reference[0]);
+}
+
+double meanSquaredError(const Image& reference, const Image& test) {
+  return channelMean(reference, test, [](double r, double t) { return square(r - t); });
+}
+
+double meanSquaredLogError(const Image& reference, const Image& test) {
+  return channelMean(reference, test, [](double r, double t) {
+    return square(std::log1p(std::max(r, 0.0)) - std::log1p(std::max(t, 0.0)));
+  });
+}
+
+double relativeMeanSquaredError(const Image& reference, const Image& test) {
+  constexpr double offset = 0.01;
+  return channelMean(reference, test, [](double r, double t) { return square(r - t) / (r * r + offset); });
 }
 
 }  // namespace gonio::metrics

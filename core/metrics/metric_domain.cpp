@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "core/metrics/metric_domain.h"
 
+#include "core/math/srgb.h"
+
 namespace gonio::metrics {
 
 namespace {
@@ -13,20 +15,15 @@ namespace {
   return t > edge * edge * edge ? root : line;
 }
 
-/// XYZ of reflectances (IEC 61966-2-1), each over that of the perfect diffuser.
-[[gnu::always_inline]] inline Rgb whiteRelative(double red, double green, double blue) {
-  red *= pi;
-  green *= pi;
-  blue *= pi;
-  return {(0.4124 * red + 0.3576 * green + 0.1805 * blue) / (0.4124 + 0.3576 + 0.1805),
-          0.2126 * red + 0.7152 * green + 0.0722 * blue,
-          (0.0193 * red + 0.1192 * green + 0.9505 * blue) / (0.0193 + 0.1192 + 0.9505)};
+/// XYZ of reflectances, each over that of the perfect diffuser.
+[[gnu::always_inline]] inline Rgb diffuserRelative(double red, double green, double blue) {
+  return whiteRelativeXyz(red * pi, green * pi, blue * pi);
 }
 
 }  // namespace
 
 Rgb labOf(const Rgb& reflectance) {
-  const Rgb white = whiteRelative(reflectance.x, reflectance.y, reflectance.z);
+  const Rgb white = diffuserRelative(reflectance.x, reflectance.y, reflectance.z);
   const double fx = labRoot(white.x), fy = labRoot(white.y), fz = labRoot(white.z);
   return {116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)};
 }
@@ -38,7 +35,8 @@ void labDifferences(const Eigen::Array3Xd& reference, const Eigen::Array3Xd& tes
     const Eigen::Index count = std::min(block, reference.cols() - begin);
     const double *a = reference.data() + 3 * begin, *b = test.data() + 3 * begin;
     for (Eigen::Index i = 0; i < 3 * count; i += 3) {
-      const Rgb whiteA = whiteRelative(a[i], a[i + 1], a[i + 2]), whiteB = whiteRelative(b[i], b[i + 1], b[i + 2]);
+      const Rgb whiteA = diffuserRelative(a[i], a[i + 1], a[i + 2]),
+                whiteB = diffuserRelative(b[i], b[i + 1], b[i + 2]);
       for (int c = 0; c < 3; ++c) {
         r[i + c] = whiteA[c];
         t[i + c] = whiteB[c];

@@ -36,14 +36,6 @@ Rgb toneMapped(const Rgb& radiance, double exposure, ToneMap toneMap) {
   return display;
 }
 
-double toSrgb(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-double fromSrgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 std::vector<std::uint8_t> toDisplayBytes(const Image& image, double exposure, ToneMap toneMap) {
   constexpr std::size_t block = 4096;
   std::vector<std::uint8_t> bytes(image.pixels.size() * 4);

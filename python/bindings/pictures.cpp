@@ -5,6 +5,7 @@
 #include "core/export/export_target.h"
 #include "core/materials/dictionary_file.h"
 #include "core/metrics/brdf_metrics.h"
+#include "core/metrics/image_errors.h"
 #include "core/models/registry.h"
 #include "core/rendering/environment_file.h"
 #include "core/rendering/rendered_comparison.h"
@@ -63,7 +64,7 @@ py::list effects(const std::vector<PyMaterialPtr>& given, const std::string& sce
 py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle, int size, int samples, bool pictures,
                  const py::object& progress) {
   struct Result {
-    std::vector<double> errors;
+    std::vector<double> errors, imageErrors;
     double brdfSnr, renderedSnr, renderedPsnr;
     Image reference, test;
   };
@@ -79,6 +80,7 @@ py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle,
     ComparisonPicture picture = comparison.render(*b.brdf(), control.between(0.6, 1));
     made.renderedSnr = comparison.signalToNoiseRatio(picture);
     made.renderedPsnr = comparison.peakSignalToNoiseRatio(picture);
+    made.imageErrors = metrics::imageErrors(comparison.reference(), picture.image);
     made.reference = comparison.reference();
     made.test = std::move(picture.image);
     return made;
@@ -88,6 +90,10 @@ py::dict compare(const PyMaterial& a, const PyMaterial& b, double maxPolarAngle,
   row["brdf_snr"] = result.brdfSnr;
   row["rendered_snr"] = result.renderedSnr;
   row["rendered_psnr"] = result.renderedPsnr;
+  py::dict imageMetrics;
+  for (std::size_t i = 0; i < result.imageErrors.size(); ++i)
+    imageMetrics[py::str(std::string(metrics::imageMetricRecords()[i].id))] = result.imageErrors[i];
+  row["image_metrics"] = imageMetrics;
   row["pictures"] = py::none();
   if (pictures)
     row["pictures"] = py::make_tuple(toArrays(std::move(result.reference))[0], toArrays(std::move(result.test))[0]);

@@ -90,6 +90,10 @@ class Comparison:
     """SNR in dB of pictures in the scene "sphere-studio", corrected for their noise; infinite for equal pictures."""
     rendered_psnr: float
     """PSNR in dB of the same pictures; the peak is the largest value of the reference's picture."""
+    image_metrics: dict[str, float]
+    """Further metrics of the same pictures, with their noise: "mse", "log-mse" and "relative-mse" of linear radiance; "ssim" of
+    the luminance encoded as sRGB (NaN for pictures below 11 pixels); "flip" and "ciede2000" of the displayed colours ([formulas
+    and sources](command-line.md#image-metrics))."""
     pictures: Optional[tuple[NDArray[np.float32], NDArray[np.float32]]] = field(repr=False)
     """Pictures of the reference and of the other material, linear RGB, shape (size, size, 3) each; None unless compare() was
     called with pictures=True."""
@@ -97,7 +101,7 @@ class Comparison:
 
 def compare(reference: Material, other: Material, max_polar_angle: float = math.radians(85), size: int = 256, samples: int = 64,
             pictures: bool = False, progress: Progress = None) -> Comparison:
-    """Computes every metric between two materials, and the SNR of their pictures. Some seconds.
+    """Computes every metric between two materials and between their pictures. Some seconds.
 
     Args:
         reference: The reference.

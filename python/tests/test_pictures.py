@@ -50,6 +50,11 @@ def test_comparison(chrome, paint):
     assert half.rendered_snr == pytest.approx(20 * np.log10(2), abs=0.1)
     np.testing.assert_allclose(half.pictures[1], half.pictures[0] / 2, rtol=1e-3, atol=1e-6)
     assert set(half.errors) == set(gonio.metrics())
+    reference, test = (picture.astype(float) for picture in half.pictures)
+    assert half.image_metrics["mse"] == pytest.approx(np.mean((reference - test) ** 2))
+    assert half.image_metrics["log-mse"] == pytest.approx(np.mean((np.log1p(reference) - np.log1p(test)) ** 2))
+    assert 0 < half.image_metrics["ssim"] < 1 and 0 < half.image_metrics["flip"] < 1 and half.image_metrics["ciede2000"] > 1
+    assert same.image_metrics == {"mse": 0, "log-mse": 0, "relative-mse": 0, "ssim": 1, "flip": 0, "ciede2000": 0}
 
 
 def test_study_measures_its_budgets(paint):

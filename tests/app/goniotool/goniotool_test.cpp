@@ -8,6 +8,7 @@
 #include "core/editing/edit.h"
 #include "core/io/image_io.h"
 #include "core/metrics/brdf_metrics.h"
+#include "core/metrics/image_errors.h"
 #include "core/models/parameters_json.h"
 #include "tests/app/goniotool/goniotool_runner.h"
 #include "tests/support/grain.h"
@@ -333,6 +334,8 @@ class GoniotoolTest : public QObject {
     VERIFY_SUCCESS(equal);
     QVERIFY(equal.json["identical"].get<bool>() && equal.json["renderedSnr"].is_null());
     QCOMPARE(equal.json["errors"]["log"].get<double>(), 0.0);
+    for (const auto& record : gonio::metrics::imageMetricRecords())
+      QCOMPARE(equal.json["imageMetrics"][std::string(record.id)].get<double>(), record.id == "ssim" ? 1.0 : 0.0);
     const QString image = folder_.path("comparison.png");
     const ToolResult different = runJson(QStringList{"compare", plastic_, matte_, "--image", image} + small);
     VERIFY_SUCCESS(different);
@@ -340,6 +343,10 @@ class GoniotoolTest : public QObject {
     for (const char* key : {"renderedSnr", "renderedPsnr", "brdfSnr"}) QVERIFY(different.json[key].is_number());
     QCOMPARE(different.json["scene"].get<std::string>(), "sphere-studio");
     QVERIFY(different.json["errors"]["cosine-l2"].get<double>() > 0);
+    for (const auto& record : gonio::metrics::imageMetricRecords()) {
+      const double value = different.json["imageMetrics"][std::string(record.id)].get<double>();
+      QVERIFY(value > 0 && (record.id != "ssim" || value < 1));
+    }
     QVERIFY(bytesOf(image).startsWith("\x89PNG"));
   }
 
