@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
+#include "core/baselines/baselines.h"
 #include "core/rendering/rendered_comparison.h"
 #include "tests/studies/comparison_records.h"
-#include "tests/studies/research/baselines/baselines.h"
 
 namespace gonio::study {
 

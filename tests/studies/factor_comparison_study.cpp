@@ -19,13 +19,13 @@
 #include <string>
 #include <vector>
 
+#include "core/baselines/baselines.h"
 #include "core/factorization/pdv_factors.h"
 #include "core/materials/pdv_file.h"
 #include "core/support/error.h"
 #include "tests/studies/comparison_bounds.h"
 #include "tests/studies/comparison_judge.h"
 #include "tests/studies/comparison_records.h"
-#include "tests/studies/research/baselines/baselines.h"
 #include "tests/studies/research/baselines/npf_file.h"
 #include "tests/studies/study_program.h"
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "core/baselines/baselines.h"
 #include "core/dictionary/encode.h"
 #include "core/dictionary/principal_components.h"
-#include "tests/studies/research/baselines/baselines.h"
 #include "tests/studies/research/dictionary/patch_code.h"
 
 /// Models of a material that was held out of a training set: codes over the ensemble, and what the same set teaches

@@ -10,7 +10,7 @@
 #include "core/dictionary/mode_products.h"
 #include "core/dictionary/signals.h"
 #include "core/dictionary/training_materials.h"
-#include "tests/studies/research/factorization/tensor.h"
+#include "core/factorization/tensor.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/linear_oracles.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "core/factorization/canonical_polyadic.h"
 #include "core/math/parallel.h"
-#include "tests/studies/research/factorization/canonical_polyadic.h"
 #include "tests/support/test_program.h"
 
 namespace masked_rank_one_test {

@@ -8,10 +8,10 @@
 #include <random>
 
 #include "core/coordinates/half_difference.h"
+#include "core/coordinates/half_out.h"
 #include "core/coordinates/projected_deviation.h"
 #include "core/math/monotone_cubic.h"
 #include "core/support/error.h"
-#include "tests/studies/research/coordinates/half_out.h"
 
 namespace gonio::acquisition {
 

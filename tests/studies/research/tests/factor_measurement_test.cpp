@@ -7,9 +7,9 @@
 #include <random>
 
 #include "core/coordinates/half_difference.h"
+#include "core/coordinates/half_out.h"
 #include "core/coordinates/projected_deviation.h"
 #include "core/support/error.h"
-#include "tests/studies/research/coordinates/half_out.h"
 #include "tests/support/function_brdf.h"
 #include "tests/support/test_program.h"
 

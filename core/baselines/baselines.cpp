@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/baselines/baselines.h"
+
+#include <algorithm>
+
+#include "core/baselines/bilgili.h"
+#include "core/baselines/bivariate.h"
+#include "core/baselines/half_difference_tensor.h"
+#include "core/baselines/kautz_mccool.h"
+#include "core/baselines/lawrence.h"
+#include "core/baselines/mccool.h"
+#include "core/factorization/nonparametric.h"
+
+namespace gonio::factorization {
+
+namespace {
+
+using Budgets = std::span<const std::size_t>;
+using Models = std::vector<ComparedModel>;
+
+std::size_t largest(Budgets budgets) { return budgets.empty() ? 0 : *std::max_element(budgets.begin(), budgets.end()); }
+
+Models buildBivariate(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  Models models;
+  for (const std::size_t budget : budgets) {
+    const BivariateTable bivariate = averageBivariate(table, bivariateSide(budget), control);
+    models.push_back({makeBivariateBrdf(bivariate), bivariate.values.size() * 3 * sizeof(float)});
+  }
+  return models;
+}
+
+Models buildLawrence(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const HalfOutSamples samples = sampleHalfOut(table, lawrenceAxes(), control);
+  Models models;
+  for (const std::size_t budget : budgets) {
+    const LawrenceFactors factors = factorizeLawrence(samples, lawrenceRanks(samples.axes, budget), control);
+    models.push_back({makeLawrenceBrdf(factors), factors.bytes()});
+  }
+  return models;
+}
+
+Models buildBilgili(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const HalfOutSamples samples = sampleHalfOut(table, bilgiliAxes(), control);
+  const BilgiliFactors all = factorizeBilgili(samples, bilgiliTerms(samples.axes, largest(budgets)), control);
+  Models models;
+  for (const std::size_t budget : budgets) {
+    const BilgiliFactors factors = truncateBilgili(all, bilgiliTerms(samples.axes, budget), samples);
+    models.push_back({makeBilgiliBrdf(factors), factors.bytes()});
+  }
+  return models;
+}
+
+Models buildKautzMcCool(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const HalfDifferenceSamples samples = sampleHalfDifference(table, kautzMcCoolAxes(), control);
+  const KautzMcCoolFactors all =
+      factorizeKautzMcCool(samples, kautzMcCoolTerms(samples.axes, largest(budgets)), control);
+  Models models;
+  for (const std::size_t budget : budgets) {
+    const KautzMcCoolFactors factors = all.truncated(kautzMcCoolTerms(samples.axes, budget));
+    models.push_back({makeKautzMcCoolBrdf(factors), factors.bytes()});
+  }
+  return models;
+}
+
+Models buildNonnegative(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const HalfDifferenceSamples samples = sampleHalfDifference(table, kautzMcCoolAxes(), control);
+  Models models;
+  for (const std::size_t budget : budgets) {
+    const KautzMcCoolFactors factors =
+        factorizeNonnegativeHalfDifference(samples, kautzMcCoolTerms(samples.axes, budget), control);
+    models.push_back({makeKautzMcCoolBrdf(factors), factors.bytes()});
+  }
+  return models;
+}
+
+Models buildTensor(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control, auto decompose) {
+  const auto samples = sampleHalfDifferenceTensor(sampleHalfDifference(table, kautzMcCoolAxes(), control));
+  Models models;
+  for (const std::size_t budget : budgets) {
+    HalfDifferenceTensor tensor = decompose(samples, budget);
+    const std::size_t bytes = tensor.bytes;
+    models.push_back({makeHalfDifferenceTensorBrdf(std::move(tensor)), bytes});
+  }
+  return models;
+}
+
+Models buildCp(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  return buildTensor(table, budgets, control, [&](const HalfDifferenceTensor& tensor, std::size_t budget) {
+    return decomposeCp(tensor, cpTerms(tensor.axes, budget), control);
+  });
+}
+
+Models buildHosvd(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  return buildTensor(table, budgets, control, [](const HalfDifferenceTensor& tensor, std::size_t budget) {
+    return decomposeHosvd(tensor, hosvdRanks(tensor.axes, budget));
+  });
+}
+
+Models buildMcCool(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const McCoolFactors factors = factorizeMcCool(sampleHalfDifference(table, mcCoolAxes(), control), control);
+  return Models(budgets.size(), {makeMcCoolBrdf(factors), factors.bytes()});
+}
+
+Models buildNonparametric(const TabulatedBrdf& table, Budgets budgets, const TaskControl& control) {
+  const NonparametricFit fit = fitNonparametric(sampleHalfDifference(table, nonparametricAxes(), control), {}, control);
+  return Models(budgets.size(), {makeNonparametricBrdf(fit.factors), fit.factors.bytes()});
+}
+
+constexpr Baseline allBaselines[] = {
+    {"kautz-mccool", "singular values in half-difference coordinates",
+     "Kautz and McCool 1999, \"Interactive Rendering with Arbitrary BRDFs using Separable Approximations\"",
+     buildKautzMcCool},
+    {"mccool", "homomorphic factorisation",
+     "McCool, Ang and Ahmad 2001, \"Homomorphic Factorization of BRDFs for High-Performance Rendering\"", buildMcCool},
+    {"lawrence", "non-negative matrices in half-out coordinates",
+     "Lawrence, Rusinkiewicz and Ramamoorthi 2004, \"Efficient BRDF Importance Sampling Using a Factored "
+     "Representation\"",
+     buildLawrence},
+    {"bivariate", "bivariate table", "Romeiro, Vasilyev and Zickler 2008, \"Passive Reflectometry\"", buildBivariate},
+    {"bilgili", "recursive Tucker of the luminance",
+     "Bilgili, Öztürk and Kurt 2011, \"A General BRDF Representation Based on Tensor Decomposition\"", buildBilgili},
+    {"nonparametric", "microfacet model of tabulated factors",
+     "Bagher, Snyder and Nowrouzezahrai 2016, \"A Non-Parametric Factor Microfacet Model for Isotropic BRDFs\"",
+     buildNonparametric},
+    {"cp", "CP decomposition in half-difference coordinates",
+     "Carroll and Chang 1970; Kolda and Bader 2009, \"Tensor Decompositions and Applications\"", buildCp},
+    {"hosvd", "higher-order singular values in half-difference coordinates",
+     "De Lathauwer, De Moor and Vandewalle 2000, \"A Multilinear Singular Value Decomposition\"", buildHosvd},
+    {"nmf", "non-negative matrices in half-difference coordinates",
+     "Lee and Seung 2001, \"Algorithms for Non-negative Matrix Factorization\"", buildNonnegative},
+};
+
+}  // namespace
+
+std::span<const Baseline> baselines() { return allBaselines; }
+
+}  // namespace gonio::factorization

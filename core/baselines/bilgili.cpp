@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/baselines/bilgili.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/pairwise_brdf.h"
+#include "core/coordinates/half_out.h"
+#include "core/factorization/masked_rank_one.h"
+#include "core/math/monotone_cubic.h"
+
+namespace gonio::factorization {
+
+namespace {
+
+/// All cells count: a hole takes the value of the theta_h before. Left free, products grow without bounds there, and
+/// pairs between a hole and a measured node would read them.
+MaskedTensor logLuminance(const HalfOutSamples& s) {
+  const HalfOutAxes& axes = s.axes;
+  const std::size_t slice = axes.phiH.size() * axes.thetaO.size();
+  MaskedTensor tensor;
+  tensor.sizes[0] = int(axes.thetaH.size());
+  tensor.sizes[1] = int(axes.phiH.size());
+  tensor.sizes[2] = int(axes.thetaO.size());
+  tensor.weights.assign(s.values.size(), 1.0f);
+  for (std::size_t i = 0; i < s.values.size(); ++i)
+    tensor.values.push_back(s.valid[i]   ? float(std::log1p(luminance(s.values[i])))
+                            : i >= slice ? tensor.values[i - slice]
+                                         : 0.0f);
+  return tensor;
+}
+
+double between(const std::vector<double>& curve, const NodePlace& at) {
+  return (1 - at.fraction) * curve[at.index] + at.fraction * curve[at.index + 1];
+}
+
+double luminanceAt(const BilgiliFactors& f, const HalfOut& at) {
+  const NodePlace h = placeBetween(f.axes.thetaH, at.thetaH), p = placeBetween(f.axes.phiH, std::abs(at.phiH)),
+                  o = placeBetween(f.axes.thetaO, at.thetaO);
+  double sum = 0;
+  for (const BilgiliFactors::Term& term : f.terms) sum += between(term.a, h) * between(term.b, p) * between(term.c, o);
+  return std::expm1(std::clamp(sum, 0.0, f.highest));
+}
+
+/// kd and ks of each channel: the line rho = kd + ks Y of least weighted squares. A constant Y keeps ks alone.
+void fitColours(const HalfOutSamples& s, BilgiliFactors& f) {
+  f.kd = f.ks = Rgb(0);
+  double weights = 0, y = 0, yy = 0;
+  Rgb rho(0), rhoY(0);
+  const HalfOutAxes& axes = s.axes;
+  for (std::size_t h = 0, at = 0; h < axes.thetaH.size(); ++h)
+    for (std::size_t p = 0; p < axes.phiH.size(); ++p)
+      for (std::size_t o = 0; o < axes.thetaO.size(); ++o, ++at) {
+        const double weight = projectedMeasure(s, h, p, o);
+        if (!(weight > 0)) continue;
+        const double value = luminanceAt(f, {.thetaO = axes.thetaO[o], .thetaH = axes.thetaH[h], .phiH = axes.phiH[p]});
+        weights += weight;
+        y += weight * value;
+        yy += weight * value * value;
+        rho += weight * s.values[at];
+        rhoY += weight * value * s.values[at];
+      }
+  const double determinant = weights * yy - y * y;
+  if (determinant > 1e-12 * weights * yy) {
+    f.ks = (weights * rhoY - y * rho) / determinant;
+    f.kd = (yy * rho - y * rhoY) / determinant;
+  } else if (yy > 0) {
+    f.ks = rhoY / yy;
+  }
+}
+
+std::size_t termBytes(const HalfOutAxes& axes) {
+  return (axes.thetaH.size() + axes.phiH.size() + axes.thetaO.size()) * sizeof(float);
+}
+
+constexpr std::size_t colourBytes = 7 * sizeof(float);  // kd, ks, highest
+
+}  // namespace
+
+std::size_t BilgiliFactors::bytes() const { return terms.size() * termBytes(axes) + colourBytes; }
+
+HalfOutAxes bilgiliAxes() { return makeHalfOutAxes(90, 45, 45); }
+
+int bilgiliTerms(const HalfOutAxes& axes, std::size_t byteBudget) {
+  const std::size_t room = byteBudget > colourBytes ? byteBudget - colourBytes : 0;
+  return int(std::max<std::size_t>(1, room / termBytes(axes)));
+}
+
+BilgiliFactors factorizeBilgili(const HalfOutSamples& samples, int terms, const TaskControl& control) {
+  BilgiliFactors result{.axes = samples.axes};
+  MaskedTensor left = logLuminance(samples);
+  const double total = left.squaredNorm();
+  if (!left.values.empty()) result.highest = *std::max_element(left.values.begin(), left.values.end());
+  result.residuals.push_back(total > 0 ? 1 : 0);
+  for (int l = 0; l < terms; ++l) {
+    control.throwIfStopped();
+    control.report(double(l) / terms);
+    RankOne best = bestRankOne(left, {.maxSweeps = 60, .tolerance = 1e-6});
+    subtract(left, best);
+    result.terms.push_back({std::move(best.a), std::move(best.b), std::move(best.c)});
+    result.residuals.push_back(total > 0 ? std::sqrt(left.squaredNorm() / total) : 0);
+  }
+  fitColours(samples, result);
+  return result;
+}
+
+BilgiliFactors truncateBilgili(const BilgiliFactors& factors, int terms, const HalfOutSamples& samples) {
+  BilgiliFactors result = factors;
+  const std::size_t count = std::min(std::size_t(std::max(terms, 1)), factors.terms.size());
+  result.terms.resize(count);
+  result.residuals.resize(count + 1);
+  fitColours(samples, result);
+  return result;
+}
+
+std::shared_ptr<const Brdf> makeBilgiliBrdf(BilgiliFactors factors) {
+  const auto reflectance = [f = std::move(factors)](const Direction& wi, const Direction& wo) {
+    const HalfOut at = toHalfOut(wi, wo);
+    return at.valid ? glm::max(Rgb(0), f.kd + f.ks * luminanceAt(f, at)) : Rgb(0);
+  };
+  return makePairwiseBrdf(reflectance, false);
+}
+
+}  // namespace gonio::factorization

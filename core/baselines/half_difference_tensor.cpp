@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/baselines/half_difference_tensor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/brdf/pairwise_brdf.h"
+#include "core/factorization/canonical_polyadic.h"
+#include "core/factorization/higher_order_svd.h"
+#include "core/math/monotone_cubic.h"
+
+namespace gonio::factorization {
+
+namespace {
+
+std::array<int, 3> modeSizes(const HalfDifferenceAxes& axes) {
+  return {int(axes.thetaH.size()), int(axes.thetaD.size()), int(axes.phiD.size())};
+}
+
+/// Of the four curves of a term.
+std::size_t cpTermBytes(const HalfDifferenceAxes& axes) {
+  return (axes.thetaH.size() + axes.thetaD.size() + axes.phiD.size() + 3) * sizeof(float);
+}
+
+constexpr std::size_t boundBytes = sizeof(float);  // of `highest`
+
+/// Of the core, and of the matrices of the angles and of the channels.
+std::size_t hosvdBytes(const HalfDifferenceAxes& axes, const std::array<int, 3>& ranks) {
+  const std::array<int, 3> sizes = modeSizes(axes);
+  std::size_t coreSize = 3, matrices = 3 * 3;
+  for (std::size_t mode = 0; mode < 3; ++mode) {
+    coreSize *= std::size_t(ranks[mode]);
+    matrices += std::size_t(sizes[mode]) * std::size_t(ranks[mode]);
+  }
+  return (coreSize + matrices) * sizeof(float) + boundBytes;
+}
+
+/// The decomposition of `tensor` that these values and bytes are.
+HalfDifferenceTensor decomposed(const HalfDifferenceTensor& tensor, Tensor values, std::size_t bytes) {
+  HalfDifferenceTensor result{
+      .axes = tensor.axes, .values = std::move(values), .highest = tensor.highest, .residual = 0, .bytes = bytes};
+  const double norm = tensor.values.norm();
+  double squared = 0;
+  for (std::size_t i = 0; i < tensor.values.count(); ++i) squared += std::pow(result.values[i] - tensor.values[i], 2);
+  if (norm > 0) result.residual = std::sqrt(squared) / norm;
+  return result;
+}
+
+Rgb valueAt(const HalfDifferenceTensor& tensor, const HalfDifference& at) {
+  const HalfDifferenceAxes& axes = tensor.axes;
+  // Reciprocity and the plane of incidence fold the azimuth to [0, pi / 2].
+  const double phiD = std::abs(at.phiD);
+  const NodePlace h = placeBetween(axes.thetaH, at.thetaH), d = placeBetween(axes.thetaD, at.thetaD),
+                  p = placeBetween(axes.phiD, std::min(phiD, pi - phiD));
+  const std::size_t stepD = axes.thetaH.size(), stepP = stepD * axes.thetaD.size(), stepC = stepP * axes.phiD.size();
+  const std::size_t first = h.index + stepD * d.index + stepP * p.index;
+  Rgb y(0);
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    const std::size_t i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
+    const double weight =
+        (i ? h.fraction : 1 - h.fraction) * (j ? d.fraction : 1 - d.fraction) * (k ? p.fraction : 1 - p.fraction);
+    for (std::size_t c = 0; c < 3; ++c)
+      y[int(c)] += weight * tensor.values[first + i + j * stepD + k * stepP + c * stepC];
+  }
+  Rgb rho;
+  for (int c = 0; c < 3; ++c) rho[c] = std::expm1(std::clamp(y[c], 0.0, tensor.highest));
+  return rho;
+}
+
+}  // namespace
+
+HalfDifferenceTensor sampleHalfDifferenceTensor(const HalfDifferenceSamples& samples) {
+  const auto [heights, differences, azimuths] = modeSizes(samples.axes);
+  HalfDifferenceTensor result{.axes = samples.axes, .values = Tensor({heights, differences, azimuths, 3})};
+  const std::size_t stepC = result.values.count() / 3;
+  std::size_t column = 0;
+  for (std::size_t p = 0; p < std::size_t(azimuths); ++p)
+    for (std::size_t d = 0; d < std::size_t(differences); ++d, column += std::size_t(heights)) {
+      Rgb known(0);
+      for (std::size_t h = 0; h < std::size_t(heights); ++h) {
+        const std::size_t i = samples.axes.index(h, d, p);
+        if (samples.valid[i]) known = samples.values[i];
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double y = std::log1p(std::max(known[int(c)], 0.0));
+          result.values[column + h + c * stepC] = y;
+          result.highest = std::max(result.highest, y);
+        }
+      }
+    }
+  return result;
+}
+
+int cpTerms(const HalfDifferenceAxes& axes, std::size_t byteBudget) {
+  const std::size_t room = byteBudget > boundBytes ? byteBudget - boundBytes : 0;
+  return int(std::clamp(room / cpTermBytes(axes), std::size_t(1), std::size_t(maxCpTerms)));
+}
+
+HalfDifferenceTensor decomposeCp(const HalfDifferenceTensor& tensor, int terms, const TaskControl& control) {
+  const CanonicalPolyadic found = decomposeCanonicalPolyadic(tensor.values, terms, {.maxIterations = 100}, control);
+  return decomposed(tensor, compose(found), std::size_t(terms) * cpTermBytes(tensor.axes) + boundBytes);
+}
+
+std::array<int, 3> hosvdRanks(const HalfDifferenceAxes& axes, std::size_t byteBudget) {
+  const std::array<int, 3> sizes = modeSizes(axes);
+  std::array<int, 3> ranks{1, 1, 1};
+  for (int step = 1; step <= sizes[0]; ++step) {
+    std::array<int, 3> larger;
+    for (std::size_t mode = 0; mode < 3; ++mode)
+      larger[mode] = std::max(1, int(std::lround(double(sizes[mode]) * step / sizes[0])));
+    if (hosvdBytes(axes, larger) > byteBudget) break;
+    ranks = larger;
+  }
+  return ranks;
+}
+
+HalfDifferenceTensor decomposeHosvd(const HalfDifferenceTensor& tensor, const std::array<int, 3>& ranks) {
+  const HigherOrderSvd found = decomposeHigherOrderSvd(tensor.values, {ranks[0], ranks[1], ranks[2], 3});
+  return decomposed(tensor, compose(found), hosvdBytes(tensor.axes, ranks));
+}
+
+std::shared_ptr<const Brdf> makeHalfDifferenceTensorBrdf(HalfDifferenceTensor tensor) {
+  return makePairwiseBrdf([t = std::move(tensor)](const Direction& wi, const Direction& wo) {
+    const HalfDifference at = toHalfDifference(wi, wo);
+    return at.valid ? valueAt(t, at) : Rgb(0);
+  });
+}
+
+}  // namespace gonio::factorization

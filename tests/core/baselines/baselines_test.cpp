@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/baselines/baselines.h"
+
+#include <QTest>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "core/baselines/half_out_samples.h"
+#include "core/factorization/half_difference_samples.h"
+#include "core/metrics/brdf_metrics.h"
+#include "tests/support/function_brdf.h"
+#include "tests/support/test_program.h"
+
+namespace baselines_test {
+using namespace gonio;
+using namespace gonio::factorization;
+
+const HalfDifferenceGrid smallGrid{.thetaHCount = 45, .thetaDCount = 45, .phiDCount = 60};
+
+class BaselinesTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  /// Each keeps a glossy material better than the diffuse mean would, within its budget, without negative values.
+  void rebuildAGlossyMaterial_data() {
+    QTest::addColumn<int>("index");
+    for (std::size_t i = 0; i < baselines().size(); ++i) QTest::newRow(baselines()[i].id.data()) << int(i);
+  }
+  void rebuildAGlossyMaterial() {
+    QFETCH(int, index);
+    const Baseline& baseline = baselines()[std::size_t(index)];
+    const auto table = bakeTable(*test::ggx(Rgb(0.3, 0.1, 0.05), Rgb(1), 0.3, 0.05), smallGrid);
+    const std::vector<std::size_t> budgets = {4'000, 20'000};
+    const std::vector<ComparedModel> models = baseline.build(*table, budgets, {});
+    QCOMPARE(models.size(), std::size_t(2));
+    QVERIFY(models[0].bytes > 0 && models[0].bytes <= budgets[0]);
+    QVERIFY(models[1].bytes >= models[0].bytes && models[1].bytes <= budgets[1]);
+    const ComparedModel& model = models[1];
+    const double few = metrics::brdfSignalToNoiseRatio(*table, *models[0].brdf),
+                 decibels = metrics::brdfSignalToNoiseRatio(*table, *model.brdf);
+    const double diffuse = metrics::brdfSignalToNoiseRatio(*table, test::lambert(Rgb(0.4, 0.2, 0.15)));
+    QVERIFY2(decibels > diffuse + 1 && decibels >= few,
+             qPrintable(QString("%1 %2 %3").arg(diffuse).arg(few).arg(decibels)));
+    std::mt19937_64 generator(5);
+    for (int i = 0; i < 3000; ++i) {
+      const Rgb value = model.brdf->evaluate(test::randomUpper(generator), test::randomUpper(generator));
+      for (int c = 0; c < 3; ++c) QVERIFY(std::isfinite(value[c]) && value[c] >= 0);
+    }
+    QCOMPARE(model.brdf->evaluate({0, 0, -1}, {0, 0, 1}), Rgb(0));
+  }
+
+  void hardCase12BlackTable() {
+    const auto black = bakeTable(test::lambert(Rgb(0)), smallGrid);
+    const std::vector<std::size_t> budgets = {5000};
+    for (const Baseline& baseline : baselines()) {
+      const Rgb value = baseline.build(*black, budgets, {})[0].brdf->evaluate({0, 0.6, 0.8}, {0.6, 0, 0.8});
+      QVERIFY2(maxChannel(value) < 1e-4, baseline.id.data());
+    }
+  }
+
+  void named() {
+    std::set<std::string_view> ids;
+    for (const Baseline& baseline : baselines()) {
+      ids.insert(baseline.id);
+      QVERIFY(!baseline.name.empty() && !baseline.reference.empty());
+    }
+    QCOMPARE(ids.size(), baselines().size());
+  }
+
+  /// Half-out samples are the table's values; the measure integrates to 1/2 for the viewer's polar angle times pi / 2
+  /// for the half of the hemisphere that the azimuths cover.
+  void halfOutSamplesOfALambertian() {
+    const auto table = bakeTable(test::lambert(Rgb(1)), smallGrid);
+    const HalfOutSamples s = sampleHalfOut(*table, makeHalfOutAxes(90, 60, 45));
+    double sum = 0;
+    for (std::size_t h = 0; h < s.axes.thetaH.size(); ++h)
+      for (std::size_t p = 0; p < s.axes.phiH.size(); ++p)
+        for (std::size_t o = 0; o < s.axes.thetaO.size(); ++o) {
+          const std::size_t i = s.axes.index(h, p, o);
+          if (s.valid[i]) QVERIFY(std::abs(s.values[i].x - 1 / pi) < 1e-6);
+          sum += projectedMeasure(s, h, p, o);
+        }
+    QVERIFY2(std::abs(sum / (pi / 4) - 1) < 0.02, qPrintable(QString::number(sum / (pi / 4))));
+  }
+
+  /// Half-difference samples are the table's values; the measure integrates to that of both projected solid angles,
+  /// pi^2, over a quarter of phi_d, a unit of phi_h, and the factor 4 that it leaves out.
+  void halfDifferenceSamplesOfALambertian() {
+    const auto table = bakeTable(test::lambert(Rgb(1)), smallGrid);
+    const HalfDifferenceSamples s = sampleHalfDifference(*table, makeHalfDifferenceAxes(90, 90, 19));
+    double sum = 0;
+    for (std::size_t h = 0; h < 90; ++h)
+      for (std::size_t d = 0; d < 90; ++d)
+        for (std::size_t p = 0; p < 19; ++p) {
+          if (const std::size_t i = s.axes.index(h, d, p); s.valid[i]) QVERIFY(std::abs(s.values[i].x - 1 / pi) < 1e-6);
+          sum += projectedMeasure(s, h, d, p);
+        }
+    QVERIFY2(std::abs(sum / (pi / 32) - 1) < 0.01, qPrintable(QString::number(sum / (pi / 32))));
+  }
+
+  /// The mean of four azimuths, of a function that has no symmetry: what is odd goes.
+  void halfDifferenceSamplesAreSymmetric() {
+    const auto table = bakeTable(test::FunctionBrdf([](const Direction& wi, const Direction& wo) {
+                                   const HalfDifference at = toHalfDifference(wi, wo);
+                                   return Rgb(2 + std::sin(2 * at.phiD) + at.thetaH + std::cos(2 * at.phiD));
+                                 }),
+                                 {.thetaHCount = 30, .thetaDCount = 30, .phiDCount = 180});
+    const HalfDifferenceAxes axes = makeHalfDifferenceAxes(30, 30, 7);
+    const HalfDifferenceSamples s = sampleHalfDifference(*table, axes);
+    for (std::size_t h = 1; h < 10; ++h)
+      for (std::size_t d = 3; d < 15; ++d)
+        for (std::size_t p = 0; p < 7; ++p)
+          QVERIFY(std::abs(s.values[axes.index(h, d, p)].x - (2 + axes.thetaH[h] + std::cos(2 * axes.phiD[p]))) < 0.01);
+  }
+};
+
+GONIO_TEST(BaselinesTest)
+}  // namespace baselines_test
+
+#include "baselines_test.moc"
