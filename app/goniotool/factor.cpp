@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/goniotool/factor_baseline.h"
+#include "app/goniotool/factor_quality.h"
 #include "app/goniotool/materials.h"
 #include "app/goniotool/report.h"
 #include "app/goniotool/tool.h"
 #include "core/factorization/pdv_operations.h"
 #include "core/materials/pdv_file.h"
-#include "core/metrics/brdf_metrics.h"
-#include "core/study/evaluation_time.h"
 
 namespace gonio::tool {
 
@@ -17,10 +17,15 @@ namespace {
 
 using namespace factorization;
 
+constexpr const char* pdvMethod = "pdv";
+constexpr std::size_t bytesOfTenTerms = 44'680;  ///< of a .pdv file in the form with three curves
+
 constexpr std::array<const char*, 2> formNames{"2d", "3d"};  // in the order of PdvForm
 
 struct FactorArguments {
   std::string material, form = formNames[1], transform{dataTransformNames[0]}, out, decode, swapF1, swapF2;
+  std::string method = pdvMethod;
+  std::size_t bytes = bytesOfTenTerms;
   int terms = 10;
   bool keepFurther = false, formGiven = false, transformGiven = false;
 
@@ -80,9 +85,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
   PdvFactorization result = factorsOf(options, material, *table, tool);
   result.factors = swapped(options, std::move(result.factors), tool);
   const auto brdf = makePdvBrdf(result.factors);
-  const std::vector<double> errors = metrics::brdfErrors(*table, *brdf);
-  const double snr = metrics::brdfSignalToNoiseRatio(*table, *brdf);
-  const double nanoseconds = study::measureEvaluation(*brdf).median;
+  const FactorQuality quality = factorQuality(material, *table, *brdf, tool);
   if (isFactorsFile(options.out)) materials::writePdv(result.factors, options.out);
   for (const std::string& path : {isFactorsFile(options.out) ? std::string() : options.out, options.decode})
     if (!path.empty()) materials::writeMaterial(*bakeTable(*brdf, table->grid(), tool.control("decoding")), path);
@@ -90,52 +93,85 @@ int factor(const FactorArguments& options, const Tool& tool) {
   const PdvFactors& f = result.factors;
   if (!result.residuals.empty()) result.residuals.erase(result.residuals.begin());
   result.residuals.resize(std::min(result.residuals.size(), std::size_t(f.terms())));
-  Json json{{"terms", f.terms()},
+  Json json{{"method", pdvMethod},
+            {"terms", f.terms()},
             {"form", formNames[std::size_t(f.form)]},
             {"transform", dataTransformNames[std::size_t(f.transform)]},
             {"grid", {f.thetaNodes.size(), f.deviationNodes.size(), f.phiNodes.size()}},
             {"bytes", materials::pdvFileBytes(f)},
             {"residuals", result.residuals},
-            {"seconds", result.seconds},
-            {"errors", errorsJson(errors)},
-            {"brdfSnr", decibelsJson(snr)},
-            {"evaluationNs", nanoseconds}};
+            {"seconds", result.seconds}};
+  addQuality(json, quality);
   if (!options.out.empty()) json["out"] = options.out;
   if (!options.decode.empty()) json["decoded"] = options.decode;
   print(tool, json,
         std::to_string(f.terms()) + " terms, " + std::to_string(materials::pdvFileBytes(f)) + " bytes, residual " +
-            (result.residuals.empty() ? "not known" : number(result.residuals.back())) + ", BRDF SNR " + number(snr) +
-            " dB, " + number(result.seconds) + " s, " + number(nanoseconds) + " ns per value\n" + errorsText(errors));
+            (result.residuals.empty() ? "not known" : number(result.residuals.back())) + ", " +
+            qualityText(quality, result.seconds));
   return 0;
+}
+
+/// The options of PDV alone.
+std::vector<CLI::Option*> addPdvOptions(CLI::App& command, const std::shared_ptr<FactorArguments>& options) {
+  auto* terms =
+      command.add_option("--terms", options->terms, "Number of terms, products of curves that are summed (10)");
+  terms->check(CLI::Range(1, maxPdvTerms));
+  auto* form = command.add_option_function<std::string>(
+      "--form",
+      [options](const std::string& name) {
+        options->form = name;
+        options->formGiven = true;
+      },
+      "2d: two curves per term; 3d: three (3d)");
+  form->check(CLI::IsMember(std::vector<std::string>(formNames.begin(), formNames.end())));
+  auto* transform = command.add_option_function<std::string>(
+      "--transform",
+      [options](const std::string& name) {
+        options->transform = name;
+        options->transformGiven = true;
+      },
+      "Transform of the BRDF values (log-plus)");
+  transform->check(CLI::IsMember(std::vector<std::string>(dataTransformNames.begin(), dataTransformNames.end())));
+  return {terms,
+          form,
+          transform,
+          command.add_option("--decode", options->decode,
+                             outputHelp("Bake the material that the factors represent to this file")),
+          command.add_option("--swap-f1", options->swapF1,
+                             "Replace F1 of the first term (specular strength vs. angle) by that of this material"),
+          command.add_option("--swap-f2", options->swapF2,
+                             "Replace F2 of the first term (highlight profile) by that of this material"),
+          command.add_flag("--keep-terms", options->keepFurther, "Retain the further terms when F1 or F2 is replaced")};
 }
 
 }  // namespace
 
 void addFactor(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<FactorArguments>();
-  CLI::App* command =
-      app.add_subcommand("factor", "Factorises a material into curves in projected-deviation coordinates (PDV)");
+  CLI::App* command = app.add_subcommand(
+      "factor", "Factorises a material into curves in projected-deviation coordinates (PDV), or by a baseline");
   command->add_option("MATERIAL", options->material, materialHelp)->required();
-  command->add_option("--terms", options->terms, "Number of terms, products of curves that are summed (10)")
-      ->check(CLI::Range(1, maxPdvTerms));
-  auto* form = command->add_option("--form", options->form, "2d: two curves per term; 3d: three (3d)");
-  form->check(CLI::IsMember(std::vector<std::string>(formNames.begin(), formNames.end())));
-  auto* transform = command->add_option("--transform", options->transform, "Transform of the BRDF values (log-plus)");
-  transform->check(CLI::IsMember(std::vector<std::string>(dataTransformNames.begin(), dataTransformNames.end())));
+  std::vector<std::string> methods = baselineIds();
+  methods.insert(methods.begin(), pdvMethod);
+  command->add_option("--method", options->method, "Factorisation: PDV or one of the literature (pdv)")
+      ->check(CLI::IsMember(methods));
+  auto* bytes = command->add_option("--bytes", options->bytes, "Max size of the factors of a baseline, bytes (44680)");
+  bytes->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)));
   command->add_option("--out", options->out,
                       "File to write: factors (" + suffixOf(materials::FormatId::pdv) + "), or " +
                           outputHelp("the material that they represent"));
-  command->add_option("--decode", options->decode,
-                      outputHelp("Bake the material that the factors represent to this file"));
-  command->add_option("--swap-f1", options->swapF1,
-                      "Replace F1 of the first term (specular strength vs. angle) by that of this material");
-  command->add_option("--swap-f2", options->swapF2,
-                      "Replace F2 of the first term (highlight profile) by that of this material");
-  command->add_flag("--keep-terms", options->keepFurther, "Retain the further terms when F1 or F2 is replaced");
-  command->callback([options, form, transform, &tool] {
-    options->formGiven = form->count() > 0;
-    options->transformGiven = transform->count() > 0;
-    tool.run = [options, &tool] { return factor(*options, tool); };
+  const std::vector<CLI::Option*> pdvOptions = addPdvOptions(*command, options);
+  command->callback([options, bytes, pdvOptions, &tool] {
+    tool.run = [options, bytes, pdvOptions, &tool] {
+      if (options->method == pdvMethod) {
+        if (bytes->count() > 0) throw UsageError("factor: --bytes is for baselines, see --method");
+        return factor(*options, tool);
+      }
+      for (const CLI::Option* option : pdvOptions)
+        if (option->count() > 0)
+          throw UsageError("factor: " + option->get_name() + " is for --method pdv, found " + options->method);
+      return factorByBaseline({options->material, options->method, options->out, options->bytes}, tool);
+    };
   });
 }
 

@@ -5,7 +5,9 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <chrono>
 
+#include "core/baselines/baselines.h"
 #include "core/brdf/weighted_sum.h"
 #include "core/dictionary/code_brdf.h"
 #include "core/dictionary/decode.h"
@@ -43,6 +45,31 @@ PyFactors factorize(const PyMaterial& material, int terms, const std::string& fo
     return factorizePdv(*material.table(control.between(0, 0.1)), options, control.between(0.1, 1));
   });
   return {std::make_shared<const PdvFactors>(std::move(found.factors)), found.residuals, found.seconds};
+}
+
+py::dict baselineReferences() {
+  py::dict references;
+  for (const Baseline& baseline : baselines())
+    references[py::str(std::string(baseline.id))] = std::string(baseline.reference);
+  return references;
+}
+
+py::tuple factorizeByBaseline(const PyMaterial& material, const std::string& method, std::size_t bytes,
+                              const py::object& progress) {
+  const auto all = baselines();
+  const auto chosen = std::ranges::find(all, std::string_view(method), &Baseline::id);
+  if (chosen == all.end()) throw Error("method: found '" + method + "', expected one of gonio.baselines()");
+  if (bytes == 0) throw Error("bytes: expected 1 or more");
+  double seconds = 0;
+  const ComparedModel model = resultOf(progress, [&](const TaskControl& control) {
+    const auto table = material.table(control.between(0, 0.1));
+    const auto start = std::chrono::steady_clock::now();
+    const std::array<std::size_t, 1> budgets{bytes};
+    auto models = chosen->build(*table, budgets, control.between(0.1, 1));
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return std::move(models.front());
+  });
+  return py::make_tuple(newMaterial(material.shown().name, method, model.brdf), model.bytes, seconds);
 }
 
 using Curve = std::vector<double> PdvTerm::*;
@@ -200,6 +227,8 @@ void bindFactors(py::module_& module) {
            })
       .def("save", [](const PyFactors& f, const std::string& path) { materials::writePdv(*f.factors, path); });
   module.def("factorize", factorize);
+  module.def("factorize_baseline", factorizeByBaseline);
+  module.def("baselines", baselineReferences);
   module.def("read_factors", [](const std::string& path) {
     return PyFactors{std::make_shared<const PdvFactors>(materials::readPdv(path)), {}, 0};
   });

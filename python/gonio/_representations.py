@@ -150,6 +150,40 @@ def open_factors(path: PathLike) -> Factors:
     return Factors(_core.read_factors(os.fspath(path)))
 
 
+@dataclass(frozen=True)
+class BaselineFactors:
+    """A material as a factorisation of the literature, see gonio.factorize_baseline()."""
+
+    material: Material
+    """The material that the factors represent."""
+    bytes: int
+    """Size of the factors in single precision, without the nodes of their axes."""
+    seconds: float
+    """Time of the factorisation, s."""
+
+
+def baselines() -> dict[str, str]:
+    """The publications of the methods of gonio.factorize_baseline(), by the method's id."""
+    return _core.baselines()
+
+
+def factorize_baseline(material: Material, method: str, bytes: int = 44680, progress: Progress = None) -> BaselineFactors:
+    """Factorises a material by a method of the literature, to compare with gonio.factorize() at equal size. Up to a minute.
+
+    Args:
+        material: The material to factorise. One that is not a table is sampled as one first (1 s).
+        method: "kautz-mccool", "mccool", "lawrence", "bivariate", "bilgili", "nonparametric", "cp", "hosvd" or "nmf"
+            ([command line](command-line.md#baselines)).
+        bytes: Max size of the factors: as many terms, or as fine a table, as fit. By default that of a .pdv file of ten terms.
+        progress: Called with the fraction that is done, 0 to 1; None: not reported.
+
+    Raises:
+        Error: The method is unknown, or bytes is not positive.
+    """
+    handle, size, seconds = _core.factorize_baseline(material._handle, method, bytes, progress)
+    return BaselineFactors(Material(handle), size, seconds)
+
+
 class Dictionary:
     """An ensemble of orthonormal dictionaries for sparse codes, see gonio.dictionary() (Miandji et al. 2019; Tongbuasirilai
     2023, section 4.3.2; docs/dictionaries.md). len() is the number of dictionaries."""

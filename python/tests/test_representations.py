@@ -51,6 +51,18 @@ def test_bad_factorisations_are_errors(paint):
             gonio.factorize(paint, **options)
 
 
+def test_baselines(paint):
+    assert {"kautz-mccool", "bivariate", "cp", "hosvd", "nmf"} <= set(gonio.baselines())
+    for method in ("kautz-mccool", "bivariate", "hosvd"):
+        few, many = (gonio.factorize_baseline(paint, method, bytes=size) for size in (4000, 40000))
+        assert 0 < few.bytes <= 4000 < many.bytes <= 40000 and many.seconds > 0
+        errors = [gonio.compare(paint, found.material, size=16, samples=4).errors["log"] for found in (few, many)]
+        assert errors[1] < errors[0]
+    for arguments in (("wish", 5000), ("cp", 0)):
+        with pytest.raises(gonio.Error):
+            gonio.factorize_baseline(paint, *arguments)
+
+
 @pytest.fixture(scope="module")
 def code():
     return gonio.encode(gonio.open("library:sgd/blue-metallic-paint"), coefficients=64, transforms=["log-plus"])

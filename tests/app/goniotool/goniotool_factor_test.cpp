@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
+#include "core/baselines/baselines.h"
 #include "core/factorization/pdv_operations.h"
 #include "core/materials/pdv_file.h"
 #include "core/metrics/brdf_metrics.h"
@@ -116,6 +118,32 @@ class GoniotoolFactorTest : public QObject {
     QVERIFY(both.channels[1][0].f2 != file.channels[1][0].f2 && both.channels[1][0].f2 != own.channels[1][0].f2);
   }
 
+  /// Every baseline reports what the library computes, and writes the table that it represents.
+  void byBaselines_data() {
+    QTest::addColumn<QString>("method");
+    for (const Baseline& baseline : baselines()) QTest::newRow(baseline.id.data()) << QString(baseline.id.data());
+  }
+  void byBaselines() {
+    QFETCH(QString, method);
+    const QString out = folder_.path("baseline.binary");
+    const ToolResult result = runJson({"factor", plastic_, "--method", method, "--bytes", "6000", "--out", out});
+    VERIFY_SUCCESS(result);
+    const auto all = baselines();
+    const auto& baseline =
+        *std::find_if(all.begin(), all.end(), [&](const Baseline& b) { return b.id == method.toStdString(); });
+    const std::vector<std::size_t> budgets{6000};
+    const auto table = readTable(plastic_);
+    const ComparedModel model = baseline.build(*table, budgets, {}).front();
+    QCOMPARE(result.json["method"].get<std::string>(), std::string(baseline.id));
+    QCOMPARE(result.json["bytes"].get<std::size_t>(), model.bytes);
+    const double error = metrics::brdfErrors(*table, *model.brdf)[0];
+    QVERIFY(std::abs(result.json["errors"]["log"].get<double>() / error - 1) < 1e-6);
+    const double snr = metrics::brdfSignalToNoiseRatio(*table, *model.brdf);
+    QVERIFY(std::abs(result.json["brdfSnr"].get<double>() - snr) < 1e-6);
+    QVERIFY(result.json["renderedSnr"].get<double>() > 0 && result.json["seconds"].get<double>() > 0);
+    QVERIFY(metrics::brdfErrors(*readTable(out), test::meanOfBothOrders(model.brdf))[0] < 1e-4);
+  }
+
   void wrongUsage_data() {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<int>("code");
@@ -127,6 +155,11 @@ class GoniotoolFactorTest : public QObject {
     QTest::newRow("transform") << QStringList{"factor", plastic_, "--transform", "wish"} << 2;
     QTest::newRow("kept terms of nothing") << QStringList{"factor", plastic_, "--keep-terms"} << 2;
     QTest::newRow("form of factors") << QStringList{"factor", factors, "--form", "2d"} << 2;
+    QTest::newRow("method") << QStringList{"factor", plastic_, "--method", "wish"} << 2;
+    QTest::newRow("bytes of PDV") << QStringList{"factor", plastic_, "--bytes", "5000"} << 2;
+    QTest::newRow("terms of a baseline") << QStringList{"factor", plastic_, "--method", "cp", "--terms", "3"} << 2;
+    QTest::newRow("factors of a baseline")
+        << QStringList{"factor", plastic_, "--method", "cp", "--out", folder_.path("x.pdv")} << 2;
     QTest::newRow("suffix") << QStringList{"factor", plastic_, "--out", folder_.path("x.png")} << 1;
     QTest::newRow("decoded suffix") << QStringList{"factor", plastic_, "--decode", folder_.path("x.pdv")} << 1;
     QTest::newRow("mixed transforms") << QStringList{"factor", plastic_, "--transform", "root", "--swap-f1", factors}

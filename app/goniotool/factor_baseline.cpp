@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/factor_baseline.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "app/goniotool/factor_quality.h"
+#include "app/goniotool/materials.h"
+#include "core/baselines/baselines.h"
+
+namespace gonio::tool {
+
+std::vector<std::string> baselineIds() {
+  std::vector<std::string> ids;
+  for (const factorization::Baseline& baseline : factorization::baselines()) ids.emplace_back(baseline.id);
+  return ids;
+}
+
+int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
+  if (materials::hasSuffixOf(materials::FormatId::pdv, options.out))
+    throw UsageError("factor: " + options.method + " has no file of factors: --out takes a table (.binary)");
+  if (!options.out.empty()) materials::writableFormat(options.out);
+  const auto all = factorization::baselines();
+  const factorization::Baseline& baseline =
+      *std::find_if(all.begin(), all.end(), [&](const auto& b) { return b.id == options.method; });
+  const materials::Material material = openMaterial(options.material, tool.control("reading"));
+  const auto table = material.tabulated(tool.control("tabulating"));
+  const auto start = std::chrono::steady_clock::now();
+  const std::array<std::size_t, 1> budgets{options.bytes};
+  const factorization::ComparedModel model =
+      baseline.build(*table, budgets, tool.control("factorising " + material.name)).front();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const FactorQuality quality = factorQuality(material, *table, *model.brdf, tool);
+  if (!options.out.empty())
+    materials::writeMaterial(*bakeTable(*model.brdf, table->grid(), tool.control("decoding")), options.out);
+  Json json{{"method", options.method},
+            {"reference", baseline.reference},
+            {"byteBudget", options.bytes},
+            {"bytes", model.bytes},
+            {"seconds", seconds}};
+  addQuality(json, quality);
+  if (!options.out.empty()) json["out"] = options.out;
+  print(tool, json,
+        options.method + " (" + std::string(baseline.name) + "), " + std::to_string(model.bytes) + " bytes, " +
+            qualityText(quality, seconds));
+  return 0;
+}
+
+}  // namespace gonio::tool

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/goniotool/tool.h"
+
+namespace gonio::tool {
+
+struct FactorBaselineArguments {
+  std::string material, method, out;
+  std::size_t bytes = 0;  ///< budget
+};
+
+/// The ids of all baselines, for --method.
+std::vector<std::string> baselineIds();
+
+/// goniotool factor --method METHOD with a baseline of the literature (core/baselines/baselines.h).
+int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool);
+
+}  // namespace gonio::tool

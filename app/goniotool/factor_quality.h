@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/goniotool/report.h"
+#include "core/materials/material.h"
+
+namespace gonio::tool {
+
+/// How well a factorisation represents a material, the same for all methods of `goniotool factor`.
+struct FactorQuality {
+  std::vector<double> errors;  ///< in the order of metrics::allBrdfMetrics()
+  double brdfSnr = 0;          ///< dB
+  double renderedSnr = 0;      ///< dB, in smallComparisonPicture()
+  double evaluationNs = 0;
+};
+
+/// @param table of the material. Some seconds. @throws Cancelled.
+FactorQuality factorQuality(const materials::Material& material, const TabulatedBrdf& table, const Brdf& factors,
+                            const Tool& tool);
+
+/// Adds errors, brdfSnr, renderedSnr and evaluationNs.
+void addQuality(Json& json, const FactorQuality& quality);
+/// "BRDF SNR 31 dB, rendered SNR 28 dB", the times, and a line per error.
+std::string qualityText(const FactorQuality& quality, double seconds);
+
+}  // namespace gonio::tool
