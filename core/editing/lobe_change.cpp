@@ -14,8 +14,9 @@ namespace gonio::editing {
 
 namespace {
 
+/// Negative where the measurement is, as RGL files are for colours outside sRGB: this part of a highlight widens too.
 Rgb ratioOf(const Rgb& measured, const Rgb& fitted) {
-  return (glm::max(measured, Rgb(0)) + LobeChange::epsilon) / (fitted + LobeChange::epsilon);
+  return (measured + LobeChange::epsilon) / (fitted + LobeChange::epsilon);
 }
 
 /// What the body carries of the ratio.

@@ -71,5 +71,5 @@ vec3 bodyChange(vec3 ratio, vec3 before, vec3 after, vec3 model) {
 // What a fit does not explain: twin of LobeChange.
 vec3 fitRatio(vec3 measured, vec3 fitted) {
   const float epsilon = 0.001;
-  return (max(measured, vec3(0.0)) + epsilon) / (fitted + epsilon);
+  return (measured + epsilon) / (fitted + epsilon);
 }

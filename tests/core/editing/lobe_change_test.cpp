@@ -119,6 +119,34 @@ class LobeChangeTest : public QObject {
     }
   }
 
+  /// A colour outside sRGB, with a channel below 0, stays so while its highlight widens, and no sharp peak remains in it.
+  void negativeChannelsWidenWithTheHighlight() {
+    const models::Model& model = models::ggx();
+    DifferentialEdit edit{.model = &model,
+                          .fitted = models::defaultParameters(model.spec()),
+                          .edited = {},
+                          .composition = Composition::lobes};
+    edit.fitted.values[index(model, "diffuse")] = Rgb(0);
+    edit.fitted.values[index(model, "roughness")] = Rgb(0.05);
+    edit.edited = edit.fitted;
+    edit.edited.values[index(model, "roughness")] = Rgb(0.2);
+    const Rgb colour(-0.2, 1, 0.7);
+    const auto coloured = [&](const models::ParameterValues& values) {
+      const std::shared_ptr<const Brdf> lobe = model.instantiate(values);
+      return std::make_shared<const FunctionBrdf>(
+          [=](const Direction& wi, const Direction& wo) { return colour * lobe->evaluate(wi, wo); });
+    };
+    const Edit step{.content = edit};
+    const auto found = applyEdits(coloured(edit.fitted), std::span(&step, 1));
+    const auto wanted = coloured(edit.edited);
+    for (const double theta : {0.1, 0.6, 1.1})
+      for (const double off : {0.0, 0.01, 0.03}) {
+        const Direction wi = fromSpherical(theta, 0), wo = fromSpherical(theta + off, pi);
+        const Rgb value = wanted->evaluate(wi, wo), difference = found->evaluate(wi, wo) - value;
+        QVERIFY(value.x < 0 && glm::length(difference) < 0.02 * glm::length(value));
+      }
+  }
+
   /// A body that is made grey is grey, whatever the fit missed in a channel where it was dark.
   void aNewColourCarriesTheRatioOfLuminance() {
     const Rgb red(0.4, 0.02, 0.01), ratio(1.1, 3, 0.2);
