@@ -14,6 +14,8 @@ namespace gonio::app {
 namespace {
 constexpr int progressMilliseconds = 80;
 constexpr int foregroundThreads = 2, liveThreads = 2;
+/// A check of a minute must not keep the library without its pictures.
+constexpr int quietThreads = 2;
 }  // namespace
 
 struct BackgroundTasks::Task {
@@ -27,7 +29,7 @@ struct BackgroundTasks::Task {
 
 BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
   m_pool.setMaxThreadCount(foregroundThreads);
-  m_quietPool.setMaxThreadCount(1);
+  m_quietPool.setMaxThreadCount(quietThreads);
   m_livePool.setMaxThreadCount(liveThreads);
   m_filePool.setMaxThreadCount(1);
   m_progressTimer.setInterval(progressMilliseconds);

@@ -172,6 +172,16 @@ class BackgroundTaskTest : public QObject {
     QTRY_VERIFY(tasks.isIdle());
   }
 
+  /// A long one, such as a check, does not block a short one, such as a thumbnail.
+  void quietTasksRunBesideALongOne() {
+    BackgroundTasks tasks;
+    tasks.run<int>({"Long", "long", true}, untilStopped, [](int) {});
+    bool done = false;
+    tasks.run<int>({"Short", "short", true}, [](const TaskControl&) { return 1; }, [&](int) { done = true; });
+    QTRY_VERIFY(done);
+    tasks.drop("long");
+  }
+
   void quietTasksStepBack() {
     BackgroundTasks tasks;
     tasks.run<int>({"Loud", "loud"}, untilStopped, [](int) {});
