@@ -4,6 +4,7 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <algorithm>
 
 #include "core/models/registry.h"
 #include "tests/support/test_program.h"
@@ -72,6 +73,21 @@ class ControlPanelTest : public QObject {
     const editing::DifferentialEdit layered = editOf(models::layered());
     panel.setEdit(&layered);
     QVERIFY(panel.row(ArtistControl::coatStrength)->isEnabled());
+  }
+
+  /// Lines of any length would push the other sliders out of sight.
+  void manyChangesAreNamedInTheTooltip() {
+    ControlPanel panel;
+    editing::DifferentialEdit edit = editOf(models::findModel("dsbrdf"));
+    edit.controls.values[0] = Rgb(2);
+    panel.setEdit(&edit);
+    const QString text = panel.changesText(ArtistControl::roughness);
+    QCOMPARE(text.count(QChar(0x2192)), 2);
+    QVERIFY(text.endsWith(" more"));
+    const auto labels = panel.findChildren<QLabel*>();
+    const auto shown = std::ranges::find(labels, text, &QLabel::text);
+    QVERIFY(shown != labels.end());
+    QVERIFY((*shown)->toolTip().count(QChar(0x2192)) > 2);
   }
 
   /// A step of the slider is offered, and what the owner made of it is shown with the parameters that it changed.

@@ -15,6 +15,9 @@ using editing::ArtistControl;
 
 namespace {
 
+/// A control may change many parameters; a line names so many of them, and its tooltip all.
+constexpr qsizetype mostNamedChanges = 2;
+
 /// The colour of the body is set where an artist looks for it.
 constexpr ArtistControl controlBeforeBody = ArtistControl::tint;
 
@@ -22,9 +25,7 @@ const models::ParameterSpec& specOf(ArtistControl control) {
   return editing::artistControls().parameters[std::size_t(control)];
 }
 
-}  // namespace
-
-QString changesText(ArtistControl control, const editing::DifferentialEdit& edit) {
+QStringList changesOf(ArtistControl control, const editing::DifferentialEdit& edit) {
   const models::ModelSpec& spec = edit.model->spec();
   QStringList changes;
   for (const editing::ControlledParameter& one : editing::changesBy(control, spec, edit.edited, edit.controls)) {
@@ -33,8 +34,16 @@ QString changesText(ArtistControl control, const editing::DifferentialEdit& edit
                    .arg(fromView(parameter.label), displayValue(parameter, one.before),
                         displayValue(parameter, one.after));
   }
-  return changes.join(QStringLiteral("; "));
+  return changes;
 }
+
+QString shortened(const QStringList& changes) {
+  const QString named = changes.mid(0, mostNamedChanges).join(QStringLiteral("; "));
+  const qsizetype others = changes.size() - mostNamedChanges;
+  return others > 0 ? ControlPanel::tr("%1; and %2 more").arg(named).arg(others) : named;
+}
+
+}  // namespace
 
 ControlPanel::ControlPanel(QWidget* parent) : QWidget(parent), m_layout(new QVBoxLayout(this)) {
   m_layout->setContentsMargins(0, 0, 0, 0);
@@ -127,8 +136,9 @@ void ControlPanel::addBody() {
 
 void ControlPanel::showChanges(const editing::DifferentialEdit& edit) {
   for (std::size_t i = 0; i < m_controls.size(); ++i) {
-    const QString text = widgets::changesText(ArtistControl(i), edit);
-    m_controls[i].changes->setText(text);
+    const QStringList changes = changesOf(ArtistControl(i), edit);
+    m_controls[i].changes->setText(shortened(changes));
+    m_controls[i].changes->setToolTip(changes.size() > mostNamedChanges ? changes.join('\n') : QString());
   }
   placeChanges();
 }
@@ -147,15 +157,28 @@ QString ControlPanel::changesText(ArtistControl control) const {
   return m_controls.empty() ? QString() : m_controls[std::size_t(control)].changes->text();
 }
 
-std::optional<ArtistControl> ControlPanel::currentControl() const {
-  const auto find = [&](const auto& wanted) -> std::optional<ArtistControl> {
-    for (std::size_t i = 0; i < m_controls.size(); ++i)
-      if (wanted(m_controls[i].row)) return ArtistControl(i);
-    return {};
-  };
-  if (const auto hovered = find([](const ParameterRow* row) { return row->underMouse(); })) return hovered;
+const ParameterRow* ControlPanel::currentRow() const {
+  std::vector<const ParameterRow*> rows;
+  for (const Control& control : m_controls) rows.push_back(control.row);
+  if (m_body) rows.push_back(m_body);
   const QWidget* focus = focusWidget();
-  return find([&](const ParameterRow* row) { return focus && row->isAncestorOf(focus); });
+  const auto hovered = std::ranges::find_if(rows, [](const ParameterRow* row) { return row->underMouse(); });
+  if (hovered != rows.end()) return *hovered;
+  const auto focused =
+      std::ranges::find_if(rows, [&](const ParameterRow* row) { return focus && row->isAncestorOf(focus); });
+  return focused == rows.end() ? nullptr : *focused;
+}
+
+std::optional<ArtistControl> ControlPanel::currentControl() const {
+  const ParameterRow* current = currentRow();
+  for (std::size_t i = 0; i < m_controls.size(); ++i)
+    if (m_controls[i].row == current) return ArtistControl(i);
+  return {};
+}
+
+std::optional<int> ControlPanel::currentBodyParameter() const {
+  if (!m_body || currentRow() != m_body) return {};
+  return m_bodyParameter;
 }
 
 }  // namespace gonio::widgets

@@ -34,6 +34,8 @@ class ControlPanel : public QWidget {
   QString changesText(editing::ArtistControl control) const;
   /// The control under the pointer, else the one with the focus.
   std::optional<editing::ArtistControl> currentControl() const;
+  /// The model's parameter of the diffuse colour where its row is under the pointer, else where it has the focus.
+  std::optional<int> currentBodyParameter() const;
 
  Q_SIGNALS:
   void editingStarted();
@@ -58,6 +60,8 @@ class ControlPanel : public QWidget {
     QLabel* changes = nullptr;
   };
 
+  const ParameterRow* currentRow() const;
+
   const models::ModelSpec* m_spec = nullptr;
   QVBoxLayout* m_layout;
   QWidget* m_content = nullptr;
@@ -67,8 +71,5 @@ class ControlPanel : public QWidget {
   int m_bodyParameter = -1;
   bool m_editing = false;  ///< a row is under the hand
 };
-
-/// "Flakes, roughness 0.1 -> 0.2; Coat, roughness 0.03 -> 0.06", with arrows; empty where nothing changes.
-QString changesText(editing::ArtistControl control, const editing::DifferentialEdit& edit);
 
 }  // namespace gonio::widgets

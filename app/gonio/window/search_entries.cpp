@@ -70,6 +70,15 @@ void addSliders(std::vector<SearchEntry>& entries, EditorParts& parts) {
            parts.inspector.parameters()->row(i));
 }
 
+void addModels(std::vector<SearchEntry>& entries, EditorParts& parts) {
+  const bool open = parts.document.material() != nullptr;
+  for (const models::Model* model : models::allModels())
+    entries.push_back({.text = SearchText::tr("Model > %1").arg(widgets::fromView(model->spec().name)),
+                       .keywords = widgets::fromView(model->spec().id) + ' ' + SearchText::tr("choose fit"),
+                       .run = [&parts, model] { parts.controller.chooseModel(*model); },
+                       .enabled = open});
+}
+
 void addScenes(std::vector<SearchEntry>& entries, EditorParts& parts) {
   for (const std::string& name : bundledSceneNames())
     entries.push_back({.text = SearchText::tr("Shape > %1").arg(sceneTitle(name)),
@@ -101,6 +110,7 @@ void addGuide(std::vector<SearchEntry>& entries, QWidget& window) {
 std::vector<SearchEntry> searchEntries(EditorParts& parts, DocumentFiles& files, QWidget& window) {
   std::vector<SearchEntry> entries;
   addSliders(entries, parts);
+  addModels(entries, parts);
   addScenes(entries, parts);
   addMaterials(entries, parts, files);
   addGuide(entries, window);

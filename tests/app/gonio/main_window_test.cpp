@@ -21,8 +21,11 @@
 #include "tests/support/test_program.h"
 #include "tests/widgets/offscreen_context.h"
 #include "widgets/inputs/number_field.h"
+#include "widgets/inputs/parameter_slider.h"
 #include "widgets/library/library_view.h"
+#include "widgets/parameters/control_panel.h"
 #include "widgets/parameters/parameter_panel.h"
+#include "widgets/parameters/parameter_row.h"
 #include "widgets/preview/preview_overlay.h"
 #include "widgets/preview/preview_widget.h"
 
@@ -90,6 +93,28 @@ class MainWindowTest : public QObject {
     QVERIFY(!window->isWindowModified());
     QVERIFY(modelEdit(window->parts().document)->isIdentity());
     QTest::qWait(50);
+    delete window;
+  }
+
+  /// Backspace resets the row with the focus, the diffuse colour among the controls too.
+  void backspaceResetsTheDiffuseColour() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    Document& document = window->parts().document;
+    document.setMaterial(greyMaterial());
+    fitting::FitResult fit;
+    fit.model = &defaultModel();
+    fit.parameters = models::defaultParameters(fit.model->spec());
+    document.adoptFit(fit);
+    auto* body = window->parts().inspector.controls()->bodyRow();
+    QVERIFY(body);
+    auto* slider = body->findChild<widgets::ParameterSlider*>();
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Home);
+    QVERIFY(!modelEdit(document)->isIdentity());
+    QTest::keyClick(slider, Qt::Key_Backspace);
+    QVERIFY(modelEdit(document)->isIdentity());
     delete window;
   }
 
@@ -161,6 +186,7 @@ class MainWindowTest : public QObject {
     QVERIFY(found("gold paint").contains("Library > gold-paint (near-measured)"));
     QVERIFY(found("shader ball").contains("Shape > Shader ball"));
     QVERIFY(found("hdri").contains("Light > Sunset"));
+    QCOMPARE(found("model ward anisotropic"), QStringList{"Model > Ward anisotropic"});
     QVERIFY(found("undo").first().startsWith("Edit > "));
     QCOMPARE(found("xyzzy"), QStringList{"No entry matches \"xyzzy\"."});
     // What is found is done.
