@@ -46,12 +46,15 @@ QColor colourOn(const PlotStyle& style, const study::SeriesLook& look, study::Re
   return style.dark ? colour.lighter(145) : colour;
 }
 
+/// Of an axis that runs from 0 to 1: whole markers and their names fit in.
+constexpr double lowEnd = -0.03, highEnd = 1.07;
+
 void setTicks(QCPAxis& axis, const study::StudyAxis& of, const std::string& title) {
   const auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   for (const auto& [position, text] : of.ticks()) ticker->addTick(position, QString::fromStdString(text));
   axis.setTicker(ticker);
   axis.setSubTicks(false);
-  axis.setRange(-0.01, 1.01);
+  axis.setRange(lowEnd, highEnd);
   axis.setLabel(QString::fromStdString(title));
 }
 
@@ -156,7 +159,7 @@ void StudyScatter::addAxes(const PlotStyle& style) {
   setTicks(*m_chart->yAxis, m_qualities, study::axisTitle(m_axes.quality));
   for (QCPAxis* axis : {m_chart->xAxis2, m_chart->yAxis2}) {
     axis->setTicks(false);
-    axis->setRange(-0.01, 1.01);
+    axis->setRange(lowEnd, highEnd);
   }
 }
 

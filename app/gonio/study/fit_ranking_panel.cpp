@@ -54,7 +54,6 @@ FitRankingPanel::FitRankingPanel(Document& document, DocumentController& control
   top->addStretch();
   top->addWidget(m_sheet);
   top->addWidget(m_copy);
-  m_sheet->setToolTip(tr("The fits as pictures side by side, with maps of their errors"));
   m_copy->setToolTip(tr("Copies the fits, with every error, as comma-separated text"));
   connect(m_sheet, &QPushButton::clicked, this,
           [this] { Q_EMIT contactSheetRequested(sheetSource(m_document.material(), m_model)); });
@@ -140,7 +139,11 @@ void FitRankingPanel::refresh() {
   m_fitAll->setEnabled(m_document.material() != nullptr);
   const auto* edit = m_document.active<editing::DifferentialEdit>();
   m_model.setCurrent(edit ? edit->model : nullptr);
-  for (QPushButton* button : {m_sheet, m_copy}) button->setEnabled(m_model.rowCount() > 0);
+  m_copy->setEnabled(m_model.rowCount() > 0);
+  // A sheet of the first fits would not show the best ones.
+  m_sheet->setEnabled(m_model.rowCount() > 0 && !isRunning());
+  m_sheet->setToolTip(isRunning() ? tr("Available when all fits are complete; press Stop to use the finished ones")
+                                  : tr("The fits as pictures side by side, with maps of their errors"));
   m_empty->setVisible(m_model.rowCount() == 0);
   m_empty->setText(!m_document.material() ? tr("Open a material to rank the models by their fits.")
                    : isRunning()          ? tr("The first model is being fitted.")
