@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace gonio::fitting {
@@ -59,7 +60,8 @@ std::vector<std::string> warningsOf(const Channels& channels, std::size_t used, 
     warnings.push_back("No BRDF value above 0 in " + names + ": left black.");
   // Noise leaves a few; more of them mean that something was subtracted wrongly.
   if (double(negative) > noticeableShare * 3 * double(valid))
-    warnings.push_back(std::to_string(negative) + " values below 0 are treated as 0 in the fit.");
+    warnings.push_back(std::to_string(std::lround(100 * double(negative) / double(3 * valid))) +
+                       " % of the measured values are below 0; the fit treats them as 0.");
   const auto isConstant = [&](const ChannelCensus& c) { return !isBlack(c) && c.smallest == c.largest; };
   if (const std::string names = namesOf(channels, isConstant); !names.empty() && used > 1)
     warnings.push_back("The same value in every cell of " + names +

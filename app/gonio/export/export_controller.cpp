@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #include "app/gonio/export/export_controller.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include "app/gonio/document/material_files.h"
@@ -110,10 +111,11 @@ void ExportController::writeMeasured(const QString& id, const ExportRequest& req
 
 void ExportController::writeInBackground(const ExportRequest& request, Writer writer) {
   const QString files = fileNames(*request.target, request.name, request.scene.get());
+  const QString folder = QDir::toNativeSeparators(QFileInfo(request.name).absolutePath());
   m_tasks.run<std::vector<std::string>>(
       {.title = tr("Exporting %1").arg(files), .file = true}, std::move(writer),
-      [this, files](const std::vector<std::string>& warnings) {
-        Q_EMIT exported(files);
+      [this, files, folder](const std::vector<std::string>& warnings) {
+        Q_EMIT exported(tr("%1 in %2").arg(files, folder));
         for (const std::string& warning : warnings) Q_EMIT warned(QString::fromStdString(warning));
       },
       [this, files](const QString& error) { Q_EMIT failed(tr("Cannot export %1").arg(files), error); },
