@@ -9,6 +9,10 @@
 
 namespace gonio::widgets {
 
+namespace {
+QString sentenceCase(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
+}  // namespace
+
 LibraryChips::LibraryChips(const LibraryModel& model, QWidget* parent) : QWidget(parent), m_model(model) {
   auto* layout = new FlowLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -43,7 +47,7 @@ void LibraryChips::rebuild() {
   addChip(tr("Favourites"), tr("Shows only favourites"), m_filter.favourites);
   addChip(tr("Recent"), tr("Shows only materials opened in the last week"), m_filter.recent);
   for (const QString& badge : badges)
-    addMember(badge, tr("Shows only materials with \"%1\"").arg(badge), m_filter.badges);
+    addMember(badge, tr("Shows only materials with \"%1\"").arg(badge), m_filter.badges)->setText(sentenceCase(badge));
   for (const QString& kind : kinds)
     addMember(kind, tr("Shows only materials of the kind \"%1\"").arg(kind), m_filter.kinds);
   for (const QString& tag : m_tags)
@@ -82,7 +86,7 @@ void LibraryChips::addChip(const QString& text, const QString& toolTip, bool& wa
   });
 }
 
-void LibraryChips::addMember(const QString& text, const QString& toolTip, QStringList& list) {
+QToolButton* LibraryChips::addMember(const QString& text, const QString& toolTip, QStringList& list) {
   QToolButton* chip = addButton(text, toolTip);
   chip->setChecked(list.contains(text));
   connect(chip, &QToolButton::toggled, this, [this, &list, text](bool on) {
@@ -90,6 +94,7 @@ void LibraryChips::addMember(const QString& text, const QString& toolTip, QStrin
     if (on) list << text;
     Q_EMIT filterChanged();
   });
+  return chip;
 }
 
 void LibraryChips::clear() {
@@ -97,7 +102,9 @@ void LibraryChips::clear() {
 }
 
 QToolButton* LibraryChips::chip(const QString& text) const {
-  const auto found = std::ranges::find_if(m_chips, [&](const QToolButton* one) { return one->text() == text; });
+  const auto found = std::ranges::find_if(m_chips, [&](const QToolButton* one) {
+    return one->text().compare(text, Qt::CaseInsensitive) == 0;
+  });
   return found == m_chips.end() ? nullptr : *found;
 }
 

@@ -32,7 +32,7 @@ class LibraryChips : public QWidget {
   void followTags();
   void addChip(const QString& text, const QString& toolTip, bool& wanted);
   /// One whose text is in a list of the filter while it is pressed.
-  void addMember(const QString& text, const QString& toolTip, QStringList& list);
+  QToolButton* addMember(const QString& text, const QString& toolTip, QStringList& list);
   QToolButton* addButton(const QString& text, const QString& toolTip);
 
   const LibraryModel& m_model;

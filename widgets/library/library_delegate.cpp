@@ -53,8 +53,9 @@ void paintHeading(QPainter& painter, const QStyleOptionViewItem& option, const Q
 /// A text on a ground of its own, legible on any picture.
 void paintPill(QPainter& painter, const QStyleOptionViewItem& option, const QRect& pill, const QFont& font,
                const QString& text) {
-  QColor ground = option.palette.color(QPalette::Base);
-  ground.setAlphaF(0.85f);
+  // Grey against the list: in the list's own colour the text would look like a hole in the picture.
+  QColor ground = option.palette.color(QPalette::Window).darker(108);
+  ground.setAlphaF(0.92f);
   painter.setPen(Qt::NoPen);
   painter.setBrush(ground);
   painter.drawRoundedRect(pill, pill.height() / 2.0, pill.height() / 2.0);

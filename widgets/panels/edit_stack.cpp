@@ -161,7 +161,7 @@ void EditStack::setEntries(const std::vector<EditEntry>& entries, int selected, 
   m_list->setVisible(!m_entries.empty());
   m_empty->setText(emptyText);
   m_empty->setVisible(m_entries.empty());
-  m_add->setEnabled(!m_addMenu->isEmpty());
+  m_add->setEnabled(std::ranges::any_of(m_addMenu->actions(), &QAction::isEnabled));
   updateActions();
 }
 

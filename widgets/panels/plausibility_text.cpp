@@ -46,7 +46,7 @@ Text textOf(const metrics::PlausibilityCheck& check) {
             .arg(percent(check.worst), percent(check.limit)),
         PlausibilityText::tr("Choose a reciprocal model; the tooltip of each model states whether it is reciprocal.")};
   if (check.name == "negative")
-    return {PlausibilityText::tr("Negative"),
+    return {PlausibilityText::tr("Non-negative"),
             PlausibilityText::tr(
                 "The edit subtracts more than was measured there. The picture shows 0 instead, as black patches."),
             PlausibilityText::tr("Lowest value: %1 1/sr, at %2 of the directions")
