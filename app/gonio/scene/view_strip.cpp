@@ -90,7 +90,7 @@ void ViewStrip::build() {
   m_exposure->setAccessibleName(tr("Exposure in stops"));
   for (QComboBox* box : {m_shapes, m_lights, m_backgrounds}) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(6);
+    box->setMinimumContentsLength(4);
     box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);  // one with icons is taller: all are then
   }
   // The lists show whole names where the boxes have no room for them.
@@ -101,7 +101,7 @@ void ViewStrip::build() {
   add(tr("&Background"), m_backgrounds);
   add(tr("E&xposure"), m_slider);
   layout->addWidget(m_exposure);
-  m_slider->setMinimumWidth(fontMetrics().height() * 4);
+  m_slider->setMinimumWidth(fontMetrics().height() * 3);
 }
 
 void ViewStrip::connectParts() {
@@ -150,7 +150,9 @@ void ViewStrip::drawLights() {
   for (const std::string& name : bundledEnvironmentNames()) {
     const QString id = QString::fromStdString(name);
     m_tasks.run<QImage>(
-        {.title = tr("Rendering %1").arg(id), .key = QStringLiteral("environment icon ") + id, .quiet = true},
+        {.title = tr("Rendering the icon of the environment %1").arg(id),
+         .key = QStringLiteral("environment icon ") + id,
+         .quiet = true},
         [name](const TaskControl&) { return pictureOf(*openEnvironment(name)); },
         [this, id](const QImage& picture) { setLightIcon(id, picture); });
   }

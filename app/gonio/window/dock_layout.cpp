@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QSettings>
+#include <QTimer>
 #include <algorithm>
 
 namespace gonio::app {
@@ -13,8 +14,9 @@ namespace {
 /// Raised when docks change in a way that makes a stored layout wrong.
 constexpr int layoutVersion = 2;
 constexpr int bottomDockLines = 22, acquisitionDockLines = 30;
-/// That a side dock gets at first, percent of the window.
-constexpr int mostOfWidth = 26;
+/// That a side dock gets at first, percent of the window: on a small screen two columns of the library, and sliders
+/// that are long enough to aim with.
+constexpr int mostOfWidthLeft = 19, mostOfWidthRight = 28;
 const QString geometryKey = QStringLiteral("window/geometry"), layoutKey = QStringLiteral("window/layout");
 }  // namespace
 
@@ -53,7 +55,8 @@ void DockLayout::resizeSides() {
   for (std::size_t i = 0; i < m_places.size(); ++i) {
     if (m_places[i].lines == 0) continue;
     docks << m_docks[qsizetype(i)];
-    widths << std::min(m_places[i].lines * m_window.fontMetrics().height(), m_window.width() * mostOfWidth / 100);
+    const int most = m_places[i].area == Qt::LeftDockWidgetArea ? mostOfWidthLeft : mostOfWidthRight;
+    widths << std::min(m_places[i].lines * m_window.fontMetrics().height(), m_window.width() * most / 100);
   }
   m_window.resizeDocks(docks, widths, Qt::Horizontal);
 }
@@ -116,7 +119,9 @@ void DockLayout::reset() {
 
 void DockLayout::restore(const QSettings& settings) {
   m_window.restoreGeometry(settings.value(geometryKey).toByteArray());
-  m_window.restoreState(settings.value(layoutKey).toByteArray(), layoutVersion);
+  // Without a stored layout, widths that are asked for before the window is laid out come out smaller.
+  if (!m_window.restoreState(settings.value(layoutKey).toByteArray(), layoutVersion))
+    QTimer::singleShot(0, this, &DockLayout::resizeSides);
 }
 
 void DockLayout::save(QSettings& settings) const {
