@@ -102,9 +102,8 @@ void LibraryChips::clear() {
 }
 
 QToolButton* LibraryChips::chip(const QString& text) const {
-  const auto found = std::ranges::find_if(m_chips, [&](const QToolButton* one) {
-    return one->text().compare(text, Qt::CaseInsensitive) == 0;
-  });
+  const auto found = std::ranges::find_if(
+      m_chips, [&](const QToolButton* one) { return one->text().compare(text, Qt::CaseInsensitive) == 0; });
   return found == m_chips.end() ? nullptr : *found;
 }
 

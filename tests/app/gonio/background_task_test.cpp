@@ -177,7 +177,8 @@ class BackgroundTaskTest : public QObject {
     BackgroundTasks tasks;
     tasks.run<int>({"Long", "long", true}, untilStopped, [](int) {});
     bool done = false;
-    tasks.run<int>({"Short", "short", true}, [](const TaskControl&) { return 1; }, [&](int) { done = true; });
+    tasks.run<int>(
+        {"Short", "short", true}, [](const TaskControl&) { return 1; }, [&](int) { done = true; });
     QTRY_VERIFY(done);
     tasks.drop("long");
   }

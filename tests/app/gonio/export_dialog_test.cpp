@@ -70,7 +70,8 @@ class ExportDialogTest : public QObject {
     QFile file(editor.path("glossy_blender.py"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), QByteArray(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size())));
-    QCOMPARE(exported.front().front().toString(), "glossy_blender.py in " + QDir::toNativeSeparators(editor.folder.path()));
+    QCOMPARE(exported.front().front().toString(),
+             "glossy_blender.py in " + QDir::toNativeSeparators(editor.folder.path()));
   }
 
   /// The preview's scene is written beside the material where the target has scenes and the user asks for it.

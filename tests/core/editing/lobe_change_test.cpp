@@ -119,7 +119,8 @@ class LobeChangeTest : public QObject {
     }
   }
 
-  /// A colour outside sRGB, with a channel below 0, stays so while its highlight widens, and no sharp peak remains in it.
+  /// A colour outside sRGB, with a channel below 0, stays so while its highlight widens, and no sharp peak remains in
+  /// it.
   void negativeChannelsWidenWithTheHighlight() {
     const models::Model& model = models::ggx();
     DifferentialEdit edit{.model = &model,
