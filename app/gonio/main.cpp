@@ -226,9 +226,19 @@ int writeThumbnails(const QString& folder) {
   }
 }
 
+/// Help and version need no display; Qt would end the program where there is none.
+void printWithoutDisplay([[maybe_unused]] int argc, [[maybe_unused]] char** argv) {
+#ifdef Q_OS_LINUX
+  for (int i = 1; i < argc; ++i)
+    for (const char* text : {"-h", "--help", "--help-all", "-v", "--version"})
+      if (qstrcmp(argv[i], text) == 0) qputenv("QT_QPA_PLATFORM", "offscreen");
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  printWithoutDisplay(argc, argv);
   QApplication::setApplicationName(QStringLiteral("gonio"));
   QApplication::setOrganizationName(QStringLiteral("gonio"));
   QApplication::setApplicationDisplayName(QStringLiteral("Gonio"));

@@ -10,6 +10,7 @@
 #include "app/goniotool/tool.h"
 #include "core/factorization/pdv_operations.h"
 #include "core/materials/pdv_file.h"
+#include "core/rendering/rendered_comparison.h"
 
 namespace gonio::tool {
 
@@ -26,7 +27,7 @@ struct FactorArguments {
   std::string material, form = formNames[1], transform{dataTransformNames[0]}, out, decode, swapF1, swapF2;
   std::string method = pdvMethod;
   std::size_t bytes = bytesOfTenTerms;
-  int terms = 10;
+  int terms = 10, samples = smallComparisonPicture().samples;
   bool keepFurther = false, formGiven = false, transformGiven = false;
 
   PdvOptions pdvOptions() const {
@@ -85,7 +86,7 @@ int factor(const FactorArguments& options, const Tool& tool) {
   PdvFactorization result = factorsOf(options, material, *table, tool);
   result.factors = swapped(options, std::move(result.factors), tool);
   const auto brdf = makePdvBrdf(result.factors);
-  const FactorQuality quality = factorQuality(material, *table, *brdf, tool);
+  const FactorQuality quality = factorQuality(material, *table, *brdf, options.samples, tool);
   if (isFactorsFile(options.out)) materials::writePdv(result.factors, options.out);
   for (const std::string& path : {isFactorsFile(options.out) ? std::string() : options.out, options.decode})
     if (!path.empty()) materials::writeMaterial(*bakeTable(*brdf, table->grid(), tool.control("decoding")), path);
@@ -157,6 +158,8 @@ void addFactor(CLI::App& app, Tool& tool) {
       ->check(CLI::IsMember(methods));
   auto* bytes = command->add_option("--bytes", options->bytes, "Max size of the factors of a baseline, bytes (44680)");
   bytes->check(CLI::Range(std::size_t(1), std::size_t(100'000'000)));
+  command->add_option("--samples", options->samples, "Samples per pixel of the pictures that measure the SNR (32)")
+      ->check(CLI::Range(1, 1 << 20));
   command->add_option("--out", options->out,
                       "File to write: factors (" + suffixOf(materials::FormatId::pdv) + "), or " +
                           outputHelp("the material that they represent"));
@@ -170,7 +173,8 @@ void addFactor(CLI::App& app, Tool& tool) {
       for (const CLI::Option* option : pdvOptions)
         if (option->count() > 0)
           throw UsageError("factor: " + option->get_name() + " is for --method pdv, found " + options->method);
-      return factorByBaseline({options->material, options->method, options->out, options->bytes}, tool);
+      return factorByBaseline({options->material, options->method, options->out, options->bytes, options->samples},
+                              tool);
     };
   });
 }

@@ -32,7 +32,7 @@ int factorByBaseline(const FactorBaselineArguments& options, const Tool& tool) {
   const factorization::ComparedModel model =
       baseline.build(*table, budgets, tool.control("factorising " + material.name)).front();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const FactorQuality quality = factorQuality(material, *table, *model.brdf, tool);
+  const FactorQuality quality = factorQuality(material, *table, *model.brdf, options.samples, tool);
   if (!options.out.empty())
     materials::writeMaterial(*bakeTable(*model.brdf, table->grid(), tool.control("decoding")), options.out);
   Json json{{"method", options.method},

@@ -9,11 +9,13 @@
 namespace gonio::tool {
 
 FactorQuality factorQuality(const materials::Material& material, const TabulatedBrdf& table, const Brdf& factors,
-                            const Tool& tool) {
+                            int samples, const Tool& tool) {
   FactorQuality quality{.errors = metrics::brdfErrors(table, factors),
                         .brdfSnr = metrics::brdfSignalToNoiseRatio(table, factors),
                         .evaluationNs = study::measureEvaluation(factors).median};
-  const RenderedComparison comparison(*material.brdf, smallComparisonPicture(), tool.control("rendering the material"));
+  RenderOptions picture = smallComparisonPicture();
+  picture.samples = samples;
+  const RenderedComparison comparison(*material.brdf, picture, tool.control("rendering the material"));
   quality.renderedSnr =
       comparison.signalToNoiseRatio(comparison.render(factors, tool.control("rendering the factors")));
   return quality;

@@ -14,13 +14,13 @@ namespace gonio::tool {
 struct FactorQuality {
   std::vector<double> errors;  ///< in the order of metrics::allBrdfMetrics()
   double brdfSnr = 0;          ///< dB
-  double renderedSnr = 0;      ///< dB, in smallComparisonPicture()
+  double renderedSnr = 0;      ///< dB, in pictures of the size of smallComparisonPicture()
   double evaluationNs = 0;
 };
 
-/// @param table of the material. Some seconds. @throws Cancelled.
+/// @param table of the material. @param samples per pixel of the pictures. Some seconds. @throws Cancelled.
 FactorQuality factorQuality(const materials::Material& material, const TabulatedBrdf& table, const Brdf& factors,
-                            const Tool& tool);
+                            int samples, const Tool& tool);
 
 /// Adds errors, brdfSnr, renderedSnr and evaluationNs.
 void addQuality(Json& json, const FactorQuality& quality);

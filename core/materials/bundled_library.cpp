@@ -91,8 +91,8 @@ Material readLibraryMaterial(const std::string& path, const TaskControl& control
   std::optional<Material> found;
   visitNamed(path, [&](const auto& entry) { found = materialOf(entry, control); });
   if (!found)
-    throw Error(path + ": found no such bundled material, expected one of " + std::to_string(bundledLibrary().size()) +
-                " such as " + std::string(libraryScheme) + bundledLibrary().back().id);
+    throw Error(path + ": no bundled material has this name; there are " + std::to_string(bundledLibrary().size()) +
+                ", for example " + std::string(libraryScheme) + bundledLibrary().back().id);
   found->source.path = path;
   return std::move(*found);
 }

@@ -54,7 +54,7 @@ class GoniotoolFactorTest : public QObject {
 
   void factorFilesAreMaterials() {
     const QString out = folder_.path("material.pdv"), decoded = folder_.path("decoded.binary");
-    VERIFY_SUCCESS(runJson({"factor", plastic_, "--terms", "1", "--form", "2d", "--out", out}));
+    VERIFY_SUCCESS(runJson({"factor", plastic_, "--samples", "1", "--terms", "1", "--form", "2d", "--out", out}));
     const ToolResult info = runJson({"info", out});
     VERIFY_SUCCESS(info);
     QCOMPARE(info.json["format"].get<std::string>(), "PDV factors");
@@ -76,8 +76,9 @@ class GoniotoolFactorTest : public QObject {
   /// Of a file of factors the factors are taken, not found again.
   void factorsOfFactors() {
     const QString all = folder_.path("all.pdv"), two = folder_.path("two.pdv");
-    VERIFY_SUCCESS(runJson({"factor", plastic_, "--terms", "4", "--transform", "root", "--out", all}));
-    const ToolResult result = runJson({"factor", all, "--terms", "2", "--out", two});
+    VERIFY_SUCCESS(
+        runJson({"factor", plastic_, "--samples", "1", "--terms", "4", "--transform", "root", "--out", all}));
+    const ToolResult result = runJson({"factor", all, "--samples", "1", "--terms", "2", "--out", two});
     VERIFY_SUCCESS(result);
     QCOMPARE(result.json["transform"].get<std::string>(), "root");
     QCOMPARE(result.json["residuals"].size(), std::size_t(0));
@@ -87,7 +88,7 @@ class GoniotoolFactorTest : public QObject {
   /// Swapped on the material's own nodes; the terms behind the first are its own, so they go, or stay when asked for.
   void swaps() {
     const auto path = [&](const char* name) { return folder_.path(name); };
-    const QStringList start{"factor", plastic_, "--terms", "3", "--out"};
+    const QStringList start{"factor", plastic_, "--samples", "1", "--terms", "3", "--out"};
     VERIFY_SUCCESS(runJson(start + QStringList{path("own.pdv")}));
     const PdvFactors own = readFactors("own.pdv");
     const ToolResult result = runJson(start + QStringList{path("swap.pdv"), "--swap-f2", rough_});
@@ -106,7 +107,7 @@ class GoniotoolFactorTest : public QObject {
                  qPrintable(QString("%1: %2 %3").arg(j).arg(term.f2[j]).arg(other.channels[channel][0].f2[j])));
     }
     // From a file of factors on nodes of its own, both curves at once, with the further terms kept.
-    VERIFY_SUCCESS(runJson({"factor", rough_, "--terms", "1", "--out", path("rough.pdv")}));
+    VERIFY_SUCCESS(runJson({"factor", rough_, "--samples", "1", "--terms", "1", "--out", path("rough.pdv")}));
     VERIFY_SUCCESS(runJson(start + QStringList{path("both.pdv"), "--swap-f1", path("rough.pdv"), "--swap-f2",
                                                path("rough.pdv"), "--keep-terms"}));
     const PdvFactors both = readFactors("both.pdv"), file = readFactors("rough.pdv");
@@ -126,7 +127,8 @@ class GoniotoolFactorTest : public QObject {
   void byBaselines() {
     QFETCH(QString, method);
     const QString out = folder_.path("baseline.binary");
-    const ToolResult result = runJson({"factor", plastic_, "--method", method, "--bytes", "6000", "--out", out});
+    const ToolResult result =
+        runJson({"factor", plastic_, "--samples", "1", "--method", method, "--bytes", "6000", "--out", out});
     VERIFY_SUCCESS(result);
     const auto all = baselines();
     const auto& baseline =
@@ -148,7 +150,7 @@ class GoniotoolFactorTest : public QObject {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<int>("code");
     const QString factors = folder_.path("usage.pdv");
-    VERIFY_SUCCESS(runJson({"factor", plastic_, "--terms", "1", "--out", factors}));
+    VERIFY_SUCCESS(runJson({"factor", plastic_, "--samples", "1", "--terms", "1", "--out", factors}));
     QTest::newRow("no terms") << QStringList{"factor", plastic_, "--terms", "0"} << 2;
     QTest::newRow("too many") << QStringList{"factor", plastic_, "--terms", "21"} << 2;
     QTest::newRow("form") << QStringList{"factor", plastic_, "--form", "4d"} << 2;
