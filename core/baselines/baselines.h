@@ -23,7 +23,7 @@ struct Baseline {
   std::string_view id;  ///< on the command line
   std::string_view name;
   std::string_view reference;
-  /// One model a budget, in their order: the best it does with at most that many bytes, as many terms, or as fine a
+  /// One model per budget, in their order: the best it does with at most that many bytes, as many terms, or as fine a
   /// table, as they hold; at least one term. A baseline without terms gives the same model for each. What the models
   /// share is computed once. Deterministic. @throws Cancelled.
   std::vector<ComparedModel> (*build)(const TabulatedBrdf& table, std::span<const std::size_t> byteBudgets,

@@ -13,18 +13,19 @@
 namespace gonio::dictionary {
 
 /// A part of a block that holds invalid cells: neighbouring rows of modes 0 and 1, in the slices of mode 2 from one on.
-/// Of a half-difference table such parts are a third of all: the horizon cuts off large theta_h.
+/// In a half-difference table they are about a third of all cells: the horizon cuts off large theta_h.
 struct InvalidBand {
   Eigen::Index firstRow, rows, firstSlice, slices;
 };
-/// Bands that together hold all invalid cells. @param valid one flag a cell, of `sizes`.
+/// Bands that together hold all invalid cells. @param valid one flag per cell, of `sizes`.
 std::vector<InvalidBand> invalidBands(std::span<const std::uint8_t> valid, const Sizes& sizes);
 
 /// One signal over one dictionary, whose invalid cells take the values of its code, round after round. What stays the
 /// same between rounds is not computed again: only the change of the bands is projected onto the atoms of mode 2.
 class InvalidCellRounds {
  public:
-  /// @param signal of `sizes`, changed by the rounds in the invalid cells. All must live on.
+  /// @param signal of `sizes`, changed by the rounds in the invalid cells. It, the flags and the matrices must outlive
+  /// this object.
   InvalidCellRounds(Eigen::ArrayXf& signal, std::span<const std::uint8_t> valid, const Sizes& sizes,
                     const ModeMatrices<float>& matrices);
 
@@ -39,7 +40,7 @@ class InvalidCellRounds {
   Sizes sizes_;
   const ModeMatrices<float>& matrices_;
   std::vector<InvalidBand> bands_;
-  std::vector<Eigen::MatrixXf> decoded_;  ///< a band each, of the last round; empty before the first
+  std::vector<Eigen::MatrixXf> decoded_;  ///< one per band, of the last round; empty before the first
   std::vector<float> slices_;             ///< the signal projected onto the atoms of mode 2
 };
 

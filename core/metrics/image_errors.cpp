@@ -18,7 +18,8 @@ constexpr ImageMetricRecord imageRecords[] = {
     {"log-mse", "log MSE", linearDomain, "<(ln(1 + r) - ln(1 + t))^2>", "mean squared error of the logarithm",
      meanSquaredLogError},
     {"relative-mse", "relative MSE", linearDomain, "<(r - t)^2 / (r^2 + 0.01)>",
-     "Rousselle, Knaus and Zwicker 2011, \"Adaptive Sampling and Reconstruction using Greedy Error Minimization\"",
+     "after Rousselle, Knaus and Zwicker 2011, \"Adaptive Sampling and Reconstruction using Greedy Error "
+     "Minimization\"",
      relativeMeanSquaredError},
     {"ssim", "SSIM", "luminance, clamped to [0, 1], encoded as sRGB",
      "<(2 mr mt + C1)(2 crt + C2) / ((mr^2 + mt^2 + C1)(cr + ct + C2))>",

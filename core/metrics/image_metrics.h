@@ -37,8 +37,9 @@ double meanSquaredError(const Image& reference, const Image& test);
 double meanSquaredLogError(const Image& reference, const Image& test);
 
 /// The mean of (reference - test)^2 / (reference^2 + 0.01) over all pixels and channels of linear pictures: errors of
-/// dark regions count as those of bright ones. Rousselle, Knaus and Zwicker 2011, "Adaptive Sampling and Reconstruction
-/// using Greedy Error Minimization". @throws Error when the sizes differ.
+/// dark regions count as those of bright ones. After Rousselle, Knaus and Zwicker 2011, "Adaptive Sampling and
+/// Reconstruction using Greedy Error Minimization"; papers differ in the offset, here 0.01. @throws Error when the
+/// sizes differ.
 double relativeMeanSquaredError(const Image& reference, const Image& test);
 
 /// @throws Error when the sizes differ.

@@ -14,9 +14,9 @@ namespace {
 /// Raised when docks change in a way that makes a stored layout wrong.
 constexpr int layoutVersion = 2;
 constexpr int bottomDockLines = 22, acquisitionDockLines = 30;
-/// That a side dock gets at first, percent of the window: on a small screen two columns of the library, and sliders
-/// that are long enough to aim with.
-constexpr int mostOfWidthLeft = 19, mostOfWidthRight = 28;
+/// Maximum initial width of a side dock, percent of the window: on a small screen there is room for two columns of the
+/// library, and for sliders that are long enough to aim with.
+constexpr int maxPercentLeft = 19, maxPercentRight = 28;
 const QString geometryKey = QStringLiteral("window/geometry"), layoutKey = QStringLiteral("window/layout");
 }  // namespace
 
@@ -55,8 +55,8 @@ void DockLayout::resizeSides() {
   for (std::size_t i = 0; i < m_places.size(); ++i) {
     if (m_places[i].lines == 0) continue;
     docks << m_docks[qsizetype(i)];
-    const int most = m_places[i].area == Qt::LeftDockWidgetArea ? mostOfWidthLeft : mostOfWidthRight;
-    widths << std::min(m_places[i].lines * m_window.fontMetrics().height(), m_window.width() * most / 100);
+    const int percent = m_places[i].area == Qt::LeftDockWidgetArea ? maxPercentLeft : maxPercentRight;
+    widths << std::min(m_places[i].lines * m_window.fontMetrics().height(), m_window.width() * percent / 100);
   }
   m_window.resizeDocks(docks, widths, Qt::Horizontal);
 }

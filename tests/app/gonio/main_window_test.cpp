@@ -43,6 +43,14 @@ LoadedMaterialPtr greyMaterial() {
   return loaded;
 }
 
+/// The default model with its default parameters, as if it had been fitted.
+void adoptDefaultFit(Document& document) {
+  fitting::FitResult fit;
+  fit.model = &defaultModel();
+  fit.parameters = models::defaultParameters(fit.model->spec());
+  document.adoptFit(fit);
+}
+
 class MainWindowTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -80,10 +88,7 @@ class MainWindowTest : public QObject {
     window->show();
     QVERIFY(window->windowTitle().contains("Untitled"));
     window->parts().document.setMaterial(greyMaterial());
-    fitting::FitResult fit;
-    fit.model = &defaultModel();
-    fit.parameters = models::defaultParameters(fit.model->spec());
-    window->parts().document.adoptFit(fit);
+    adoptDefaultFit(window->parts().document);
     QVERIFY(window->windowTitle().contains("grey"));
     auto* panel = window->parts().inspector.parameters();
     Q_EMIT panel->valueEdited(0, Rgb(0.75));
@@ -103,10 +108,7 @@ class MainWindowTest : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(window));
     Document& document = window->parts().document;
     document.setMaterial(greyMaterial());
-    fitting::FitResult fit;
-    fit.model = &defaultModel();
-    fit.parameters = models::defaultParameters(fit.model->spec());
-    document.adoptFit(fit);
+    adoptDefaultFit(document);
     auto* body = window->parts().inspector.controls()->bodyRow();
     QVERIFY(body);
     auto* slider = body->findChild<widgets::ParameterSlider*>();
@@ -171,10 +173,7 @@ class MainWindowTest : public QObject {
     window->show();
     Document& document = window->parts().document;
     document.setMaterial(greyMaterial());
-    fitting::FitResult fit;
-    fit.model = &defaultModel();
-    fit.parameters = models::defaultParameters(fit.model->spec());
-    document.adoptFit(fit);
+    adoptDefaultFit(document);
     const auto found = [&](const QString& text) {
       CommandSearch search(window, searchEntries(window->parts(), window->files(), *window));
       search.findChild<QLineEdit*>()->setText(text);
@@ -227,10 +226,7 @@ class MainWindowTest : public QObject {
     window->show();
     QVERIFY(QTest::qWaitForWindowExposed(window));
     window->parts().document.setMaterial(greyMaterial());
-    fitting::FitResult fit;
-    fit.model = &defaultModel();
-    fit.parameters = models::defaultParameters(fit.model->spec());
-    window->parts().document.adoptFit(fit);
+    adoptDefaultFit(window->parts().document);
     window->parts().comparison.setComparison({.mode = widgets::CompareMode::flicker});
     const auto* shown = window->parts().preview.overlay()->name(0);
     QTest::keyPress(&window->parts().preview, Qt::Key_Backslash);

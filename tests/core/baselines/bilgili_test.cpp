@@ -11,16 +11,9 @@
 namespace bilgili_test {
 using namespace gonio;
 using namespace gonio::factorization;
+using factorization::test_support::axesWithoutHorizon;
 using factorization::test_support::halfOutSamples;
 using factorization::test_support::worstAtNodes;
-
-/// Nodes that all have a light above the horizon: no holes, which are made up.
-HalfOutAxes axesWithoutHoles() {
-  HalfOutAxes axes = makeHalfOutAxes(12, 8, 9);
-  for (double& theta : axes.thetaH) theta *= 0.3;
-  for (double& theta : axes.thetaO) theta *= 0.3;
-  return axes;
-}
 
 double product(double thetaH, double phiH, double thetaO) {
   return std::exp(-3 * thetaH) * (2 + std::cos(phiH)) * (1 + thetaO);
@@ -33,7 +26,7 @@ class BilgiliTest : public QObject {
   void exactForOneProduct() {
     const Rgb ks(0.7, 1, 1.2);
     const Rgb luminanceFree = ks / luminance(ks);
-    const HalfOutSamples s = halfOutSamples(axesWithoutHoles(), [&](double h, double p, double o, double) {
+    const HalfOutSamples s = halfOutSamples(axesWithoutHorizon(), [&](double h, double p, double o, double) {
       return luminanceFree * std::expm1(product(h, p, o));
     });
     const BilgiliFactors f = factorizeBilgili(s, 1);
@@ -45,7 +38,7 @@ class BilgiliTest : public QObject {
   /// A coloured body under a white highlight: the line through the luminance is exact, one of its kd is negative.
   void colourIsALine() {
     const Rgb body(0.1, 0.02, 0.3);
-    const HalfOutSamples s = halfOutSamples(axesWithoutHoles(), [&](double h, double p, double o, double) {
+    const HalfOutSamples s = halfOutSamples(axesWithoutHorizon(), [&](double h, double p, double o, double) {
       return body + Rgb(std::expm1(product(h, p, o)) - luminance(body));
     });
     const BilgiliFactors f = factorizeBilgili(s, 1);

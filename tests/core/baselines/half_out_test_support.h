@@ -11,6 +11,14 @@
 /// What the tests of the baselines in half-out coordinates share.
 namespace gonio::factorization::test_support {
 
+/// Nodes that all have a light above the horizon: no holes.
+inline HalfOutAxes axesWithoutHorizon() {
+  HalfOutAxes axes = makeHalfOutAxes(12, 8, 9);
+  for (double& theta : axes.thetaH) theta *= 0.3;
+  for (double& theta : axes.thetaO) theta *= 0.3;
+  return axes;
+}
+
 /// Samples of any function of (theta_h, |phi_h|, theta_o) at nodes that have a light above the horizon.
 inline HalfOutSamples halfOutSamples(
     const HalfOutAxes& axes, const std::function<Rgb(double thetaH, double phiH, double thetaO, double cosI)>& rho) {

@@ -11,17 +11,11 @@
 namespace lawrence_test {
 using namespace gonio;
 using namespace gonio::factorization;
+using factorization::test_support::axesWithoutHorizon;
 using factorization::test_support::halfOutSamples;
 using factorization::test_support::worstAtNodes;
 
-/// Cells below the horizon count as 0: nodes where there are none make the data one product.
-HalfOutAxes axesWithoutHorizon() {
-  HalfOutAxes axes = makeHalfOutAxes(12, 8, 9);
-  for (double& theta : axes.thetaH) theta *= 0.3;
-  for (double& theta : axes.thetaO) theta *= 0.3;
-  return axes;
-}
-
+/// Cells below the horizon count as 0; at nodes where there are none the data are this one product.
 Rgb product(double thetaH, double phiH, double thetaO) {
   return std::exp(-3 * thetaH) * (2 + std::cos(phiH)) * Rgb(1, 0.5 + thetaO, 0.2 * std::cos(thetaO));
 }
