@@ -38,16 +38,7 @@ BackgroundTasks::BackgroundTasks(QObject* parent) : QObject(parent) {
   connect(&m_holdTimer, &QTimer::timeout, this, &BackgroundTasks::release);
 }
 
-BackgroundTasks::~BackgroundTasks() {
-  for (const auto& task : m_tasks) task->stop.request_stop();
-  m_quietPool.clear();
-  m_livePool.clear();
-  m_filePool.clear();
-  m_pool.waitForDone();
-  m_filePool.waitForDone();
-  m_livePool.waitForDone();
-  m_quietPool.waitForDone();
-}
+BackgroundTasks::~BackgroundTasks() { stopAll(); }
 
 void BackgroundTasks::start(const TaskRequest& request, std::function<void(const TaskControl&)> work,
                             Callbacks callbacks) {
@@ -186,6 +177,17 @@ void BackgroundTasks::drop(const QString& key) {
   const auto last = std::ranges::stable_partition(m_tasks, [&](const auto& t) { return t->request.key != key; });
   const std::vector<std::shared_ptr<Task>> dropped(last.begin(), last.end());
   m_tasks.erase(last.begin(), last.end());
+}
+
+void BackgroundTasks::stopAll() {
+  for (const auto& task : m_tasks) task->stop.request_stop();
+  m_held.clear();
+  QThreadPool* const pools[] = {&m_quietPool, &m_livePool, &m_filePool, &m_pool};
+  for (QThreadPool* pool : pools) pool->clear();
+  for (QThreadPool* pool : pools) pool->waitForDone();
+  m_progressTimer.stop();
+  // They go once the list is empty: what a callback holds may drop tasks of its own.
+  const auto dropped = std::exchange(m_tasks, {});
 }
 
 void BackgroundTasks::cancelTopmost() {

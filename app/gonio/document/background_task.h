@@ -29,7 +29,7 @@ struct TaskRequest {
 };
 
 /// The one place that runs core functions off the GUI thread. Work gets a TaskControl; its result comes back to the
-/// thread of this object, unless the task was replaced meanwhile. Destroying the object stops all work and waits.
+/// thread of this object, unless the task was replaced meanwhile. Destroying the object stops all work (stopAll()).
 class BackgroundTasks : public QObject {
   Q_OBJECT
 
@@ -81,6 +81,8 @@ class BackgroundTasks : public QObject {
   void setPaused(int id, bool paused);
   /// Stops a task and drops its result.
   void drop(const QString& key);
+  /// Stops all work, waits until no thread is at work any more and drops the results.
+  void stopAll();
 
  public Q_SLOTS:
   /// Cancels the newest task that is neither quiet nor live. Those end with what they belong to.

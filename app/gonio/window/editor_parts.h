@@ -34,7 +34,8 @@ class StudyPanel;
 class ViewStrip;
 
 /// The parts of one window: its document, the controllers and the panels, made in this order and connected to each
-/// other. The window that they are put into owns the widgets; it outlives this object.
+/// other. The window that they are put into owns the widgets and deletes them before this object goes: they use the
+/// document, the controllers and the tasks to their end.
 struct EditorParts {
   EditorParts();
   ~EditorParts();

@@ -91,8 +91,12 @@ MainWindow::MainWindow(QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-  // Dialogs end their tasks when they go, so they go before the tasks.
+  // Widgets use the document, the controllers and the tasks until they are gone, so they go first.
+  hide();
   qDeleteAll(findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly));
+  m_parts.tasks.stopAll();
+  qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
+  delete takeCentralWidget();
 }
 
 void MainWindow::addCentre() {

@@ -82,6 +82,26 @@ class MainWindowTest : public QObject {
     delete window;
   }
 
+  /// Panels that hear of being hidden stop their tasks, so no part of the window goes after the tasks.
+  void noPartOutlivesTheTasks() {
+    auto* window = new MainWindow;
+    window->show();
+    window->docks().show("interpolation");
+    QTest::qWait(20);
+    const QPointer<BackgroundTasks> tasks(&window->parts().tasks);
+    int widgets = 0, late = 0;
+    const QList<QWidget*> parts = window->findChildren<QWidget*>();
+    for (const char* panel : {"InterpolationPanel", "PreviewWidget", "LibraryView", "Inspector", "ComparisonBar"}) {
+      const auto found = std::ranges::find_if(
+          parts, [&](const QWidget* part) { return QByteArray(part->metaObject()->className()).endsWith(panel); });
+      QVERIFY2(found != parts.end(), panel);
+      connect(*found, &QObject::destroyed, this, [&] { ++widgets, late += tasks.isNull(); });
+    }
+    delete window;
+    QCOMPARE(widgets, 5);
+    QCOMPARE(late, 0);
+  }
+
   /// Parameter panel, document, undo action and title together.
   void editingThroughThePanel() {
     auto* window = new MainWindow;
