@@ -174,9 +174,10 @@ void BackgroundTasks::setPaused(int id, bool paused) {
 void BackgroundTasks::drop(const QString& key) {
   cancel(key);
   // They go once the list is whole again: what a callback holds may drop tasks of its own.
-  const auto last = std::ranges::stable_partition(m_tasks, [&](const auto& t) { return t->request.key != key; });
-  const std::vector<std::shared_ptr<Task>> dropped(last.begin(), last.end());
-  m_tasks.erase(last.begin(), last.end());
+  const auto last =
+      std::stable_partition(m_tasks.begin(), m_tasks.end(), [&](const auto& t) { return t->request.key != key; });
+  const std::vector<std::shared_ptr<Task>> dropped(last, m_tasks.end());
+  m_tasks.erase(last, m_tasks.end());
 }
 
 void BackgroundTasks::stopAll() {
