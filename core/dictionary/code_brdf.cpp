@@ -44,8 +44,8 @@ class Atoms {
   }
 
   void at(const Place& place, float* result) const {
-    const float* low = &values_[std::size_t(place.low) * count_];
-    const float* high = &values_[std::size_t(place.high) * count_];
+    const float* low = values_.data() + std::size_t(place.low) * count_;
+    const float* high = values_.data() + std::size_t(place.high) * count_;
     for (std::size_t a = 0; a < count_; ++a) result[a] = low[a] + place.fraction * (high[a] - low[a]);
   }
   std::size_t count() const { return count_; }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <Eigen/SVD>
 
 namespace gonio {
@@ -21,8 +22,20 @@ EigenBasis eigenBasis(const Eigen::MatrixXd& matrix) {
 }
 
 ThinSvd thinSvd(const Eigen::MatrixXd& matrix) {
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
+  if (matrix.rows() < matrix.cols()) {
+    ThinSvd svd = thinSvd(matrix.transpose());
+    svd.u.swap(svd.v);
+    return svd;
+  }
+  const Eigen::Index columns = matrix.cols();
+  // With pivots: the sweeps converge sooner, and rows of very different size keep their small singular values.
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
+  const Eigen::MatrixXd triangle = qr.matrixQR().topRows(columns).triangularView<Eigen::Upper>().transpose();
+  const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(triangle,
+                                                                         Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::MatrixXd u = Eigen::MatrixXd::Zero(matrix.rows(), columns);
+  u.topRows(columns) = svd.matrixV();
+  return {qr.householderQ() * u, svd.singularValues(), qr.colsPermutation() * svd.matrixU()};
 }
 
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a.ldlt().solve(b); }
