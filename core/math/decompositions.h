@@ -24,8 +24,8 @@ struct ThinSvd {
   Eigen::VectorXd singularValues;  ///< >= 0, descending
   Eigen::MatrixXd v;
 };
-/// By Jacobi rotations after a QR decomposition with pivots. Cost: O(rows columns min(rows, columns)) and some ten sweeps
-/// of O(min(rows, columns)^3).
+/// By Jacobi rotations after a QR decomposition with pivots. Cost: O(rows columns min(rows, columns)) and some ten
+/// sweeps of O(min(rows, columns)^3).
 ThinSvd thinSvd(const Eigen::MatrixXd& matrix);
 
 /// Solves A X = B for a symmetric, positive or negative semi-definite A (LDL^T with pivots), columns of B at once.
