@@ -28,7 +28,7 @@ ThinSvd thinSvd(const Eigen::MatrixXd& matrix) {
     return svd;
   }
   const Eigen::Index columns = matrix.cols();
-  // With pivots: the sweeps converge sooner, and rows of very different size keep their small singular values.
+  // With pivots small singular values keep their digits where columns differ in size.
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix);
   const Eigen::MatrixXd triangle = qr.matrixQR().topRows(columns).triangularView<Eigen::Upper>().transpose();
   const Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> svd(triangle,

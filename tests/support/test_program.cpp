@@ -18,6 +18,8 @@ std::map<std::string, TestFunction>& registeredTests() {
   return tests;
 }
 
+bool longTests() { return qEnvironmentVariableIntValue("GONIO_LONG_TESTS") != 0; }
+
 }  // namespace gonio::test
 
 int main(int argumentCount, char** arguments) {

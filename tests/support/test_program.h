@@ -16,6 +16,10 @@ using TestFunction = std::function<int(int argumentCount, char** arguments)>;
 /// The tests of this program by the names of their files, without "_test.cpp".
 std::map<std::string, TestFunction>& registeredTests();
 
+/// Whether the environment variable GONIO_LONG_TESTS asks for more draws and more random cases than `./check` has time
+/// for (scripts/long_tests.sh).
+bool longTests();
+
 struct Registration {
   Registration(const char* file, TestFunction function) {
     const std::string stem = std::filesystem::path(file).stem().string();

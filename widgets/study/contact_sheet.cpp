@@ -126,8 +126,10 @@ void ContactSheet::drawTile(QPainter& painter, const Layout& layout, std::size_t
   const QRect place = layout.tile(int(index));
   const auto drawSquare = [&](const QPixmap& image, int top) {
     const QRect square(place.left(), top, layout.side, layout.side);
-    if (image.isNull()) return;
-    painter.drawPixmap(square, scaledPixmap(image, square.size() * painter.device()->devicePixelRatioF()));
+    if (!image.isNull())
+      painter.drawPixmap(square, scaledPixmap(image, square.size() * painter.device()->devicePixelRatioF()));
+    else if (tile.picture.isNull() && top == place.top())
+      drawPlaceholder(painter, square);
   };
   drawSquare(tile.picture, place.top());
   if (layout.scale) drawSquare(tile.map, place.top() + layout.side);
@@ -142,6 +144,18 @@ void ContactSheet::drawTile(QPainter& painter, const Layout& layout, std::size_t
   painter.setFont(plain);
   painter.drawText(QRect(place.left(), drawn.bottom() + 1, layout.side, place.bottom() - drawn.bottom()),
                    Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, tile.numbers);
+}
+
+/// Where a picture is still to come.
+void ContactSheet::drawPlaceholder(QPainter& painter, const QRect& square) const {
+  painter.save();
+  painter.setOpacity(0.5);
+  painter.setPen(Qt::DashLine);
+  painter.setBrush(Qt::NoBrush);
+  const int margin = square.width() / 8;
+  painter.drawEllipse(square.adjusted(margin, margin, -margin, -margin));
+  painter.drawText(square, Qt::AlignCenter, tr("Rendering..."));
+  painter.restore();
 }
 
 void ContactSheet::drawScale(QPainter& painter, const Layout& layout) const {

@@ -61,6 +61,7 @@ class ContactSheet : public QWidget {
   Layout ownLayout() const;
   void draw(QPainter& painter, const Layout& layout, const QColor& text) const;
   void drawTile(QPainter& painter, const Layout& layout, std::size_t index) const;
+  void drawPlaceholder(QPainter& painter, const QRect& square) const;
   void drawScale(QPainter& painter, const Layout& layout) const;
 
   std::vector<SheetTile> m_tiles;

@@ -94,7 +94,11 @@ void BatchDialog::browse() {
 }
 
 ExportRequest BatchDialog::request(qsizetype index) const {
-  return {&target(), {.snr = m_snr->value()}, QDir(m_folder->text()).filePath(m_names[index])};
+  const QString place = m_ids.size() > 1 ? tr("%1 of %2").arg(index + 1).arg(m_ids.size()) : QString();
+  return {.target = &target(),
+          .options = {.snr = m_snr->value()},
+          .name = QDir(m_folder->text()).filePath(m_names[index]),
+          .place = place};
 }
 
 QStringList BatchDialog::existing() const {

@@ -112,8 +112,10 @@ void ExportController::writeMeasured(const QString& id, const ExportRequest& req
 void ExportController::writeInBackground(const ExportRequest& request, Writer writer) {
   const QString files = fileNames(*request.target, request.name, request.scene.get());
   const QString folder = QDir::toNativeSeparators(QFileInfo(request.name).absolutePath());
+  const QString title =
+      request.place.isEmpty() ? tr("Exporting %1").arg(files) : tr("Exporting %1 (%2)").arg(files, request.place);
   m_tasks.run<std::vector<std::string>>(
-      {.title = tr("Exporting %1").arg(files), .file = true}, std::move(writer),
+      {.title = title, .file = true}, std::move(writer),
       [this, files, folder](const std::vector<std::string>& warnings) {
         Q_EMIT exported(tr("%1 in %2").arg(files, folder));
         for (const std::string& warning : warnings) Q_EMIT warned(QString::fromStdString(warning));

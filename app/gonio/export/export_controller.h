@@ -41,6 +41,7 @@ struct ExportRequest {
   exports::ExportOptions options;
   QString name;                                  ///< a path without the target's suffixes
   std::shared_ptr<const Scene> scene = nullptr;  ///< written beside the material; null: none
+  QString place = {};                            ///< among several: "3 of 12"; empty: there is one
 };
 
 /// Makes exports in the background and writes them. Each is a task of its own, so that several wait in a row.

@@ -102,8 +102,9 @@ void ContactSheetWindow::build() {
   layout->addLayout(top);
   layout->addWidget(scroll, 1);
   connect(m_count, &QSpinBox::valueChanged, this, [this] {
+    m_complete = false;
     showTiles();
-    makeMaps();
+    if (m_comparison && !m_tasks.isRunning(m_renderKey)) renderNext();
   });
   connect(m_maps, &QCheckBox::toggled, m_sheet, &widgets::ContactSheet::setMapsShown);
   connect(size, &QSlider::valueChanged, m_sheet, &widgets::ContactSheet::setTileSide);
@@ -138,8 +139,7 @@ void ContactSheetWindow::start() {
 void ContactSheetWindow::renderNext() {
   showTiles();
   const std::size_t next = m_pictures.size();
-  if (next == m_source.entries.size()) return makeMaps();
-  if (next == shownCount()) makeMaps();
+  if (next >= shownCount()) return makeMaps();
   m_tasks.run<Image>(
       {tr("Rendering %1").arg(m_source.entries[next].name), m_renderKey},
       [comparison = m_comparison, brdf = m_source.entries[next].brdf](const TaskControl& control) {

@@ -52,6 +52,19 @@ class ContactSheetTest : public QObject {
     QVERIFY(narrow.height() > 2 * wide.height() && wide.width() > 2 * narrow.width());
   }
 
+  /// Only what is shown is rendered, the rest when it is asked for.
+  void rendersWhatIsShown() {
+    BackgroundTasks tasks;
+    ContactSheetWindow window(tasks, sheetSource(material_, ranking_), nullptr);
+    window.setCount(1);
+    QVERIFY(wait([&] { return window.isComplete() && tasks.isIdle(); }));
+    window.setCount(3);
+    QVERIFY(!window.isComplete() && !tasks.isIdle());
+    QVERIFY(window.sheet().tiles()[3].picture.isNull());
+    QVERIFY(wait([&] { return window.isComplete() && tasks.isIdle(); }));
+    for (const widgets::SheetTile& tile : window.sheet().tiles()) QVERIFY(!tile.picture.isNull());
+  }
+
   /// Two tiles go to the preview: the material in its own form and the model alone.
   void comparesTwo() {
     BackgroundTasks tasks;

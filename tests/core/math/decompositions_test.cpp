@@ -5,13 +5,13 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/linear_oracles.h"
 #include "tests/support/random_matrix.h"
-
 #include "tests/support/test_program.h"
 
 namespace decompositions_test {
 using namespace gonio;
-using Eigen::MatrixXd;
+using Eigen::MatrixXd, Eigen::VectorXd;
 using gonio::test::randomMatrix;
 
 double departureFromOrthonormal(const MatrixXd& columns) {
@@ -50,6 +50,24 @@ class DecompositionsTest : public QObject {
       QVERIFY(departureFromOrthonormal(svd.u) < 1e-13 && departureFromOrthonormal(svd.v) < 1e-13);
       QVERIFY((svd.u * svd.singularValues.asDiagonal() * svd.v.transpose() - m).norm() < 1e-13 * m.norm());
       for (int k = 1; k < svd.singularValues.size(); ++k) QVERIFY(svd.singularValues[k] <= svd.singularValues[k - 1]);
+    }
+  }
+
+  /// Orthonormal columns, scaled: the scales are the singular values, each with its own digits.
+  void smallSingularValuesKeepTheirDigits() {
+    const MatrixXd columns = test::orthonormalised(randomMatrix(30, 30, 7)).leftCols(8);
+    VectorXd scales(8);
+    for (int k = 0; k < 8; ++k) scales[k] = std::pow(10.0, -2 * k);
+    const ThinSvd svd = thinSvd(columns * scales.asDiagonal());
+    for (int k = 0; k < 8; ++k) QVERIFY(std::abs(svd.singularValues[k] / scales[k] - 1) < 1e-13);
+  }
+
+  void singularVectorsOfDeficientMatrices() {
+    for (const MatrixXd& m :
+         {MatrixXd(randomMatrix(20, 3, 7) * randomMatrix(3, 9, 8)), MatrixXd(MatrixXd::Zero(6, 4))}) {
+      const ThinSvd svd = thinSvd(m);
+      QVERIFY(departureFromOrthonormal(svd.u) < 1e-13 && departureFromOrthonormal(svd.v) < 1e-13);
+      QVERIFY((svd.u * svd.singularValues.asDiagonal() * svd.v.transpose() - m).norm() <= 1e-13 * m.norm());
     }
   }
 

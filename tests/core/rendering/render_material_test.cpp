@@ -104,6 +104,7 @@ class RenderMaterialTest : public QObject {
     QVERIFY2(check.valid, found);
     QVERIFY2(std::abs(check.integral + check.lost - 1) < 2e-3, found);
     QVERIFY2(check.pValue > 1e-4, found);
+    QVERIFY2(check.widerPValue < 1e-9, found);
   }
 };
 
