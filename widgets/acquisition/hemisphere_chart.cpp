@@ -14,6 +14,7 @@ namespace {
 
 constexpr int ringStep = 15, rayStep = 30;
 constexpr double directionRadius = 4, markedDirectionRadius = 6;
+constexpr double legendRowHeight = 1.3;  // in heights of the font
 /// Of the ray that carries the rings' labels. Nodes of a grid have their half vector at azimuth 0: few samples lie on
 /// the other side.
 constexpr double labelAzimuth = radians(188);
@@ -44,7 +45,8 @@ void HemisphereChart::setLargestPolarAngle(double angle) {
 
 QRectF HemisphereChart::disc() const {
   const double em = fontMetrics().height();
-  const QRectF room = QRectF(rect()).adjusted(2.5 * em, 1.5 * em, -2.3 * em, -3.2 * em);
+  const QRectF room =
+      QRectF(rect()).adjusted(2.5 * em, 1.5 * em, -2.3 * em, -(3.2 + legendRowHeight * (legendRows() - 1)) * em);
   const double side = std::max(em, std::min(room.width(), room.height()));
   return QRectF(room.center() - QPointF(side, side) / 2, QSizeF(side, side));
 }
@@ -94,16 +96,20 @@ void HemisphereChart::drawLabels(QPainter& painter) const {
   drawCentred(painter, rim.center() + QPointF(0, -r - 0.7 * em), QStringLiteral("90°"));
   drawCentred(painter, rim.center() + QPointF(-r - 1.4 * em, 0), QStringLiteral("180°"));
   drawCentred(painter, rim.center() + QPointF(0, r + 0.7 * em), QStringLiteral("270°"));
+  // Without samples the hint stands there.
+  if (samples().empty()) return;
   for (const auto& [text, box] : ringLabels()) painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);
 }
 
 std::vector<std::pair<QString, QRectF>> HemisphereChart::ringLabels() const {
   std::vector<std::pair<QString, QRectF>> labels;
-  for (int angle = 30; angle < 90; angle += 30) {
-    const QString text = angle == 30 ? tr("θ %1°").arg(angle) : QStringLiteral("%1°").arg(angle);
+  // From outside, so that a small chart keeps the label of the larger ring.
+  for (const int angle : {60, 30}) {
+    const QString text = labels.empty() ? tr("θ %1°").arg(angle) : QStringLiteral("%1°").arg(angle);
     const QSizeF size(fontMetrics().horizontalAdvance(text) + 4, fontMetrics().height());
     const QPointF at = placeOf(fromSpherical(radians(angle), labelAzimuth));
-    labels.emplace_back(text, QRectF(at - QPointF(size.width(), size.height()) / 2, size));
+    const QRectF box(at - QPointF(size.width(), size.height()) / 2, size);
+    if (labels.empty() || !labels.front().second.intersects(box)) labels.emplace_back(text, box);
   }
   return labels;
 }
@@ -123,10 +129,23 @@ void HemisphereChart::drawSample(QPainter& painter, int sample, bool marked) con
   drawViewer(painter, at[1], radius);
 }
 
+QString HemisphereChart::beyondText() const { return tr("beyond %1°").arg(degrees(m_largestPolarAngle), 0, 'g', 3); }
+
+/// Two where the angle that is left out has no room beside the others.
+int HemisphereChart::legendRows() const {
+  if (m_largestPolarAngle >= halfPi) return 1;
+  const double em = fontMetrics().height();
+  const auto textWidth = [this](const QString& text) { return double(fontMetrics().horizontalAdvance(text)); };
+  return 0.8 * em + 3.6 * em + textWidth(tr("light")) + textWidth(tr("viewer")) + 0.9 * em + textWidth(beyondText()) >
+                 width()
+             ? 2
+             : 1;
+}
+
 void HemisphereChart::drawLegend(QPainter& painter) const {
   const PlotStyle style = PlotStyle::of(palette());
-  const double em = fontMetrics().height(), y = height() - 0.8 * em;
-  double x = 0.8 * em;
+  const double em = fontMetrics().height(), left = 0.8 * em;
+  double x = left, y = height() - 0.8 * em - (legendRows() - 1) * legendRowHeight * em;
   const auto entry = [&](SeriesRole role, const QString& text, void (*shape)(QPainter&, const QPointF&, double)) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(style.colour(role));
@@ -138,12 +157,12 @@ void HemisphereChart::drawLegend(QPainter& painter) const {
   entry(lightRole, tr("light"), drawLight);
   entry(viewerRole, tr("viewer"), drawViewer);
   if (m_largestPolarAngle < halfPi) {
+    if (legendRows() > 1) x = left, y += legendRowHeight * em;
     painter.setPen(QPen(style.grid, 1));
     painter.setBrush(QBrush(style.text, Qt::BDiagPattern));
     painter.drawRect(QRectF(x - 0.4 * em, y - 0.35 * em, 0.9 * em, 0.7 * em));
     painter.setPen(style.text);
-    painter.drawText(QPointF(x + 0.9 * em, y + 0.35 * em),
-                     tr("beyond %1°").arg(degrees(m_largestPolarAngle), 0, 'g', 3));
+    painter.drawText(QPointF(x + 0.9 * em, y + 0.35 * em), beyondText());
   }
 }
 

@@ -35,6 +35,8 @@ class HemisphereChart : public SampleChart {
   /// What the rings are, and where it stands.
   std::vector<std::pair<QString, QRectF>> ringLabels() const;
   void drawSample(QPainter& painter, int sample, bool marked) const;
+  QString beyondText() const;
+  int legendRows() const;
   void drawLegend(QPainter& painter) const;
 
   double m_largestPolarAngle = halfPi;

@@ -83,9 +83,12 @@ void applyTheme(QApplication& application, Theme theme) {
   const bool dark = theme == Theme::dark || (theme == Theme::system && systemDark);
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   application.setPalette(paletteOf(dark ? darkTones : lightTones));
-  // Fusion outlines boxes and radio buttons in a tone that a dark window swallows.
+  // Fusion outlines boxes and radio buttons, and fills them when they are chosen, in tones that a dark window swallows.
   QPalette indicators = application.palette();
-  if (dark) indicators.setColor(QPalette::Base, darkTones.light);
+  if (dark) {
+    indicators.setColor(QPalette::Base, darkTones.mid);
+    indicators.setColor(QPalette::Text, Qt::white);
+  }
   application.setPalette(indicators, "QCheckBox");
   application.setPalette(indicators, "QRadioButton");
   application.setStyleSheet(QString::fromLatin1(styleSheet));
