@@ -45,7 +45,7 @@ int work(const tool::Tool& tool, const CLI::App& command) {
 int parseAndWork(int argc, char** argv) {
   CLI::App app(
       "Command-line tool for measured materials (BRDFs): read, check, convert, fit, edit, factor, encode, blend, "
-      "plan\nmeasurements and reconstruct from them, export, render, compare, study.",
+      "plan\nmeasurements and reconstruct from them, export, render, compare, study, make figures.",
       "goniotool");
   tool::Tool tool;
   app.set_version_flag("--version", std::string("goniotool " GONIO_VERSION));
@@ -60,10 +60,11 @@ int parseAndWork(int argc, char** argv) {
              " document, or a bundled material such as library:merl-copy/chrome or\nlibrary:rgl/paper_blue. Exit code: "
              "0 success, 1 "
              "failure, 2 wrong usage.");
-  for (const auto add : {tool::addInfo, tool::addEvaluate, tool::addCheck, tool::addConvert, tool::addFit,
-                         tool::addEdit, tool::addFactor, tool::addDictionary, tool::addEncode, tool::addDecode,
-                         tool::addInterpolate, tool::addPlan, tool::addMeasure, tool::addReconstruct, tool::addExport,
-                         tool::addRender, tool::addScenes, tool::addCompare, tool::addStudy})
+  for (const auto add :
+       {tool::addInfo,        tool::addEvaluate, tool::addCheck,      tool::addConvert,     tool::addFit,
+        tool::addEdit,        tool::addFactor,   tool::addDictionary, tool::addEncode,      tool::addDecode,
+        tool::addInterpolate, tool::addPlan,     tool::addMeasure,    tool::addReconstruct, tool::addExport,
+        tool::addRender,      tool::addScenes,   tool::addCompare,    tool::addStudy,       tool::addFigure})
     add(app, tool);
   try {
     app.parse(argc, argv);

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isOutput(const CLI::Option& option) {
-  constexpr std::array names{"out", "image"};
+  constexpr std::array names{"out", "image", "save", "csv", "latex"};
   return option.get_name(true) == "OUT" ||
          std::ranges::any_of(names, [&](const char* name) { return option.check_lname(name); });
 }

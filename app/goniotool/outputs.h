@@ -11,8 +11,8 @@
 namespace gonio::tool {
 
 /// Refuses a command that would write over a file that it reads: one that its arguments name, or the measured file of
-/// a document among them. Of the parsed subcommand; its outputs are the options `--out`, `--image` and `OUT`, as they
-/// stand there.
+/// a document among them. Of the parsed subcommand; its outputs are `OUT` and the options `--out`,
+/// `--image`, `--save`, `--csv` and `--latex`, as they stand there.
 /// @throws Error naming the file.
 void checkOutputs(const CLI::App& command);
 

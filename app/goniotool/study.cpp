@@ -21,8 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace study;
 
-constexpr int maxCoefficients = 65535;
-
 struct StudyArguments {
   std::vector<std::string> materials, representations, models, componentsFrom;
   std::string out, dictionary;
@@ -105,6 +103,7 @@ class StudyOutput {
     const Json summaryRecords = summaryJson(summary);
     if (all_.size() > 1) {
       std::vector<StudyRecord> medians;
+      medians.reserve(summary.size());
       for (const StudySummary& one : summary) medians.push_back(one.median);
       const std::string title = "median of " + std::to_string(all_.size()) + " materials";
       write("summary", title, medians, summaryRecords);
@@ -190,7 +189,7 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->add_option("--coefficients", options->choice.coefficients,
                    "Coefficients per channel of the codes (32,64,..,2048)")
       ->delimiter(',')
-      ->check(CLI::Range(1, maxCoefficients));
+      ->check(CLI::Range(1, maxCodeCoefficients));
   command->add_option("--dictionary", options->dictionary, "Dictionary file of the codes (bundled dictionary)");
   command
       ->add_option("--components-from", options->componentsFrom,

@@ -48,5 +48,6 @@ void addPlan(CLI::App& app, Tool& tool);
 void addMeasure(CLI::App& app, Tool& tool);
 void addReconstruct(CLI::App& app, Tool& tool);
 void addStudy(CLI::App& app, Tool& tool);
+void addFigure(CLI::App& app, Tool& tool);
 
 }  // namespace gonio::tool

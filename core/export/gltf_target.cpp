@@ -9,6 +9,7 @@
 
 #include "core/export/gltf_model.h"
 #include "core/export/surface_target.h"
+#include "core/io/base64.h"
 
 namespace gonio::exports {
 
@@ -49,7 +50,8 @@ class GltfSphere {
     document["accessors"] = accessors_;
     document["bufferViews"] = views_;
     document["buffers"] = {
-        {{"byteLength", bytes_.size()}, {"uri", "data:application/octet-stream;base64," + base64()}}};
+        {{"byteLength", bytes_.size()},
+         {"uri", "data:application/octet-stream;base64," + io::base64Text(std::as_bytes(std::span(bytes_)))}}};
   }
 
  private:
@@ -90,17 +92,6 @@ class GltfSphere {
                           {"count", values.size() / components},
                           {"type", type}});
     return accessors_.size() - 1;
-  }
-
-  std::string base64() const {
-    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes_.size(); i += 3) {
-      std::uint32_t group = 0;
-      for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (i + k < bytes_.size() ? bytes_[i + k] : 0u);
-      for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes_.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
   }
 
   std::vector<std::uint8_t> bytes_;

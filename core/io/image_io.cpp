@@ -116,19 +116,21 @@ void writeExr(const Image& image, const std::filesystem::path& path,
   writeFileAtomically(path, bytes);
 }
 
-void writePng(const std::vector<unsigned char>& rgba, int width, int height, const std::filesystem::path& path) {
+std::vector<std::byte> encodePng(const std::vector<unsigned char>& rgba, int width, int height) {
   std::vector<std::byte> bytes;
-  namingFile(path, [&] {
-    checkShape(rgba.size() == std::size_t(width) * std::size_t(height) * 4, width, height);
-    const auto collect = [](void* user, void* data, int count) {
-      const std::span added(static_cast<const std::byte*>(data), std::size_t(count));
-      auto& target = *static_cast<std::vector<std::byte>*>(user);
-      target.insert(target.end(), added.begin(), added.end());
-    };
-    if (!stbi_write_png_to_func(collect, &bytes, width, height, 4, rgba.data(), 4 * width))
-      throw Error("the PNG encoder ran out of memory");
-  });
-  writeFileAtomically(path, bytes);
+  checkShape(rgba.size() == std::size_t(width) * std::size_t(height) * 4, width, height);
+  const auto collect = [](void* user, void* data, int count) {
+    const std::span added(static_cast<const std::byte*>(data), std::size_t(count));
+    auto& target = *static_cast<std::vector<std::byte>*>(user);
+    target.insert(target.end(), added.begin(), added.end());
+  };
+  if (!stbi_write_png_to_func(collect, &bytes, width, height, 4, rgba.data(), 4 * width))
+    throw Error("the PNG encoder ran out of memory");
+  return bytes;
+}
+
+void writePng(const std::vector<unsigned char>& rgba, int width, int height, const std::filesystem::path& path) {
+  writeFileAtomically(path, namingFile(path, [&] { return encodePng(rgba, width, height); }));
 }
 
 }  // namespace gonio::io

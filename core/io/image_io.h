@@ -26,6 +26,10 @@ Image readImage(std::span<const std::byte> bytes);
 void writeExr(const Image& image, const std::filesystem::path& path,
               const std::map<std::string, std::string>& attributes = {});
 
+/// 8-bit sRGB PNG from RGBA display bytes, the first row at the top (core/rendering/tone_map.h makes them).
+/// @throws Error when the bytes are not those of the size.
+std::vector<std::byte> encodePng(const std::vector<unsigned char>& rgba, int width, int height);
+
 /// Writes 8-bit sRGB PNG from RGBA display bytes, the first row at the top (core/rendering/tone_map.h makes them).
 /// Atomic. @throws Error naming the file.
 void writePng(const std::vector<unsigned char>& rgba, int width, int height, const std::filesystem::path& path);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "core/io/base64.h"
 #include "core/math/types.h"
 
 namespace gonio::plots {
@@ -97,11 +98,13 @@ std::vector<glm::dvec2> outline(Marker marker, const glm::dvec2& at, double size
 
 }  // namespace
 
-SvgDrawing::SvgDrawing(double width, double height) {
-  const std::string w = number(width), h = number(height);
-  body_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w +
-          "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
-          "\" font-family=\"sans-serif\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+SvgDrawing::SvgDrawing(double width, double height, const SvgPage& page) {
+  const std::string w = number(width), h = number(height), unit(page.unit);
+  body_ =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"" +
+      w + unit + "\" height=\"" + h + unit + "\" viewBox=\"0 0 " + w + " " + h + "\" font-family=\"" +
+      escaped(page.fontFamily) + "\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
 }
 
 void SvgDrawing::line(const glm::dvec2& from, const glm::dvec2& to, const SvgStroke& stroke) {
@@ -131,6 +134,14 @@ void SvgDrawing::marker(Marker marker, const glm::dvec2& at, double size, std::s
     body_ += "/>\n";
   else
     body_ += "><title>" + escaped(title) + "</title></" + (marker == Marker::circle ? "circle" : "polygon") + ">\n";
+}
+
+void SvgDrawing::picture(const glm::dvec2& low, const glm::dvec2& high, std::span<const std::byte> png,
+                         bool exactPixels) {
+  body_ += "<image x=\"" + number(low.x) + "\" y=\"" + number(low.y) + "\" width=\"" + number(high.x - low.x) +
+           "\" height=\"" + number(high.y - low.y) + "\" preserveAspectRatio=\"none\"";
+  if (exactPixels) body_ += " style=\"image-rendering:pixelated\"";
+  body_ += " xlink:href=\"data:image/png;base64," + io::base64Text(png) + "\"/>\n";
 }
 
 void SvgDrawing::text(const glm::dvec2& at, std::string_view words, const TextStyle& style) {

@@ -20,7 +20,9 @@ double differenceAt(const Image& reference, const Image& picture, std::size_t i)
   return std::abs(luminance(Rgb(picture.pixels[i])) - luminance(Rgb(reference.pixels[i])));
 }
 
-double commonRange(const Image& reference, std::span<const Image> pictures) {
+}  // namespace
+
+double errorRange(const Image& reference, std::span<const Image> pictures) {
   constexpr double percentile = 0.995;
   std::vector<double> differences;
   for (const Image& picture : pictures)
@@ -32,21 +34,21 @@ double commonRange(const Image& reference, std::span<const Image> pictures) {
   return roundedUp(*at);
 }
 
-}  // namespace
+std::vector<std::uint8_t> errorMap(const Image& reference, const Image& picture, double range) {
+  assert(picture.pixels.size() == reference.pixels.size());
+  std::vector<std::uint8_t> map;
+  map.reserve(4 * reference.pixels.size());
+  for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
+    const DisplayColour colour = viridis(range > 0 ? differenceAt(reference, picture, i) / range : 0);
+    map.insert(map.end(), colour.begin(), colour.end());
+    map.push_back(reference.alpha.empty() ? 255 : std::uint8_t(std::lround(255 * reference.alpha[i])));
+  }
+  return map;
+}
 
 ErrorMaps errorMaps(const Image& reference, std::span<const Image> pictures) {
-  ErrorMaps result{.range = commonRange(reference, pictures)};
-  for (const Image& picture : pictures) {
-    assert(picture.pixels.size() == reference.pixels.size());
-    std::vector<std::uint8_t>& map = result.maps.emplace_back();
-    map.reserve(4 * reference.pixels.size());
-    for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
-      const double fraction = result.range > 0 ? differenceAt(reference, picture, i) / result.range : 0;
-      const DisplayColour colour = viridis(fraction);
-      map.insert(map.end(), colour.begin(), colour.end());
-      map.push_back(reference.alpha.empty() ? 255 : std::uint8_t(std::lround(255 * reference.alpha[i])));
-    }
-  }
+  ErrorMaps result{.range = errorRange(reference, pictures)};
+  for (const Image& picture : pictures) result.maps.push_back(errorMap(reference, picture, result.range));
   return result;
 }
 

@@ -21,4 +21,9 @@ struct ErrorMaps {
 /// Contract: all pictures have the reference's size.
 ErrorMaps errorMaps(const Image& reference, std::span<const Image> pictures);
 
+/// The parts of it, for maps of several references on one scale: where the scale of these pictures ends, and the map of
+/// one picture on a scale that ends at `range`, where 0 gives the first colour everywhere. Contract likewise.
+double errorRange(const Image& reference, std::span<const Image> pictures);
+std::vector<std::uint8_t> errorMap(const Image& reference, const Image& picture, double range);
+
 }  // namespace gonio

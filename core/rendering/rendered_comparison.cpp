@@ -18,7 +18,11 @@ Image mean(const metrics::PicturePair& halves) {
 }  // namespace
 
 RenderedComparison::RenderedComparison(const Brdf& reference, RenderOptions options, const TaskControl& control)
-    : scene_(comparisonScene()), options_(std::move(options)) {
+    : RenderedComparison(comparisonScene(), reference, std::move(options), control) {}
+
+RenderedComparison::RenderedComparison(Scene scene, const Brdf& reference, RenderOptions options,
+                                       const TaskControl& control)
+    : scene_(std::move(scene)), options_(std::move(options)) {
   if (!options_.lobe) options_.lobe = estimateSamplingLobe(reference);
   options_.samples = (options_.samples + 1) / 2;
   reference_ = render(reference, control);

@@ -25,6 +25,8 @@ class RenderedComparison {
   /// Renders the reference. @throws Cancelled.
   /// @param options an odd number of samples counts as the next even one.
   explicit RenderedComparison(const Brdf& reference, RenderOptions options = {}, const TaskControl& control = {});
+  /// The same in another scene, whose objects all have the one material: its ratios are those of this scene alone.
+  RenderedComparison(Scene scene, const Brdf& reference, RenderOptions options = {}, const TaskControl& control = {});
 
   const Image& reference() const { return reference_.image; }
   /// @throws Cancelled.

@@ -65,7 +65,9 @@ std::vector<StudyRecord> runStudy(const StudySubject& subject, std::span<const R
                                   const StudyOptions& options, const TaskControl& control) {
   std::vector<StudyRecord> records;
   try {
-    const RenderedComparison comparison(*subject.reference, options.picture, control.between(0, referenceShare));
+    const RenderedComparison comparison(options.scene ? *options.scene : comparisonScene(), *subject.reference,
+                                        options.picture, control.between(0, referenceShare));
+    if (options.referenceRendered) options.referenceRendered(comparison.reference());
     RepresentationBuilder builder(subject, options.build, representations);
     const double fraction = (1 - referenceShare) / double(std::max<std::size_t>(1, representations.size()));
     for (const Representation& representation : representations) {

@@ -16,7 +16,7 @@ namespace gonio::study {
 struct StudiedRepresentation {
   StudyRecord record;
   std::shared_ptr<const Brdf> brdf;
-  Image picture;  ///< in comparisonScene(), linear RGB
+  Image picture;  ///< in the study's scene, linear RGB
   std::function<std::shared_ptr<const TabulatedBrdf>(const TaskControl&)> tabulated;  ///< see BuiltRepresentation
   std::optional<fitting::FitResult> fit;                                              ///< see BuiltRepresentation
 };
@@ -25,10 +25,14 @@ struct StudyOptions {
   BuildOptions build;
   /// Of the pictures and of the frames that are timed; the lobe is the reference's.
   RenderOptions picture = smallComparisonPicture();
+  /// Of the pictures instead of comparisonScene(): the rendered SNRs are then those of this scene.
+  std::optional<Scene> scene = {};
   /// Whether the times of an evaluation and of a frame are measured; without them one frame is rendered.
   bool timed = true;
   /// Called after each representation, in their order, on the calling thread.
   std::function<void(const StudiedRepresentation&)> measured = {};
+  /// Called before them with the picture of the reference.
+  std::function<void(const Image&)> referenceRendered = {};
 };
 
 /// Makes representations of one material and measures each: errors by every metric, rendered SNR, bytes, and times of

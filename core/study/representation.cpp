@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "core/factorization/pdv_factors.h"
 #include "core/fitting/fit_parameters.h"
 #include "core/models/registry.h"
 #include "core/support/error.h"
+#include "core/support/number_text.h"
 
 namespace gonio::study {
 
@@ -82,6 +85,29 @@ RepresentationFamily familyById(std::string_view id) {
 }
 
 std::string Representation::fullLabel() const { return budgetText.empty() ? label : label + ", " + budgetText; }
+
+bool needsBudget(std::string_view id) { return id == "factors-2d" || id == "factors-3d" || id == "code"; }
+
+Representation representationById(std::string_view id, std::optional<double> budget) {
+  RepresentationChoice choice;
+  const double most = id == "code" ? maxCodeCoefficients : factorization::maxPdvTerms;
+  if (needsBudget(id)) {
+    if (!budget || !(*budget >= 1 && *budget <= most) || *budget != std::floor(*budget))
+      throw Error("found the representation '" + std::string(id) + "' with " +
+                  (budget ? "the budget " + numberText(*budget) : "no budget") +
+                  ", expected a whole number from 1 to " + numberText(most) +
+                  (id == "code" ? " (coefficients per channel)" : " (terms)"));
+    choice.terms = {int(*budget)};
+    choice.coefficients = {std::size_t(*budget)};
+  }
+  std::string known;
+  for (const Representation& one : representationsOf(choice)) {
+    if (one.id == id) return one;
+    if (one.family != RepresentationFamily::fit) known += (known.empty() ? "" : ", ") + one.id;
+  }
+  throw Error("found the representation '" + std::string(id) + "', expected one of " + known +
+              " or the id of a model, such as ggx");
+}
 
 std::vector<Representation> representationsOf(const RepresentationChoice& choice) {
   List list;

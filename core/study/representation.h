@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: The Gonio authors
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,9 @@ struct Representation {
   std::string fullLabel() const;
 };
 
+/// Per channel: the `.code` file counts them in 16 bits.
+inline constexpr int maxCodeCoefficients = 65535;
+
 /// Which representations there are to measure.
 struct RepresentationChoice {
   /// Components are left out by default: their basis is learned, not shipped.
@@ -46,6 +50,13 @@ struct RepresentationChoice {
   std::vector<std::size_t> coefficients{32, 64, 128, 256, 512, 1024, 2048};  ///< a channel
   std::vector<int> components{4, 8, 16, 32, 64, 128};                        ///< a channel
 };
+
+/// Whether one is described by its id and a budget, not by its id alone: terms of factors, coefficients of codes.
+bool needsBudget(std::string_view id);
+/// One by its id and budget, as a record of a study names it: ("factors-3d", 10); a fit and what counts nothing need no
+/// budget. Components, whose basis is learned, are left out.
+/// @throws Error stating what was found and what was expected.
+Representation representationById(std::string_view id, std::optional<double> budget = {});
 
 /// All of them, in the order in which a study measures and lists them.
 std::vector<Representation> representationsOf(const RepresentationChoice& choice = {});

@@ -147,6 +147,7 @@ class ReaderMutationTest : public QObject {
     readImageBytes(exrSeed());
     readDocumentBytes(documentSeed());
     readSceneBytes(sceneSeed());
+    readFigureBytes(figureSeed());
     readPlanBytes(planSeed());
     readValuesBytes(valuesSeed());
     readValuesBytes(spectraSeed());
@@ -176,6 +177,7 @@ class ReaderMutationTest : public QObject {
   void spectra() { check("spectra.csv", spectraSeed(), readValuesBytes); }
   void basis() { check("pca.basis", basisSeed(), readBasisBytes); }
   void scene() { check("scene.json", sceneSeed(), readSceneBytes); }
+  void figure() { check("figure.json", figureSeed(), readFigureBytes); }
 };
 
 GONIO_TEST(ReaderMutationTest)

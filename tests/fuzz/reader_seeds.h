@@ -198,4 +198,14 @@ inline Bytes sceneSeed() {
     "environment": {"picture": "sky", "rotation": 30, "shown": true}})");
 }
 
+inline Bytes figureSeed() {
+  return bytesOf(
+      R"({"format": "gonio figure", "version": 1, "title": "T", "columns": "one", "font": "Times", "fontSize": 6.5,
+    "materials": [{"path": "library:sgd/chrome", "label": "chrome"}, {"path": "a.binary"}],
+    "representations": [{"id": "ggx"}, {"id": "factors-3d", "budget": 10, "label": "PDV"}, {"id": "code", "budget": 64}],
+    "pictures": {"scene": "row", "environment": "sky", "size": 32, "samples": 8, "exposure": -1, "toneMap": "filmic"},
+    "numbers": ["rendered-snr", "bytes"], "inset": {"x": 0.25, "y": 0.5, "size": 0.125},
+    "errorMaps": false, "errorMaximum": 0.25})");
+}
+
 }  // namespace gonio::fuzz

@@ -8,12 +8,14 @@
 #include <string_view>
 
 #include "core/documents/edit_document.h"
+#include "core/figures/figure_description.h"
 #include "core/geometry/mesh_intersector.h"
 #include "core/io/astm_file.h"
 #include "core/io/curet_file.h"
 #include "core/io/gltf_file.h"
 #include "core/io/goniophotometer_file.h"
 #include "core/io/image_io.h"
+#include "core/io/json_text.h"
 #include "core/io/obj_file.h"
 #include "core/io/ply_file.h"
 #include "core/materials/basis_file.h"
@@ -174,6 +176,13 @@ inline void readSceneBytes(std::span<const std::byte> bytes) {
     if (const Sphere bound = boundingSphere(object.shape);
         !(bound.radius > 0) || !std::isfinite(glm::length(bound.centre)))
       throw std::logic_error("a shape without a place");
+}
+
+/// What was read is written as it is.
+inline void readFigureBytes(std::span<const std::byte> bytes) {
+  const figures::FigureDescription figure = figures::figureFromJson(io::parseJson(textOf(bytes)));
+  if (figures::figureFromJson(io::parseJson(figures::toJson(figure).dump())) != figure)
+    throw std::logic_error("a description that is another one when it is written");
 }
 
 }  // namespace gonio::fuzz

@@ -110,11 +110,19 @@ QString aboutPage() {
                           HelpPagesText::tr("The modelling library (core) and goniotool: Apache-2.0."),
                           HelpPagesText::tr("This editor: GPL-3.0-or-later. It comes with no warranty."),
                           HelpPagesText::tr("Third parties"));
-  const std::pair<const char*, const char*> parties[] = {
-      {"Qt 6", "LGPL-3.0-only"},   {"Eigen", "MPL-2.0"},      {"GLM", "MIT"},
-      {"OpenEXR", "BSD-3-Clause"}, {"oneTBB", "Apache-2.0"},  {"Ceres Solver", "BSD-3-Clause"},
-      {"nlohmann/json", "MIT"},    {"OpenSSL", "Apache-2.0"}, {"stb", "MIT or public domain"},
-      {"Embree", "Apache-2.0"},    {"Imath", "BSD-3-Clause"}, {"QCustomPlot", "GPL-3.0-or-later"}};
+  const std::pair<const char*, const char*> parties[] = {{"Qt 6", "LGPL-3.0-only"},
+                                                         {"Eigen", "MPL-2.0"},
+                                                         {"GLM", "MIT"},
+                                                         {"OpenEXR", "BSD-3-Clause"},
+                                                         {"oneTBB", "Apache-2.0"},
+                                                         {"Ceres Solver", "BSD-3-Clause"},
+                                                         {"nlohmann/json", "MIT"},
+                                                         {"OpenSSL", "Apache-2.0"},
+                                                         {"stb", "MIT or public domain"},
+                                                         {"Embree", "Apache-2.0"},
+                                                         {"cairo", "LGPL-2.1-only or MPL-1.1"},
+                                                         {"Imath", "BSD-3-Clause"},
+                                                         {"QCustomPlot", "GPL-3.0-or-later"}};
   for (const auto& [name, licence] : parties) page += row(QString::fromLatin1(name), QString::fromLatin1(licence));
   page += QStringLiteral("</table><h3>%1</h3><p>%2</p>")
               .arg(HelpPagesText::tr("Data"),

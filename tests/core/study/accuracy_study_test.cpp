@@ -67,6 +67,44 @@ class AccuracyStudyTest : public QObject {
     }
   }
 
+  void representationsByTheirIds() {
+    for (const Representation& one : representationsOf()) {
+      const std::optional<double> budget = needsBudget(one.id) ? std::optional(one.budget) : std::nullopt;
+      QVERIFY2(representationById(one.id, budget) == one, one.fullLabel().c_str());
+    }
+    const auto fails = [](std::string_view id, std::optional<double> budget, const char* text) {
+      try {
+        representationById(id, budget);
+        QFAIL("accepted");
+      } catch (const Error& error) {
+        QVERIFY2(std::string(error.what()).find(text) != std::string::npos, error.what());
+      }
+    };
+    fails("ggxx", {}, "'ggxx', expected one of table-nearest, table-trilinear, factors-2d");
+    fails("components", 4, "'components'");
+    fails("code", {}, "no budget, expected a whole number from 1 to 65535 (coefficients");
+    fails("factors-2d", 2.5, "the budget 2.5");
+    fails("factors-3d", 0, "the budget 0");
+  }
+
+  /// In another scene all is compared with the reference's picture there.
+  void studiesOfOtherScenes() {
+    StudyOptions options = smallPictures();
+    options.timed = false;
+    options.scene = sphereScene();
+    Image reference;
+    options.referenceRendered = [&](const Image& picture) { reference = picture; };
+    const RenderedComparison comparison(sphereScene(), *plastic().table, options.picture);
+    options.measured = [&](const StudiedRepresentation& studied) {
+      const ComparisonPicture picture = comparison.render(*studied.brdf);
+      QVERIFY(picture.image.pixels == studied.picture.pixels);
+      QCOMPARE(studied.record.renderedSnr, comparison.signalToNoiseRatio(picture));
+    };
+    QCOMPARE(runStudy(plastic(), few(), options).size(), few().size());
+    QVERIFY(reference.pixels == comparison.reference().pixels);
+    QVERIFY(reference.pixels != RenderedComparison(*plastic().table, options.picture).reference().pixels);
+  }
+
   /// Each record holds what its parts give when they are called by themselves.
   void recordsHoldWhatTheirPartsGiveAlone() {
     const auto representations = few();

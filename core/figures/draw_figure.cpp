@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/figures/draw_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/figures/figure_layout.h"
+#include "core/figures/figure_number.h"
+#include "core/rendering/error_maps.h"
+#include "core/rendering/false_colour.h"
+
+namespace gonio::figures {
+
+namespace {
+
+constexpr const char* insetColour = "#e8590c";
+constexpr double insetLine = 0.25;  ///< mm
+
+/// Straight colours on white.
+void putOnPaper(Raster& raster) {
+  for (std::size_t i = 0; i < raster.rgba.size(); i += 4) {
+    const double alpha = raster.rgba[i + 3] / 255.0;
+    for (std::size_t c = 0; c < 3; ++c)
+      raster.rgba[i + c] = std::uint8_t(std::lround(alpha * raster.rgba[i + c] + 255 * (1 - alpha)));
+    raster.rgba[i + 3] = 255;
+  }
+}
+
+Raster colourBar() {
+  constexpr int length = 256;
+  Raster bar{.width = length, .height = 1, .rgba = {}};
+  for (int x = 0; x < length; ++x) {
+    const DisplayColour colour = viridis(double(x) / (length - 1));
+    bar.rgba.insert(bar.rgba.end(), {colour[0], colour[1], colour[2], 255});
+  }
+  return bar;
+}
+
+FigureTexts textsOf(const FigureDescription& description, const FigureMeasurement& measurement) {
+  FigureTexts texts;
+  for (const FigureRow& row : measurement.rows) texts.rowNames.push_back(row.name);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3g", measurement.errorMaximum);
+  texts.errorScale = std::string(text) + " luminance error (linear)";
+  if (description.inset) {
+    // The inset has half of the picture's width beside an error map.
+    const double magnification = (description.errorMaps ? 0.5 : 1) / description.inset->size;
+    std::snprintf(text, sizeof text, "Insets: %.2g× the pictures", magnification);
+    texts.insetNote = text;
+  }
+  return texts;
+}
+
+class FigurePainter {
+ public:
+  FigurePainter(const FigureDescription& description, const FigureMeasurement& measurement, const TextWidth& width)
+      : description_(description),
+        measurement_(measurement),
+        texts_(textsOf(description, measurement)),
+        layout_(layOutFigure(description, texts_, width)) {
+    drawing_.width = layout_.width;
+    drawing_.height = layout_.height;
+    drawing_.font = description.font;
+    drawing_.title = description.title;
+  }
+
+  FigureDrawing paint() {
+    if (layout_.title) paintLabel(*layout_.title, false);
+    for (const LabelLayout& label : layout_.columnLabels) paintLabel(label, false);
+    for (std::size_t row = 0; row < measurement_.rows.size(); ++row) paintRow(row);
+    if (layout_.legend) paintLegend(*layout_.legend);
+    return std::move(drawing_);
+  }
+
+ private:
+  void add(DrawingItem item) { drawing_.items.push_back(std::move(item)); }
+  void addText(const glm::dvec2& at, const std::string& text, TextAnchor anchor, bool bold = false,
+               bool upward = false) {
+    add(TextItem{at, text, layout_.fontSize, anchor, bold, upward});
+  }
+
+  void paintLabel(const LabelLayout& label, bool upward) {
+    for (std::size_t i = 0; i < label.lines.size(); ++i)
+      addText(label.at[i], label.lines[i], TextAnchor::middle, true, upward);
+  }
+
+  void paintRow(std::size_t row) {
+    paintLabel(layout_.rowLabels[row], true);
+    const FigureRow& shown = measurement_.rows[row];
+    const std::vector<CellLayout>& cells = layout_.cells[row];
+    paintPicture(cells[0], shown.reference);
+    for (std::size_t i = 0; i < description_.numbers.size(); ++i)
+      addText(cells[0].numberLines[i], figureNumber(description_.numbers[i]).name, TextAnchor::middle);
+    for (std::size_t cell = 0; cell < shown.cells.size(); ++cell) {
+      paintPicture(cells[1 + cell], shown.cells[cell].picture);
+      paintErrorMap(cells[1 + cell], shown.reference, shown.cells[cell].picture);
+      paintNumbers(cells[1 + cell], shown, cell);
+    }
+  }
+
+  void paintPicture(const CellLayout& cell, const Image& picture) {
+    Raster raster = displayedOnPaper(picture, description_.pictures);
+    Raster inset;
+    if (cell.inset) inset = cutOut(raster, insetPixels(*description_.inset, raster.width));
+    const double pixel = cell.picture.width / raster.width;
+    add(PictureItem{cell.picture, std::move(raster)});
+    if (!cell.inset) return;
+    const InsetPixels shown = insetPixels(*description_.inset, picture.width);
+    add(FrameItem{{cell.picture.x + shown.left * pixel, cell.picture.y + shown.top * pixel, shown.side * pixel,
+                   shown.side * pixel},
+                  insetColour,
+                  insetLine});
+    add(PictureItem{*cell.inset, std::move(inset), true});
+    add(FrameItem{*cell.inset, insetColour, insetLine});
+  }
+
+  void paintErrorMap(const CellLayout& cell, const Image& reference, const Image& picture) {
+    if (!cell.errorMap) return;
+    Raster map{picture.width, picture.height, errorMap(reference, picture, measurement_.errorMaximum)};
+    putOnPaper(map);
+    add(PictureItem{*cell.errorMap, std::move(map)});
+  }
+
+  void paintNumbers(const CellLayout& cell, const FigureRow& row, std::size_t index) {
+    for (std::size_t i = 0; i < description_.numbers.size(); ++i)
+      addText(cell.numberLines[i], valueText(figureNumber(description_.numbers[i]), row.cells[index].numbers[i]),
+              TextAnchor::middle, isBest(description_, row, index, i));
+  }
+
+  void paintLegend(const LegendLayout& legend) {
+    if (legend.bar) {
+      addText(legend.zero, "0", TextAnchor::end);
+      add(PictureItem{*legend.bar, colourBar()});
+      addText(legend.errorScale, texts_.errorScale, TextAnchor::start);
+    }
+    if (description_.inset) addText(legend.insetNote, texts_.insetNote, TextAnchor::end);
+  }
+
+  const FigureDescription& description_;
+  const FigureMeasurement& measurement_;
+  FigureTexts texts_;
+  FigureLayout layout_;
+  FigureDrawing drawing_;
+};
+
+}  // namespace
+
+InsetPixels insetPixels(const FigureInset& inset, int size) {
+  InsetPixels pixels;
+  pixels.side = std::clamp(int(std::lround(inset.size * size)), 1, size);
+  pixels.left = std::clamp(int(std::lround(inset.x * size)), 0, size - pixels.side);
+  pixels.top = std::clamp(int(std::lround(inset.y * size)), 0, size - pixels.side);
+  return pixels;
+}
+
+Raster displayedOnPaper(const Image& picture, const FigurePictures& pictures) {
+  Raster raster{picture.width, picture.height, toDisplayBytes(picture, pictures.exposure, pictures.toneMap)};
+  putOnPaper(raster);
+  return raster;
+}
+
+Raster cutOut(const Raster& raster, const InsetPixels& pixels) {
+  Raster cut{pixels.side, pixels.side, {}};
+  for (int y = pixels.top; y < pixels.top + pixels.side; ++y) {
+    const auto begin = raster.rgba.begin() + 4 * (std::ptrdiff_t(y) * raster.width + pixels.left);
+    cut.rgba.insert(cut.rgba.end(), begin, begin + 4 * std::ptrdiff_t(pixels.side));
+  }
+  return cut;
+}
+
+bool isBest(const FigureDescription& description, const FigureRow& row, std::size_t cell, std::size_t number) {
+  const FigureNumber& kind = figureNumber(description.numbers[number]);
+  const double value = row.cells[cell].numbers[number];
+  if (!kind.isError || row.cells.size() < 2 || std::isnan(value)) return false;
+  return std::ranges::none_of(row.cells, [&](const FigureCell& other) {
+    return kind.better == Better::higher ? other.numbers[number] > value : other.numbers[number] < value;
+  });
+}
+
+FigureDrawing drawFigure(const FigureDescription& description, const FigureMeasurement& measurement,
+                         const TextWidth& width) {
+  return FigurePainter(description, measurement, width).paint();
+}
+
+}  // namespace gonio::figures

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "core/figures/figure_description.h"
+
+#include <algorithm>
+
+#include "core/figures/figure_number.h"
+#include "core/io/csv_text.h"
+#include "core/io/json_text.h"
+#include "core/rendering/environment_file.h"
+#include "core/rendering/render_picture.h"
+#include "core/rendering/scene_file.h"
+#include "core/support/json_object.h"
+#include "core/support/naming_file.h"
+
+namespace gonio::figures {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view formatName = "gonio figure";
+constexpr std::size_t maxMaterials = 50, maxRepresentations = 12, maxNumbers = 8;
+constexpr double minInsetSize = 0.01, minFontSize = 4, maxFontSize = 24, maxExposure = 30;
+constexpr int maxPictureSize = 2048, maxSamples = 1 << 20;
+
+std::string textOr(const JsonObject& object, std::string_view key, const std::string& otherwise) {
+  return object.contains(key) ? object.text(key) : otherwise;
+}
+
+double numberOr(const JsonObject& object, std::string_view key, double min, double max, double otherwise) {
+  return object.contains(key) ? object.number(key, min, max) : otherwise;
+}
+
+int integerOr(const JsonObject& object, std::string_view key, int min, int max, int otherwise) {
+  const double number = numberOr(object, key, min, max, otherwise);
+  if (number != int(number))
+    object.fail(key, "a whole number from " + std::to_string(min) + " to " + std::to_string(max));
+  return int(number);
+}
+
+/// The one of two texts that a member has, by its number.
+int choiceOr(const JsonObject& object, std::string_view key, std::string_view first, std::string_view second,
+             int otherwise) {
+  if (!object.contains(key)) return otherwise;
+  const std::string text = object.text(key);
+  if (text != first && text != second)
+    object.fail(key, "\"" + std::string(first) + "\" or \"" + std::string(second) + "\"");
+  return text == second;
+}
+
+/// Reads each element of a list that holds 1 to `most`.
+template <typename Read>
+void eachOf(const JsonObject& root, std::string_view key, std::size_t most, const Read& read) {
+  const nlohmann::json& list = root.array(key);
+  if (list.empty() || list.size() > most) root.fail(key, "a list of 1 to " + std::to_string(most));
+  for (std::size_t i = 0; i < list.size(); ++i) read(list[i], root.place(key) + "[" + std::to_string(i) + "]");
+}
+
+FigureMaterial materialFrom(const nlohmann::json& json, const std::string& where) {
+  const JsonObject object(json, where);
+  object.expectOnly({"path", "label"});
+  if (object.text("path").empty()) object.fail("path", "a file or library:SOURCE/NAME");
+  return {object.text("path"), textOr(object, "label", "")};
+}
+
+FigureRepresentation representationFrom(const nlohmann::json& json, const std::string& where) {
+  const JsonObject object(json, where);
+  object.expectOnly({"id", "budget", "label"});
+  std::optional<double> budget;
+  if (object.contains("budget")) budget = object.number("budget", 0, 1e9);
+  try {
+    return {study::representationById(object.text("id"), budget), textOr(object, "label", "")};
+  } catch (const Error& error) {
+    throw Error(where + ": " + error.what());
+  }
+}
+
+std::string numberFrom(const nlohmann::json& json, const std::string& where) {
+  if (!json.is_string()) throw Error(where + ": found " + describeJson(json) + ", expected the id of a number");
+  try {
+    return figureNumber(json.get<std::string>()).id;
+  } catch (const Error& error) {
+    throw Error(where + ": " + error.what());
+  }
+}
+
+FigurePictures picturesFrom(const JsonObject& object) {
+  object.expectOnly({"scene", "environment", "size", "samples", "exposure", "toneMap"});
+  FigurePictures pictures;
+  pictures.scene = textOr(object, "scene", "");
+  pictures.environment = textOr(object, "environment", "");
+  pictures.size = integerOr(object, "size", 1, maxPictureSize, pictures.size);
+  pictures.samples = integerOr(object, "samples", 1, maxSamples, pictures.samples);
+  pictures.exposure = numberOr(object, "exposure", -maxExposure, maxExposure, 0);
+  pictures.toneMap = ToneMap(choiceOr(object, "toneMap", toneMapName(ToneMap::clamp), toneMapName(ToneMap::filmic), 0));
+  return pictures;
+}
+
+FigureInset insetFrom(const JsonObject& object) {
+  object.expectOnly({"x", "y", "size"});
+  FigureInset inset;
+  inset.size = object.number("size", minInsetSize, 1);
+  inset.x = object.number("x", 0, 1 - inset.size);
+  inset.y = object.number("y", 0, 1 - inset.size);
+  return inset;
+}
+
+nlohmann::ordered_json toJson(const FigurePictures& pictures) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (!pictures.scene.empty()) json["scene"] = pictures.scene;
+  if (!pictures.environment.empty()) json["environment"] = pictures.environment;
+  json.update({{"size", pictures.size},
+               {"samples", pictures.samples},
+               {"exposure", pictures.exposure},
+               {"toneMap", toneMapName(pictures.toneMap)}});
+  return json;
+}
+
+/// Whether a text of a description names a file, not something bundled.
+bool isFile(const std::string& name) {
+  return !name.empty() && !name.starts_with("library:") && fs::path(name).has_extension();
+}
+
+/// All paths of a description: those of its materials, its scene and its environment.
+template <typename Change>
+void eachPath(FigureDescription& description, const Change& change) {
+  for (FigureMaterial& material : description.materials)
+    if (!material.path.starts_with("library:")) change(material.path);
+  for (std::string* name : {&description.pictures.scene, &description.pictures.environment})
+    if (isFile(*name)) change(*name);
+}
+
+}  // namespace
+
+std::string FigureRepresentation::shownLabel() const {
+  if (!label.empty()) return label;
+  return representation.family == study::RepresentationFamily::fit ? representation.label : representation.fullLabel();
+}
+
+std::string_view figureWidthId(FigureWidth width) { return width == FigureWidth::oneColumn ? "one" : "two"; }
+
+nlohmann::ordered_json toJson(const FigureDescription& description) {
+  nlohmann::ordered_json json{{"format", formatName}, {"version", FigureDescription::currentVersion}};
+  if (!description.title.empty()) json["title"] = description.title;
+  json["columns"] = figureWidthId(description.width);
+  json["font"] = description.font;
+  if (description.fontSize > 0) json["fontSize"] = description.fontSize;
+  for (const FigureMaterial& material : description.materials) {
+    nlohmann::ordered_json& one = json["materials"].emplace_back();
+    one["path"] = material.path;
+    if (!material.label.empty()) one["label"] = material.label;
+  }
+  for (const FigureRepresentation& representation : description.representations) {
+    nlohmann::ordered_json& one = json["representations"].emplace_back();
+    one["id"] = representation.representation.id;
+    if (study::needsBudget(representation.representation.id)) one["budget"] = int(representation.representation.budget);
+    if (!representation.label.empty()) one["label"] = representation.label;
+  }
+  json["pictures"] = toJson(description.pictures);
+  json["numbers"] = description.numbers;
+  if (description.inset)
+    json["inset"] = {{"x", description.inset->x}, {"y", description.inset->y}, {"size", description.inset->size}};
+  json["errorMaps"] = description.errorMaps;
+  if (description.errorMaximum) json["errorMaximum"] = *description.errorMaximum;
+  return json;
+}
+
+FigureDescription figureFromJson(const nlohmann::json& json) {
+  const JsonObject root(json, "");
+  if (root.text("format") != formatName) root.fail("format", "\"gonio figure\"");
+  if (root.number("version", 1, 1e6) != FigureDescription::currentVersion)
+    root.fail("version", "1, the only version that this program reads");
+  root.expectOnly({"format", "version", "title", "columns", "font", "fontSize", "materials", "representations",
+                   "pictures", "numbers", "inset", "errorMaps", "errorMaximum"});
+  FigureDescription description;
+  description.title = textOr(root, "title", "");
+  description.width = FigureWidth(
+      choiceOr(root, "columns", figureWidthId(FigureWidth::oneColumn), figureWidthId(FigureWidth::twoColumns), 1));
+  description.font = textOr(root, "font", description.font);
+  description.fontSize = numberOr(root, "fontSize", minFontSize, maxFontSize, 0);
+  eachOf(root, "materials", maxMaterials, [&](const nlohmann::json& one, const std::string& where) {
+    description.materials.push_back(materialFrom(one, where));
+  });
+  eachOf(root, "representations", maxRepresentations, [&](const nlohmann::json& one, const std::string& where) {
+    description.representations.push_back(representationFrom(one, where));
+  });
+  if (root.contains("pictures")) description.pictures = picturesFrom(root.object("pictures"));
+  if (root.contains("numbers")) {
+    description.numbers.clear();
+    if (!root.array("numbers").empty())
+      eachOf(root, "numbers", maxNumbers, [&](const nlohmann::json& one, const std::string& where) {
+        description.numbers.push_back(numberFrom(one, where));
+      });
+  }
+  if (root.contains("inset")) description.inset = insetFrom(root.object("inset"));
+  if (root.contains("errorMaps")) description.errorMaps = root.flag("errorMaps");
+  if (root.contains("errorMaximum")) description.errorMaximum = root.number("errorMaximum", 1e-9, 1e9);
+  return description;
+}
+
+void checkFigure(const FigureDescription& description) { figureFromJson(toJson(description)); }
+
+FigureDescription readFigureDescription(const fs::path& path) {
+  return namingFile(path, [&] {
+    FigureDescription description = figureFromJson(io::parseJson(io::readText(path)));
+    eachPath(description, [&](std::string& name) { name = (path.parent_path() / name).string(); });
+    return description;
+  });
+}
+
+std::string figureDescriptionText(const FigureDescription& description, const fs::path& path) {
+  FigureDescription written = description;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path());
+  eachPath(written, [&](std::string& name) {
+    const fs::path absolute = fs::weakly_canonical(fs::absolute(name));
+    const fs::path relative = absolute.lexically_relative(folder);
+    name = relative.empty() || *relative.begin() == ".." ? absolute.string() : relative.generic_string();
+  });
+  return toJson(written).dump(2) + "\n";
+}
+
+std::vector<std::string> figureSources(const FigureDescription& description) {
+  FigureDescription copy = description;
+  std::vector<std::string> sources;
+  eachPath(copy, [&](const std::string& name) { sources.push_back(name); });
+  return sources;
+}
+
+Scene figureScene(const FigurePictures& pictures) {
+  Scene scene =
+      pictures.scene.empty() || pictures.scene == comparisonSceneName ? comparisonScene() : openScene(pictures.scene);
+  if (!pictures.environment.empty()) scene.environment = openEnvironment(pictures.environment);
+  return scene;
+}
+
+}  // namespace gonio::figures
