@@ -22,6 +22,7 @@ struct DictionaryArguments {
   std::vector<std::string> sources, excluded;
   std::string out, checkpoint;
   TrainingOptions training;
+  bool onlyComplete = false;
 };
 
 /// What makes two trainings the same, for a checkpoint.
@@ -62,6 +63,8 @@ int train(const DictionaryArguments& options, const Tool& tool) {
   const std::vector<std::string> files = editing::trainingFiles(options.sources, options.excluded);
   const TrainingMaterials materials = editing::trainingMaterials(files, editing::trainingGrid(files));
   const TrainingResult result = trainWithCheckpoints(options, materials, tool);
+  if (options.onlyComplete && !result.complete)
+    throw Error(options.out + ": not written, the training was interrupted");
   materials::writeDictionary(result.ensemble, options.out);
   Json ensembles = Json::array();
   std::string text;
@@ -153,6 +156,8 @@ void addTrain(CLI::App& app, Tool& tool) {
   command->add_option("--seed", training.seed, "Seed of the initial partition (1)");
   command->add_option("--checkpoint", options->checkpoint,
                       "File for the training state; if it exists, training resumes from it");
+  command->add_flag("--only-complete", options->onlyComplete,
+                    "Write nothing after an interrupt (the best dictionary so far)");
   command->callback([options, &tool] { tool.run = [options, &tool] { return train(*options, tool); }; });
 }
 

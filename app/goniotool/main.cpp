@@ -64,7 +64,8 @@ int parseAndWork(int argc, char** argv) {
        {tool::addInfo,        tool::addEvaluate, tool::addCheck,      tool::addConvert,     tool::addFit,
         tool::addEdit,        tool::addFactor,   tool::addDictionary, tool::addEncode,      tool::addDecode,
         tool::addInterpolate, tool::addPlan,     tool::addMeasure,    tool::addReconstruct, tool::addExport,
-        tool::addRender,      tool::addScenes,   tool::addCompare,    tool::addStudy,       tool::addFigure})
+        tool::addRender,      tool::addScenes,   tool::addCompare,    tool::addStudy,       tool::addMerge,
+        tool::addFigure})
     add(app, tool);
   try {
     app.parse(argc, argv);

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include "app/goniotool/interrupt.h"
 #include "app/goniotool/materials.h"
-#include "app/goniotool/study_report.h"
+#include "app/goniotool/study_output.h"
+#include "app/goniotool/study_shards.h"
 #include "core/documents/training_files.h"
 #include "core/models/registry.h"
 #include "core/study/accuracy_study.h"
-#include "core/study/pareto.h"
-#include "core/study/study_axis.h"
 #include "core/study/study_csv.h"
 
 namespace gonio::tool {
@@ -22,17 +23,12 @@ namespace fs = std::filesystem;
 using namespace study;
 
 struct StudyArguments {
-  std::vector<std::string> materials, representations, models, componentsFrom;
-  std::string out, dictionary;
+  std::vector<std::string> materials, representations, models, componentsFrom, dictionaries;
+  std::string out, shard;
   RepresentationChoice choice;
   Budget budget;
   int size = 128, samples = 32;
-};
-
-/// One material with its records.
-struct Studied {
-  std::string name;
-  std::vector<StudyRecord> records;
+  bool withoutTimes = false, resume = false;
 };
 
 RepresentationChoice choiceOf(const StudyArguments& options) {
@@ -47,125 +43,125 @@ RepresentationChoice choiceOf(const StudyArguments& options) {
   return choice;
 }
 
-StudyOptions studyOptions(const StudyArguments& options, RepresentationChoice& choice, const TaskControl& control) {
-  StudyOptions study;
-  study.picture.width = study.picture.height = options.size;
-  study.picture.samples = options.samples;
-  if (!options.dictionary.empty()) study.build.dictionary = materials::readDictionary(options.dictionary);
-  if (!std::ranges::count(choice.families, RepresentationFamily::components)) return study;
-  if (options.componentsFrom.empty())
-    throw UsageError("study: no basis of principal components is shipped; give --components-from FOLDER");
-  const auto materials = editing::trainingMaterials(editing::trainingFiles(options.componentsFrom));
-  const dictionary::PcaOptions pca{.maxComponents = *std::ranges::max_element(choice.components)};
-  study.build.components = std::make_shared<const dictionary::PrincipalComponents>(
-      dictionary::learnPrincipalComponents(materials.names.size(), materials.load, pca, control));
-  std::erase_if(choice.components, [&](int count) { return count > study.build.components->count(); });
-  return study;
-}
+std::string stemOf(const std::string& material) { return fs::path(material).stem().string(); }
 
-void checkOptions(const StudyArguments& options) {
+/// The materials, those of folders too.
+std::vector<std::string> materialsOf(const StudyArguments& options) {
   for (const std::string& id : options.representations) familyById(id);
+  if (options.withoutTimes && options.budget.frameMilliseconds)
+    throw UsageError("study: --max-frame-ms needs times; leave out --no-times");
+  std::vector<std::string> materials = editing::trainingFiles(options.materials);
   std::set<std::string> names{"summary"};
-  for (const std::string& material : options.materials)
-    if (const std::string name = fs::path(material).stem().string(); !names.insert(name).second)
+  if (!options.shard.empty()) names.insert(shardStem);
+  for (const std::string& material : materials)
+    if (const std::string name = stemOf(material); !names.insert(name).second)
       throw UsageError("study: two results have the same name " + name + " in " + options.out);
+  return materials;
 }
 
-Studied studyOne(const std::string& path, std::span<const Representation> representations, const StudyOptions& study,
-                 const Tool& tool, const std::stop_token& stop) {
-  const materials::Material material = openMaterial(path, tool.control("reading " + path));
-  const auto table = material.tabulated(tool.control("tabulating"));
-  TaskControl control = tool.control("studying " + material.name);
-  control.stop = stop;
-  return {material.name, runStudy({table, material.brdf}, representations, study, control)};
-}
-
-/// What is reported at the end, gathered material by material.
-class StudyOutput {
+/// One study: what all its materials share.
+class MaterialStudy {
  public:
-  StudyOutput(const StudyArguments& options, std::string pictures)
-      : options_(options), pictures_(std::move(pictures)) {}
-
-  void add(const std::string& path, const Studied& studied) {
-    const Json records = recordsJson(studied.records);
-    write(fs::path(path).stem(), studied.name, studied.records, records);
-    for (const Json& record : records) {
-      records_.push_back({{"material", studied.name}});
-      records_.back().update(record);
+  MaterialStudy(const StudyArguments& options, const Tool& tool) : options_(options), tool_(tool) {
+    RepresentationChoice choice = choiceOf(options);
+    study_.picture.width = study_.picture.height = options.size;
+    study_.picture.samples = options.samples;
+    study_.timed = !options.withoutTimes;
+    if (std::ranges::count(choice.families, RepresentationFamily::components)) learnComponents(choice);
+    for (const std::string& path : options.dictionaries) {
+      dictionaries_.push_back(materials::readDictionary(path));
+      training_.dictionaries.push_back(hexText(dictionaries_.back()->id));
     }
-    text_ += studied.name + "\n" + recordsText(studied.records);
-    choose(studied);
-    all_.push_back(studied.records);
+    representations_ = representationsOf(choice);
+    facts_ = studyFacts(picturesText(options.size, options.size, options.samples),
+                        options.withoutTimes ? buildFacts() : machineFacts(), representations_, training_);
   }
 
-  void end(const Tool& tool, bool complete, double seconds) {
-    const std::vector<StudySummary> summary = summarise(all_);
-    const Json summaryRecords = summaryJson(summary);
-    if (all_.size() > 1) {
-      std::vector<StudyRecord> medians;
-      medians.reserve(summary.size());
-      for (const StudySummary& one : summary) medians.push_back(one.median);
-      const std::string title = "median of " + std::to_string(all_.size()) + " materials";
-      write("summary", title, medians, summaryRecords);
-      text_ += title + "\n" + recordsText(medians);
-    }
-    Json json{{"records", records_}, {"summary", summaryRecords}};
-    if (!chosen_.empty()) json["chosen"] = chosen_;
-    json.update({{"complete", complete},
-                 {"pictures", pictures_},
-                 {"machine", machineJson(machine_)},
-                 {"seconds", seconds},
-                 {"out", options_.out}});
-    for (const std::string& line : machineLines(machine_)) text_ += line + "\n";
-    print(tool, json, text_);
+  const StudyFacts& facts() const { return facts_; }
+
+  /// Measured now, or read where --resume finds it done. Its files are written.
+  StudiedMaterial result(const std::string& path, const std::stop_token& stop) {
+    const materials::Material material = openMaterial(path, tool_.control("reading " + path));
+    const std::string stem = stemOf(path), source = material.source.sha256;
+    if (options_.resume)
+      if (auto done = finishedStudy(options_.out, stem, source, facts_)) return *std::move(done);
+    study_.build.dictionary = dictionaryFor(stem);
+    const auto table = material.tabulated(tool_.control("tabulating"));
+    TaskControl control = tool_.control("studying " + material.name);
+    control.stop = stop;
+    StudiedMaterial studied{stem, material.name, source,
+                            runStudy({table, material.brdf}, representations_, study_, control)};
+    if (options_.withoutTimes) eraseTimes(studied.records);
+    writeMaterialStudy(options_.out, studied, facts_);
+    return studied;
   }
 
  private:
-  void write(const fs::path& stem, const std::string& title, std::span<const StudyRecord> records,
-             const Json& recordsAsJson) const {
-    writeStudy(fs::path(options_.out) / stem, {title, pictures_, machine_}, records, recordsAsJson);
+  void learnComponents(RepresentationChoice& choice) {
+    if (options_.componentsFrom.empty())
+      throw UsageError("study: no basis of principal components is shipped; give --components-from FOLDER");
+    const auto materials = editing::trainingMaterials(editing::trainingFiles(options_.componentsFrom));
+    const dictionary::PcaOptions pca{.maxComponents = *std::ranges::max_element(choice.components)};
+    study_.build.components =
+        std::make_shared<const dictionary::PrincipalComponents>(dictionary::learnPrincipalComponents(
+            materials.names.size(), materials.load, pca, tool_.control("learning principal components")));
+    std::erase_if(choice.components, [&](int count) { return count > study_.build.components->count(); });
+    training_.components = materials.names;
   }
 
-  /// The best within the limits, where there are some.
-  void choose(const Studied& studied) {
-    const Budget& budget = options_.budget;
-    if (!budget.frameMilliseconds && !budget.renderedSnr && !budget.bytes) return;
-    const auto best = bestWithin(studied.records, budget);
-    const Representation* representation = best ? &studied.records[*best].representation : nullptr;
-    Json chosen(nullptr);
-    if (representation) chosen = {{"representation", representation->id}, {"budget", representation->budget}};
-    chosen_.push_back({{"material", studied.name}, {"best", chosen}});
-    text_ += representation ? "best within the limits: " + representation->fullLabel() + "\n"
-                            : "no representation meets the limits\n";
+  /// Of several the first that has not learned from the material.
+  std::shared_ptr<const materials::NamedEnsemble> dictionaryFor(const std::string& name) const {
+    if (dictionaries_.size() < 2) return dictionaries_.empty() ? nullptr : dictionaries_.front();
+    for (const auto& dictionary : dictionaries_)
+      if (!std::ranges::count(dictionary->ensemble.learnedFrom, name)) return dictionary;
+    throw Error(name + ": every dictionary has learned from this material, expected one that has not");
+  }
+
+  static std::string hexText(std::uint64_t id) {
+    char text[20];
+    return {text, std::size_t(std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(id)))};
+  }
+
+  static void eraseTimes(std::vector<StudyRecord>& records) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    for (StudyRecord& record : records) {
+      record.encodeSeconds = record.frameMilliseconds = none;
+      record.evaluation = {none, none, none};
+    }
   }
 
   const StudyArguments& options_;
-  std::string pictures_, text_;
-  MachineFacts machine_ = machineFacts();
-  std::vector<std::vector<StudyRecord>> all_;
-  Json records_ = Json::array(), chosen_ = Json::array();
+  const Tool& tool_;
+  StudyOptions study_;
+  std::vector<std::shared_ptr<const materials::NamedEnsemble>> dictionaries_;
+  StudyTraining training_;
+  std::vector<Representation> representations_;
+  StudyFacts facts_;
 };
-
-void makeFolder(const std::string& path) {
-  std::error_code cause;
-  fs::create_directories(path, cause);
-  if (!fs::is_directory(path)) throw Error(path + ": the folder cannot be created: " + cause.message());
-}
 
 int study(const StudyArguments& options, const Tool& tool) {
   using Clock = std::chrono::steady_clock;
-  checkOptions(options);
+  const std::vector<std::string> materials = materialsOf(options);
+  const Shard shard = options.shard.empty() ? Shard{} : parseShard(options.shard);
   makeFolder(options.out);
   const auto start = Clock::now();
-  RepresentationChoice choice = choiceOf(options);
-  const StudyOptions studying = studyOptions(options, choice, tool.control("learning principal components"));
-  const std::vector<Representation> representations = representationsOf(choice);
-  StudyOutput output(options, picturesText(options.size, options.size, options.samples));
+  MaterialStudy studying(options, tool);
+  StudyOutput output(options.out, studying.facts(), options.budget);
   const StopOnInterrupt interrupt;
-  for (const std::string& path : options.materials)
-    if (!interrupt.token().stop_requested())
-      output.add(path, studyOne(path, representations, studying, tool, interrupt.token()));
-  output.end(tool, !interrupt.token().stop_requested(), std::chrono::duration<double>(Clock::now() - start).count());
+  const auto stopped = [&] { return interrupt.token().stop_requested(); };
+  for (std::size_t i = 0; i < materials.size() && !stopped(); ++i)
+    if (shard.contains(i)) output.add(studying.result(materials[i], interrupt.token()));
+  const bool complete = !stopped();
+  Json further = Json::object();
+  if (options.shard.empty()) {
+    output.writeSummary();
+  } else {
+    further = {{"shard", shard.number}, {"shards", shard.count}};
+    std::vector<std::string> stems;
+    std::ranges::transform(materials, std::back_inserter(stems), stemOf);
+    if (complete) writeShard(options.out, shard, stems, studying.facts());
+  }
+  output.print(tool, complete, std::chrono::duration<double>(Clock::now() - start).count(), further);
   return 0;
 }
 
@@ -174,7 +170,8 @@ int study(const StudyArguments& options, const Tool& tool) {
 void addStudy(CLI::App& app, Tool& tool) {
   const auto options = std::make_shared<StudyArguments>();
   CLI::App* command = app.add_subcommand("study", "Measures accuracy and cost of every representation of materials");
-  command->add_option("MATERIAL", options->materials, materialHelp)->required();
+  command->add_option("MATERIAL", options->materials, std::string(materialHelp) + ", or a folder of measured files")
+      ->required();
   command->add_option("--out", options->out, "Folder for JSON, CSV and SVG files, created if needed")->required();
   command
       ->add_option(
@@ -190,7 +187,12 @@ void addStudy(CLI::App& app, Tool& tool) {
                    "Coefficients per channel of the codes (32,64,..,2048)")
       ->delimiter(',')
       ->check(CLI::Range(1, maxCodeCoefficients));
-  command->add_option("--dictionary", options->dictionary, "Dictionary file of the codes (bundled dictionary)");
+  command
+      ->add_option("--dictionary", options->dictionaries,
+                   "Dictionary file of the codes (bundled dictionary); of several, each material is encoded in the "
+                   "first that has not learned from it")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command
       ->add_option("--components-from", options->componentsFrom,
                    "Training set of principal components, files or folders (none)")
@@ -200,6 +202,10 @@ void addStudy(CLI::App& app, Tool& tool) {
       ->check(CLI::PositiveNumber);
   command->add_option("--size", options->size, "Size of the pictures, pixels (128)")->check(CLI::Range(1, 8192));
   command->add_option("--samples", options->samples, "Samples per pixel (32)")->check(CLI::Range(1, 1 << 20));
+  command->add_flag("--no-times", options->withoutTimes, "Measure no times: the same bits in every run");
+  command->add_option("--shard", options->shard,
+                      "I/N: every Nth material from the Ith; goniotool merge joins the shards");
+  command->add_flag("--resume", options->resume, "Keep results in the folder that come from the same study");
   command->add_option("--max-frame-ms", options->budget.frameMilliseconds,
                       "Max. frame time of the best representation, ms");
   command->add_option("--min-snr", options->budget.renderedSnr, "Min. rendered SNR of the best representation, dB");

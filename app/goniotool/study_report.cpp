@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
-#include "core/io/atomic_file.h"
-#include "core/study/study_csv.h"
-#include "core/study/study_plot.h"
+#include "core/metrics/brdf_metric.h"
+#include "core/study/study_axis.h"
 
 namespace gonio::tool {
 
@@ -32,16 +32,48 @@ Json recordJson(const StudyRecord& record) {
           {"bytes", record.bytes}};
 }
 
+/// null is not a number.
+double numberOf(const Json& json) { return json.is_null() ? std::nan("") : json.get<double>(); }
+
+StudyRecord recordOf(const Json& json) {
+  StudyRecord record{.representation = {.family = familyById(json.at("family").get<std::string>()),
+                                        .id = json.at("representation"),
+                                        .label = json.at("label"),
+                                        .budget = json.at("budget"),
+                                        .budgetText = json.at("budgetText")},
+                     .bytes = json.at("bytes"),
+                     .encodeSeconds = numberOf(json.at("encodeSeconds"))};
+  const Json& quartiles = json.at("evaluationQuartilesNs");
+  record.evaluation = {numberOf(json.at("evaluationNs")), numberOf(quartiles.at(0)), numberOf(quartiles.at(1))};
+  record.frameMilliseconds = numberOf(json.at("frameMs"));
+  for (const metrics::MetricRecord& metric : metrics::metricRecords())
+    record.errors.push_back(numberOf(json.at("errors").at(std::string(metric.id))));
+  record.renderedSnr =
+      json.at("identical").get<bool>() ? std::numeric_limits<double>::infinity() : numberOf(json.at("renderedSnr"));
+  return record;
+}
+
+std::string cell(double value, const char* format) {
+  if (std::isnan(value)) return "-";
+  char text[40];
+  return {text, std::size_t(std::snprintf(text, sizeof text, format, value))};
+}
+
 }  // namespace
 
 Json machineJson(const MachineFacts& machine) {
-  return {{"processor", machine.processor},
-          {"cores", machine.cores},
-          {"threads", machine.threads},
-          {"version", machine.version},
-          {"compiler", machine.compiler},
-          {"flags", machine.flags},
-          {"date", machine.date}};
+  Json json = Json::object();
+  if (!machine.processor.empty())
+    json = {{"processor", machine.processor}, {"cores", machine.cores}, {"threads", machine.threads}};
+  json.update({{"version", machine.version}, {"compiler", machine.compiler}, {"flags", machine.flags}});
+  if (!machine.date.empty()) json["date"] = machine.date;
+  return json;
+}
+
+std::vector<StudyRecord> recordsOf(const Json& json) {
+  std::vector<StudyRecord> records;
+  for (const Json& record : json) records.push_back(recordOf(record));
+  return records;
 }
 
 Json recordsJson(std::span<const StudyRecord> records) {
@@ -73,27 +105,13 @@ std::string recordsText(std::span<const StudyRecord> records) {
                 "frame, ms", "bytes", "encode, s");
   std::string text = line;
   for (const StudyRecord& record : records) {
-    std::snprintf(line, sizeof line, "  %-52s %9.2f %11.1f %9.2f %9s %9.3g\n",
-                  record.representation.fullLabel().c_str(), record.renderedSnr, record.evaluation.median,
-                  record.frameMilliseconds, shortNumber(double(record.bytes)).c_str(), record.encodeSeconds);
+    std::snprintf(line, sizeof line, "  %-52s %9s %11s %9s %9s %9s\n", record.representation.fullLabel().c_str(),
+                  cell(record.renderedSnr, "%.2f").c_str(), cell(record.evaluation.median, "%.1f").c_str(),
+                  cell(record.frameMilliseconds, "%.2f").c_str(), shortNumber(double(record.bytes)).c_str(),
+                  cell(record.encodeSeconds, "%.3g").c_str());
     text += line;
   }
   return text;
-}
-
-void writeStudy(const std::filesystem::path& stem, const StudyTitle& title, std::span<const StudyRecord> records,
-                const Json& recordsAsJson) {
-  const auto file = [&](const char* suffix) { return std::filesystem::path(stem.string() + suffix); };
-  const Json json{{"material", title.material},
-                  {"pictures", title.pictures},
-                  {"machine", machineJson(title.machine)},
-                  {"records", recordsAsJson}};
-  io::writeFileAtomically(file(".json"), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  io::writeFileAtomically(
-      file(".csv"), plots::toCsv(studyCsv("material: " + title.material, records, title.machine, title.pictures)));
-  std::vector<std::string> notes = machineLines(title.machine);
-  notes.push_back("pictures and frames: " + title.pictures);
-  io::writeFileAtomically(file(".svg"), studySvg(title.material, records, allCostAxes(), notes));
 }
 
 }  // namespace gonio::tool

@@ -32,21 +32,28 @@ std::string dateNow() {
 }  // namespace
 
 MachineFacts machineFacts() {
-  return {.processor = processorName(),
-          .cores = int(std::thread::hardware_concurrency()),
-          .threads = threadCount(),
-          .version = buildVersion,
-          .compiler = buildCompiler,
-          .flags = buildFlags,
-          .date = dateNow()};
+  MachineFacts facts = buildFacts();
+  facts.processor = processorName();
+  facts.cores = int(std::thread::hardware_concurrency());
+  facts.threads = threadCount();
+  facts.date = dateNow();
+  return facts;
+}
+
+MachineFacts buildFacts() {
+  return {.processor = {}, .version = buildVersion, .compiler = buildCompiler, .flags = buildFlags, .date = {}};
 }
 
 std::vector<std::string> machineLines(const MachineFacts& facts) {
   const auto counted = [](int count, const char* what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
   };
-  return {facts.processor + ", " + counted(facts.cores, "core") + ", " + counted(facts.threads, "thread"),
-          "Gonio " + facts.version + ", " + facts.compiler + ", " + facts.flags, facts.date};
+  std::vector<std::string> lines;
+  if (!facts.processor.empty())
+    lines.push_back(facts.processor + ", " + counted(facts.cores, "core") + ", " + counted(facts.threads, "thread"));
+  lines.push_back("Gonio " + facts.version + ", " + facts.compiler + ", " + facts.flags);
+  if (!facts.date.empty()) lines.push_back(facts.date);
+  return lines;
 }
 
 }  // namespace gonio::study

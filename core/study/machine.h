@@ -21,7 +21,10 @@ struct MachineFacts {
 /// Of this process now; `threads` those of the calling thread.
 MachineFacts machineFacts();
 
-/// For people: processor with its cores and threads; program and build; date.
+/// The same of the program alone, for results without times: neither processor nor date.
+MachineFacts buildFacts();
+
+/// For people: processor with its cores and threads; program and build; date. What is empty is left out.
 std::vector<std::string> machineLines(const MachineFacts& facts);
 
 }  // namespace gonio::study

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: The Gonio authors
+#include <signal.h>
+
 #include <QTest>
 #include <cmath>
 
@@ -100,6 +102,26 @@ class GoniotoolDictionaryTest : public QObject {
     VERIFY_SUCCESS(target);
     QVERIFY2(target.json["renderedSnr"].get<double>() >= 15 || target.json["coefficients"].get<int>() == 12,
              qPrintable(target.out));
+  }
+
+  /// With --only-complete.
+  void anInterruptedTrainingWritesNothing() {
+    const QString out = folder_.path("never.dictionary");
+    QProcess process;
+    process.start(GONIO_TOOL, {"dictionary", "train", merl_, "--subspace-loss", "1e-9", "--tolerance", "0",
+                               "--iterations", "10000", "--only-complete", "--progress", "--out", out});
+    QVERIFY(process.waitForStarted());
+    process.setReadChannel(QProcess::StandardError);
+    QString error;
+    // Behind 15 % the first dictionaries are learned, for minutes.
+    while (!error.contains(" 15 %") && process.waitForReadyRead(60000)) error += process.readAllStandardError();
+    QTest::qWait(300);
+    ::kill(pid_t(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitCode(), 1);
+    error += process.readAllStandardError();
+    QVERIFY2(error.contains("never.dictionary: not written"), qPrintable(error));
+    QVERIFY(!QFile::exists(out));
   }
 
   void zEveryKeyIsDocumented() {

@@ -176,6 +176,9 @@ class StudyReportTest : public QObject {
     QVERIFY(!facts.processor.empty() && facts.cores > 0 && facts.threads > 0 && facts.threads <= facts.cores);
     QVERIFY(!facts.version.empty() && !facts.compiler.empty() && !facts.flags.empty());
     QVERIFY(QDateTime::fromString(QString::fromStdString(facts.date), Qt::ISODate).isValid());
+    QCOMPARE(machineLines(facts).size(), std::size_t(3));
+    // Of the program alone: the same line, without processor and date.
+    QVERIFY(machineLines(buildFacts()) == std::vector<std::string>{machineLines(facts)[1]});
     const ThreadLimit limit(1);
     QCOMPARE(machineFacts().threads, 1);
   }

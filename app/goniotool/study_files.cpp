@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/study_files.h"
+
+#include "app/goniotool/study_report.h"
+#include "core/io/atomic_file.h"
+#include "core/io/csv_text.h"
+#include "core/io/json_text.h"
+#include "core/metrics/brdf_metric.h"
+#include "core/study/study_csv.h"
+#include "core/study/study_plot.h"
+#include "core/support/naming_file.h"
+
+namespace gonio::tool {
+
+namespace {
+
+using namespace study;
+namespace fs = std::filesystem;
+
+fs::path fileOf(const fs::path& folder, const std::string& stem, const char* suffix) {
+  return folder / (stem + suffix);
+}
+
+Json machineWithoutDate(const MachineFacts& machine) {
+  Json json = machineJson(machine);
+  json.erase("date");
+  return json;
+}
+
+/// `head`: the first members of the JSON file.
+void write(const fs::path& folder, const std::string& stem, Json head, std::span<const StudyRecord> records,
+           const Json& recordsAsJson, const StudyFacts& facts) {
+  const std::string title = head["material"];
+  head.update({{"pictures", facts.pictures},
+               {"settings", Json::parse(facts.settings)},
+               {"machine", machineJson(facts.machine)},
+               {"records", recordsAsJson}});
+  std::vector<std::string> notes = machineLines(facts.machine);
+  notes.push_back("pictures and frames: " + facts.pictures);
+  const std::vector<StudyAxes> axes =
+      facts.timed() ? allCostAxes() : std::vector<StudyAxes>{{.cost = Cost::bytes, .quality = {}}};
+  const std::string json = head.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string csv = plots::toCsv(studyCsv("material: " + title, records, facts.machine, facts.pictures));
+  const std::string svg = studySvg(title, records, axes, notes);
+  const auto content = [&](const char* suffix, const std::string& text) {
+    return io::FileContent{fileOf(folder, stem, suffix), std::as_bytes(std::span(text))};
+  };
+  // The JSON file is renamed last: where it exists, the others do too.
+  const std::vector files{content(".csv", csv), content(".svg", svg), content(".json", json)};
+  io::writeFilesAtomically(files);
+}
+
+MachineFacts machineOf(const Json& json) {
+  MachineFacts facts{.processor = json.value("processor", ""),
+                     .version = json.at("version"),
+                     .compiler = json.at("compiler"),
+                     .flags = json.at("flags"),
+                     .date = json.value("date", "")};
+  facts.cores = json.value("cores", 0);
+  facts.threads = json.value("threads", 0);
+  return facts;
+}
+
+}  // namespace
+
+StudyFacts studyFacts(const std::string& pictures, const MachineFacts& machine,
+                      std::span<const Representation> representations, const StudyTraining& training) {
+  StudyFacts facts{pictures, machine, {}};
+  Json names = Json::array();
+  for (const Representation& r : representations) names.push_back(r.id + " " + io::decimalText(r.budget, 0));
+  const Json settings{{"pictures", pictures},
+                      {"times", facts.timed()},
+                      {"machine", machineWithoutDate(machine)},
+                      {"dictionaries", training.dictionaries},
+                      {"components", training.components},
+                      {"representations", names}};
+  facts.settings = settings.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return facts;
+}
+
+void writeMaterialStudy(const fs::path& folder, const StudiedMaterial& material, const StudyFacts& facts) {
+  write(folder, material.stem, {{"material", material.name}, {"source", material.source}}, material.records,
+        recordsJson(material.records), facts);
+}
+
+void writeSummary(const fs::path& folder, const std::string& title, std::span<const StudyRecord> medians,
+                  const Json& records, const StudyFacts& facts) {
+  write(folder, "summary", {{"material", title}}, medians, records, facts);
+}
+
+Json readOrderedJson(const fs::path& path) {
+  const std::string text = io::readText(path);
+  io::parseJson(text);  // for the limit of its depth; its members are sorted
+  return Json::parse(text);
+}
+
+ReadStudy readMaterialStudy(const fs::path& folder, const std::string& stem) {
+  const fs::path path = fileOf(folder, stem, ".json");
+  return namingFile(path, [&] {
+    try {
+      const Json json = readOrderedJson(path);
+      return ReadStudy{{stem, json.at("material"), json.at("source"), recordsOf(json.at("records"))},
+                       {json.at("pictures"), machineOf(json.at("machine")), json.at("settings").dump()}};
+    } catch (const Json::exception& error) {
+      throw Error(std::string("not the result of a study that can be joined: ") + error.what());
+    }
+  });
+}
+
+std::optional<StudiedMaterial> finishedStudy(const fs::path& folder, const std::string& stem, const std::string& source,
+                                             const StudyFacts& facts) {
+  if (!fs::exists(fileOf(folder, stem, ".json"))) return std::nullopt;
+  try {
+    ReadStudy found = readMaterialStudy(folder, stem);
+    const bool same = found.facts.settings == facts.settings && found.material.source == source;
+    if (same && found.material.records.size() == Json::parse(facts.settings)["representations"].size())
+      return std::move(found.material);
+  } catch (const Error&) {  // measured again
+  }
+  return std::nullopt;
+}
+
+}  // namespace gonio::tool

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/goniotool/study_files.h"
+#include "core/study/pareto.h"
+
+namespace gonio::tool {
+
+/// @throws Error naming the folder.
+void makeFolder(const std::string& path);
+
+/// What a study reports at the end, gathered material by material.
+class StudyOutput {
+ public:
+  StudyOutput(std::string folder, StudyFacts facts, const study::Budget& budget = {})
+      : folder_(std::move(folder)), facts_(std::move(facts)), budget_(budget) {}
+
+  void add(const StudiedMaterial& material);
+  /// The files of the medians, where there are several materials.
+  void writeSummary();
+  /// `further`: members after those of every study.
+  void print(const Tool& tool, bool complete, double seconds, const Json& further = Json::object());
+
+ private:
+  /// The best within the limits, where there are some.
+  void choose(const StudiedMaterial& material);
+
+  std::string folder_;
+  StudyFacts facts_;
+  study::Budget budget_;
+  std::string text_;
+  std::vector<std::vector<study::StudyRecord>> all_;
+  Json records_ = Json::array(), chosen_ = Json::array();
+};
+
+}  // namespace gonio::tool

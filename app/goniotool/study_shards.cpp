@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#include "app/goniotool/study_shards.h"
+
+#include <map>
+
+#include "core/io/atomic_file.h"
+#include "core/io/csv_text.h"
+#include "core/support/naming_file.h"
+
+namespace gonio::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ShardFile {
+  fs::path folder;
+  Shard shard;
+  std::vector<std::string> stems;
+  std::string settings;
+};
+
+fs::path shardPath(const fs::path& folder) { return folder / (std::string(shardStem) + ".json"); }
+
+ShardFile readShard(const fs::path& folder) {
+  const fs::path path = shardPath(folder);
+  if (!fs::exists(path))
+    throw Error(path.string() + ": not found: goniotool study --shard writes it when the shard is complete");
+  return namingFile(path, [&] {
+    try {
+      const Json json = readOrderedJson(path);
+      ShardFile file{folder, {json.at("shard"), json.at("shards")}, json.at("materials"), json.at("settings").dump()};
+      if (file.shard.number < 1 || file.shard.number > file.shard.count)
+        throw Error("found the shard " + file.shard.text() + ", expected a number from 1 to their count");
+      return file;
+    } catch (const Json::exception& error) {
+      throw Error(std::string("not a shard of a study: ") + error.what());
+    }
+  });
+}
+
+/// "pictures "a" and "b"": the first setting that differs.
+std::string difference(const std::string& settingsA, const std::string& settingsB) {
+  const Json a = Json::parse(settingsA), b = Json::parse(settingsB);
+  for (const auto& [key, value] : a.items())
+    if (!b.contains(key) || b[key] != value)
+      return key + " " + value.dump() + " and " + (b.contains(key) ? b[key].dump() : "none");
+  return "other settings";
+}
+
+void checkSameStudy(const ShardFile& a, const ShardFile& b) {
+  const std::string folders = a.folder.string() + " and " + b.folder.string() + " are not shards of one study: ";
+  if (a.settings != b.settings) throw Error(folders + "found " + difference(a.settings, b.settings));
+  if (a.stems != b.stems) throw Error(folders + "found other materials");
+  if (a.shard.count != b.shard.count)
+    throw Error(folders + "found the shards " + a.shard.text() + " and " + b.shard.text());
+}
+
+/// By their numbers.
+std::map<std::size_t, ShardFile> completeShards(const std::vector<std::string>& folders) {
+  std::map<std::size_t, ShardFile> shards;
+  for (const std::string& folder : folders) {
+    ShardFile file = readShard(folder);
+    if (!shards.empty()) checkSameStudy(shards.begin()->second, file);
+    const auto [known, added] = shards.try_emplace(file.shard.number, file);
+    if (!added)
+      throw Error("found the shard " + file.shard.text() + " twice: " + known->second.folder.string() + " and " +
+                  file.folder.string());
+  }
+  const std::size_t count = shards.begin()->second.shard.count;
+  std::string missing;
+  for (std::size_t number = 1; number <= count; ++number)
+    if (!shards.contains(number)) missing += (missing.empty() ? "" : ", ") + Shard{number, count}.text();
+  if (!missing.empty()) throw Error("shards are missing: " + missing);
+  return shards;
+}
+
+}  // namespace
+
+Shard parseShard(const std::string& text) {
+  const auto slash = text.find('/');
+  Shard shard;
+  if (slash == std::string::npos || !CLI::detail::lexical_cast(text.substr(0, slash), shard.number) ||
+      !CLI::detail::lexical_cast(text.substr(slash + 1), shard.count) || shard.number < 1 || shard.number > shard.count)
+    throw UsageError("study: found --shard " + text + ", expected I/N with I from 1 to N");
+  return shard;
+}
+
+void writeShard(const fs::path& folder, const Shard& shard, const std::vector<std::string>& stems,
+                const StudyFacts& facts) {
+  const Json json{{"shard", shard.number},
+                  {"shards", shard.count},
+                  {"materials", stems},
+                  {"settings", Json::parse(facts.settings)}};
+  io::writeFileAtomically(shardPath(folder), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::vector<ReadStudy> joinShards(const std::vector<std::string>& folders) {
+  const std::map<std::size_t, ShardFile> shards = completeShards(folders);
+  const ShardFile& first = shards.begin()->second;
+  std::vector<ReadStudy> joined;
+  for (std::size_t i = 0; i < first.stems.size(); ++i) {
+    const fs::path& folder = shards.at(i % first.shard.count + 1).folder;
+    ReadStudy read = readMaterialStudy(folder, first.stems[i]);
+    if (read.facts.settings != first.settings)
+      throw Error((folder / first.stems[i]).string() + ".json: result of another study: found " +
+                  difference(read.facts.settings, first.settings));
+    joined.push_back(std::move(read));
+  }
+  return joined;
+}
+
+}  // namespace gonio::tool

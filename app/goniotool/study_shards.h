@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// SPDX-FileCopyrightText: The Gonio authors
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/goniotool/study_files.h"
+
+/// A study whose materials are divided among several runs.
+namespace gonio::tool {
+
+/// Number `number` of `count`, from 1. Material i of the study, from 0, belongs to shard i mod `count` + 1, so that
+/// collections that follow one another are spread evenly.
+struct Shard {
+  std::size_t number = 1, count = 1;
+
+  bool contains(std::size_t material) const { return material % count == number - 1; }
+  std::string text() const { return std::to_string(number) + "/" + std::to_string(count); }
+};
+
+/// "2/5". @throws UsageError.
+Shard parseShard(const std::string& text);
+
+inline constexpr const char* shardStem = "shard";
+
+/// Written when all materials of a shard are done. `stems` are those of the whole study, in its order.
+void writeShard(const std::filesystem::path& folder, const Shard& shard, const std::vector<std::string>& stems,
+                const StudyFacts& facts);
+
+/// The results of all materials, in the order of the study.
+/// @throws Error naming the folder or file where a shard is incomplete, missing, given twice or of another study, and
+/// where the result of a material is missing or of another study.
+std::vector<ReadStudy> joinShards(const std::vector<std::string>& folders);
+
+}  // namespace gonio::tool

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+# SPDX-FileCopyrightText: The Gonio authors
+# What all workflows share: the materials, their folds, and the needs of a job.
+import hashlib
+import shlex
+from pathlib import Path
+
+MEASURED_SUFFIXES = {".binary", ".bsdf", ".bin"}
+OUT = config["out"]
+GONIOTOOL = shlex.quote(config["goniotool"])
+
+
+def materials_of(sources):
+    """The paths by the names of the materials, in the order in which goniotool reads the sources."""
+    paths = {}
+    for source in sources:
+        folder = Path(source)
+        files = [source]
+        if folder.is_dir():
+            files = sorted(str(file) for file in folder.iterdir() if file.suffix in MEASURED_SUFFIXES)
+        for file in files:
+            if paths.setdefault(Path(file).stem, file) != file:
+                raise WorkflowError(f"two materials have the name {Path(file).stem}: {paths[Path(file).stem]}, {file}")
+    if len(paths) < 2:
+        raise WorkflowError("materials: found fewer than two, expected files, folders or bundled materials")
+    return paths
+
+
+SOURCES = config["materials"]
+MATERIALS = materials_of(SOURCES)
+# Bundled materials are no files.
+MATERIAL_FILES = [path for path in MATERIALS.values() if not path.startswith("library:")]
+SOURCE_ARGUMENTS = " ".join(shlex.quote(str(source)) for source in SOURCES)
+
+FOLDS = range(config["folds"])
+FOLD_OF = {name: i % len(FOLDS) for i, name in enumerate(MATERIALS)}
+if len(MATERIALS) <= len(FOLDS):
+    raise WorkflowError(f"folds: found {len(FOLDS)} for {len(MATERIALS)} materials, expected fewer")
+
+
+def held_out(fold):
+    """The names of a fold for --exclude."""
+    return shlex.quote(",".join(name for name in MATERIALS if FOLD_OF[name] == int(fold)))
+
+
+def threads_of(job):
+    return config["resources"][job]["threads"]
+
+
+def need(job, resource):
+    """Of the attempt: a job that ran out of memory or time gets more."""
+    return lambda wildcards, attempt: attempt * config["resources"][job][resource]
+
+
+def digest(*settings):
+    """A short name for settings."""
+    return hashlib.sha256(repr(settings).encode()).hexdigest()[:12]
+
+
+def listed(values):
+    return ",".join(str(value) for value in values)
+
+
+def shard_files(folder, count):
+    return [f"{folder}/shards/{i}-of-{count}/shard.json" for i in range(1, count + 1)]
+
+
+def shard_of(wildcards):
+    """1-of-4 as goniotool expects it."""
+    return wildcards.shard.replace("-of-", "/")
+
+
+def folder_of_output(wildcards, output):
+    return str(Path(output[0]).parent)
+
+
+wildcard_constraints:
+    fold="[0-9]+",
+    shard="[0-9]+-of-[0-9]+",
+    name="[^/]+",
+    samples="[0-9]+",
+    seed="[0-9]+",
