@@ -45,11 +45,15 @@ RepresentationChoice choiceOf(const StudyArguments& options) {
 
 std::string stemOf(const std::string& material) { return fs::path(material).stem().string(); }
 
-/// The materials, those of folders too.
-std::vector<std::string> materialsOf(const StudyArguments& options) {
+/// Before the work.
+void checkArguments(const StudyArguments& options) {
   for (const std::string& id : options.representations) familyById(id);
   if (options.withoutTimes && options.budget.frameMilliseconds)
     throw UsageError("study: --max-frame-ms needs times; leave out --no-times");
+}
+
+/// The materials, those of folders too. Each has files of its name.
+std::vector<std::string> materialsOf(const StudyArguments& options) {
   std::vector<std::string> materials = editing::trainingFiles(options.materials);
   std::set<std::string> names{"summary"};
   if (!options.shard.empty()) names.insert(shardStem);
@@ -141,6 +145,7 @@ class MaterialStudy {
 
 int study(const StudyArguments& options, const Tool& tool) {
   using Clock = std::chrono::steady_clock;
+  checkArguments(options);
   const std::vector<std::string> materials = materialsOf(options);
   const Shard shard = options.shard.empty() ? Shard{} : parseShard(options.shard);
   makeFolder(options.out);

@@ -22,7 +22,7 @@ void addImageMetrics(std::vector<FigureNumber>& numbers) {
         {.id = std::string(metric.id),
          .name = std::string(metric.name),
          .unit = "",
-         .better = metric.id == "ssim" ? Better::higher : Better::lower,
+         .better = metric.higherIsBetter ? Better::higher : Better::lower,
          .value = [compute = metric.compute](const StudiedRepresentation& studied, const Image& reference) {
            return compute(reference, studied.picture);
          }});

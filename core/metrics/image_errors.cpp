@@ -25,7 +25,7 @@ constexpr ImageMetricRecord imageRecords[] = {
      "<(2 mr mt + C1)(2 crt + C2) / ((mr^2 + mt^2 + C1)(cr + ct + C2))>",
      "Wang, Bovik, Sheikh and Simoncelli 2004, \"Image Quality Assessment: From Error Visibility to Structural "
      "Similarity\"",
-     structuralSimilarity},
+     structuralSimilarity, true},
     {"flip", "FLIP", displayDomain, "<colour error^(1 - feature error)>",
      "Andersson et al. 2020, \"FLIP: A Difference Evaluator for Alternating Images\"", flip},
     {"ciede2000", "CIEDE2000", displayDomain, "<dE00>",

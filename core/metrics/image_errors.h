@@ -19,6 +19,7 @@ struct ImageMetricRecord {
   std::string_view reference;
   /// Of linear pictures of one size. @throws Error when the sizes differ.
   double (*compute)(const Image& reference, const Image& test);
+  bool higherIsBetter = false;  ///< else 0 is best
 };
 
 /// In the order in which they are listed everywhere.

@@ -14,7 +14,9 @@ namespace {
 
 constexpr int ringStep = 15, rayStep = 30;
 constexpr double directionRadius = 4, markedDirectionRadius = 6;
-constexpr double legendRowHeight = 1.3;  // in heights of the font
+/// Of the legend, in heights of the font: a row, its first mark from the left, from an entry to the next beside the
+/// text.
+constexpr double legendRowHeight = 1.3, legendLeft = 0.8, legendEntry = 1.8;
 /// Of the ray that carries the rings' labels. Nodes of a grid have their half vector at azimuth 0: few samples lie on
 /// the other side.
 constexpr double labelAzimuth = radians(188);
@@ -136,15 +138,13 @@ int HemisphereChart::legendRows() const {
   if (m_largestPolarAngle >= halfPi) return 1;
   const double em = fontMetrics().height();
   const auto textWidth = [this](const QString& text) { return double(fontMetrics().horizontalAdvance(text)); };
-  return 0.8 * em + 3.6 * em + textWidth(tr("light")) + textWidth(tr("viewer")) + 0.9 * em + textWidth(beyondText()) >
-                 width()
-             ? 2
-             : 1;
+  const double marks = (legendLeft + 3 * legendEntry) * em;
+  return marks + textWidth(tr("light")) + textWidth(tr("viewer")) + textWidth(beyondText()) > width() ? 2 : 1;
 }
 
 void HemisphereChart::drawLegend(QPainter& painter) const {
   const PlotStyle style = PlotStyle::of(palette());
-  const double em = fontMetrics().height(), left = 0.8 * em;
+  const double em = fontMetrics().height(), left = legendLeft * em;
   double x = left, y = height() - 0.8 * em - (legendRows() - 1) * legendRowHeight * em;
   const auto entry = [&](SeriesRole role, const QString& text, void (*shape)(QPainter&, const QPointF&, double)) {
     painter.setPen(Qt::NoPen);
@@ -152,7 +152,7 @@ void HemisphereChart::drawLegend(QPainter& painter) const {
     shape(painter, QPointF(x, y), directionRadius);
     painter.setPen(style.text);
     painter.drawText(QPointF(x + 0.6 * em, y + 0.35 * em), text);
-    x += 1.8 * em + fontMetrics().horizontalAdvance(text);
+    x += legendEntry * em + fontMetrics().horizontalAdvance(text);
   };
   entry(lightRole, tr("light"), drawLight);
   entry(viewerRole, tr("viewer"), drawViewer);

@@ -126,13 +126,13 @@ void ContactSheet::drawTile(QPainter& painter, const Layout& layout, std::size_t
   const QRect place = layout.tile(int(index));
   const auto drawSquare = [&](const QPixmap& image, int top) {
     const QRect square(place.left(), top, layout.side, layout.side);
-    if (!image.isNull())
-      painter.drawPixmap(square, scaledPixmap(image, square.size() * painter.device()->devicePixelRatioF()));
-    else if (tile.picture.isNull() && top == place.top())
-      drawPlaceholder(painter, square);
+    painter.drawPixmap(square, scaledPixmap(image, square.size() * painter.device()->devicePixelRatioF()));
   };
-  drawSquare(tile.picture, place.top());
-  if (layout.scale) drawSquare(tile.map, place.top() + layout.side);
+  if (tile.picture.isNull())
+    drawPlaceholder(painter, QRect(place.topLeft(), QSize(layout.side, layout.side)));
+  else
+    drawSquare(tile.picture, place.top());
+  if (layout.scale && !tile.map.isNull()) drawSquare(tile.map, place.top() + layout.side);
   const QFont plain = painter.font();
   QFont bold = plain;
   bold.setBold(true);
