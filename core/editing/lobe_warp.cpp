@@ -33,19 +33,23 @@ HalfTurn halfTurn(const Direction& half, const glm::dvec2& scale) {
           inverse * glm::dot(half, scaled)};
 }
 
-/// The angle about the unit axis at which a direction comes down to the horizon, rad; pi where it never does.
-double angleToHorizon(const Direction& w, const Direction& axis) {
+/// The cosine of the angle, in [0, pi], about the unit axis at which a direction comes down to the horizon: 1 where it
+/// is there and would go on down, -1 where it comes there after half a turn or never.
+double cosineToHorizon(const Direction& w, const Direction& axis) {
+  // The height at the angle a is along + up cos a + ahead sin a.
   const double along = axis.z * glm::dot(axis, w), up = w.z - along, ahead = axis.x * w.y - axis.y * w.x;
   const double radius = std::hypot(up, ahead);
-  if (!(radius > 0)) return pi;
-  return std::max(0.0, std::atan2(ahead, up) + std::acos(std::clamp(lowestSine - along / radius, -1.0, 1.0)));
+  if (!(radius > 0)) return -1;
+  const double cosine = std::clamp((lowestSine - along) / radius, -1.0, 1.0), sine = std::sqrt(1 - cosine * cosine);
+  if (ahead * cosine + up * sine >= 0) return (up * cosine - ahead * sine) / radius;
+  return ahead < 0 && w.z < lowestSine ? 1 : -1;
 }
 
 HalfTurn endingAtTheHorizon(const HalfTurn& turn, const DirectionPair& pair) {
-  const double sine = glm::length(turn.axis), angle = std::atan2(sine, turn.cosine);
-  const Direction axis = turn.axis / sine;
-  const double last = std::min({angle, angleToHorizon(pair.wi, axis), angleToHorizon(pair.wo, axis)});
-  return {axis * std::sin(last), std::cos(last)};
+  const Direction axis = glm::normalize(turn.axis);
+  const double last = std::max(cosineToHorizon(pair.wi, axis), cosineToHorizon(pair.wo, axis));
+  if (last <= turn.cosine) return turn;
+  return {axis * std::sqrt(std::max(0.0, 1 - last * last)), last};
 }
 
 }  // namespace

@@ -39,6 +39,13 @@ std::vector<glm::vec3> Model::shaderParameters(const ParameterValues& parameters
   return {used.values.begin(), used.values.end()};
 }
 
+std::vector<int> Model::shaderComponents() const {
+  if (functions_.shaderParameters) return std::vector<int>(shaderParameters(defaultParameters(spec_)).size(), 3);
+  std::vector<int> components;
+  for (const ParameterSpec& parameter : spec_.parameters) components.push_back(parameter.perChannel ? 3 : 1);
+  return components;
+}
+
 std::vector<ModelLobe> Model::lobes(const ParameterValues& parameters) const {
   return functions_.lobes(clamped(spec_, parameters));
 }

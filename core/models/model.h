@@ -94,6 +94,8 @@ class Model {
   /// beforehand. The count of entries is the same for all parameters.
   /// @throws Error as instantiate().
   std::vector<glm::vec3> shaderParameters(const ParameterValues& parameters) const;
+  /// How many components each entry of shaderParameters() has: 3, or 1 where they are always equal.
+  std::vector<int> shaderComponents() const;
 
   /// Whether it is a sum of a body and lobes about the half vector, each with its widths.
   bool hasLobes() const { return functions_.lobes != nullptr; }

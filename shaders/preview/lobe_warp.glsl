@@ -10,10 +10,12 @@ vec3 turnedBy(vec3 w, vec3 axis, float cosine) {
 
 const float lowestSine = 0.01;
 
-float angleToHorizon(vec3 w, vec3 axis) {
+float cosineToHorizon(vec3 w, vec3 axis) {
   float along = axis.z * dot(axis, w), up = w.z - along, ahead = axis.x * w.y - axis.y * w.x;
-  float radius = max(length(vec2(up, ahead)), 1e-20);
-  return max(0.0, atan(ahead, up) + acos(clamp(lowestSine - along / radius, -1.0, 1.0)));
+  float inverse = inversesqrt(max(up * up + ahead * ahead, 1e-30));
+  float cosine = clamp((lowestSine - along) * inverse, -1.0, 1.0), sine = sqrt(1.0 - cosine * cosine);
+  float beyond = ahead < 0.0 && w.z < lowestSine ? 1.0 : -1.0;
+  return ahead * cosine + up * sine >= 0.0 ? (up * cosine - ahead * sine) * inverse : beyond;
 }
 
 // Where both scales are one number the compiler leaves out what only a grain needs.
@@ -23,18 +25,14 @@ void scaleHalfSlopes(inout vec3 wi, inout vec3 wo, vec2 scale) {
   vec3 scaled = vec3(scale * h.xy, h.z);
   float inverse = inversesqrt(dot(scaled, scaled));
   vec3 axis = inverse * vec3(h.y * h.z * (1.0 - scale.y), h.x * h.z * (scale.x - 1.0), h.x * h.y * (scale.y - scale.x));
-  float cosine = inverse * dot(h, scaled), part = 1.0;
-  // A loop of at most one round: software OpenGL runs the body of an `if` whether it is true or not.
+  float cosine = inverse * dot(h, scaled), inverseSine = inversesqrt(max(dot(axis, axis), 1e-30));
   float lowest = min(turnedBy(wi, axis, cosine).z, turnedBy(wo, axis, cosine).z);
-  for (int rounds = 0; rounds < 1 && lowest < lowestSine; ++rounds) {
-    float sine = max(length(axis), 1e-20);
-    vec3 unit = axis / sine;
-    float last = min(atan(sine, cosine), min(angleToHorizon(wi, unit), angleToHorizon(wo, unit)));
-    part = sin(last) / sine;
-    cosine = cos(last);
-  }
-  wi = turnedBy(wi, part * axis, cosine);
-  wo = turnedBy(wo, part * axis, cosine);
+  float last = max(cosineToHorizon(wi, axis * inverseSine), cosineToHorizon(wo, axis * inverseSine));
+  bool ends = lowest < lowestSine && last > cosine;
+  axis *= ends ? inverseSine * sqrt(max(0.0, 1.0 - last * last)) : 1.0;
+  cosine = ends ? last : cosine;
+  wi = turnedBy(wi, axis, cosine);
+  wo = turnedBy(wo, axis, cosine);
 }
 
 // `grains`: cosine and sine of the rotation of the edited and of the fitted grain.

@@ -39,7 +39,7 @@ vec3 ownForm(vec3 wi, vec3 wo) {
 }
 #endif
 #ifdef MODEL_ALONE
-uniform vec3 modelParameters[MODEL_PARAMETERS];
+MODEL_UNIFORM
 #endif
 
 // What is looked at without edits. `valid`: whether the value is known.

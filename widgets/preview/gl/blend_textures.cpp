@@ -4,7 +4,7 @@
 
 #include <cassert>
 
-#include "widgets/preview/gl/edit_chain.h"
+#include "widgets/preview/gl/model_uniforms.h"
 #include "widgets/preview/gl/shader_base.h"
 
 namespace gonio::widgets {
@@ -28,7 +28,8 @@ void setMoves(QOpenGLShaderProgram& program, const std::vector<editing::Differen
 
 void addModelAlone(const models::Model& model, const models::ParameterValues& values, QStringList& definitions,
                    QStringList& preamble) {
-  definitions << "MODEL_ALONE";
+  const ModelUniform parameters = modelUniform(model, "modelParameters");
+  definitions << "MODEL_ALONE" << parameters.definition << "MODEL_UNIFORM " + parameters.declaration;
   addModel(model, values, definitions, preamble);
 }
 

@@ -3,6 +3,7 @@
 #include "widgets/preview/gl/edit_chain.h"
 
 #include "widgets/preview/gl/lobe_stage.h"
+#include "widgets/preview/gl/model_uniforms.h"
 
 namespace gonio::widgets {
 
@@ -12,15 +13,10 @@ using editing::DifferentialEdit;
 using editing::Edit;
 using editing::FactorEdit;
 
-/// "ggx-anisotropic".
-QString modelId(const models::Model& model) {
-  return QString::fromUtf8(model.spec().id.data(), qsizetype(model.spec().id.size()));
-}
-
 /// The text of a chain while it is put together: functions that each call the one before.
 struct ChainText {
   QString uniforms, functions, steps, stage = QStringLiteral("measuredBrdf");
-  QStringList files;
+  QStringList definitions, files;
   int edits = 0, factorEdits = 0, stages = 0, lobeEdits = 0;
 
   QString nextStage() { return QStringLiteral("editStage%1").arg(stages++); }
@@ -42,8 +38,11 @@ struct ChainText {
   }
 
   void addModel(const DifferentialEdit& edit) {
-    const auto count = edit.model->shaderParameters(edit.fitted).size();
-    uniforms += QString(" uniform vec3 edited%1[%2], fitted%1[%2];").arg(edits).arg(count);
+    for (const char* state : {"edited", "fitted"}) {
+      const ModelUniform parameters = modelUniform(*edit.model, state + QString::number(edits));
+      uniforms += ' ' + parameters.declaration;
+      definitions << parameters.definition;
+    }
     files << modelFile(*edit.model);
     if (edit.composition == editing::Composition::lobes) return addLobes(edit);
     const bool additive = edit.composition == editing::Composition::additive;
@@ -87,18 +86,6 @@ QMatrix3x3 matrixOf(const glm::dmat3& columns) {
 
 }  // namespace
 
-QString modelName(const models::Model& model) { return modelId(model).replace('-', '_'); }
-
-QString modelFunction(const models::Model& model) { return "evaluate_" + modelName(model); }
-
-QString modelFile(const models::Model& model) { return "models/" + modelId(model) + ".glsl"; }
-
-void setModelParameters(QOpenGLShaderProgram& program, const QString& name, const models::Model& model,
-                        const models::ParameterValues& values) {
-  const std::vector<glm::vec3> uniforms = model.shaderParameters(values);
-  program.setUniformValueArray(name.toUtf8().constData(), &uniforms.front().x, int(uniforms.size()), 3);
-}
-
 void EditChain::addVariant(const editing::EditList& edits, QStringList& definitions, QStringList& preamble,
                            const factorization::PdvFactors* base) {
   ChainText text;
@@ -111,7 +98,8 @@ void EditChain::addVariant(const editing::EditList& edits, QStringList& definiti
   if (text.factorEdits > 0) definitions << QString("FACTOR_EDITS %1").arg(text.factorEdits);
   if (text.edits == 0) return;
   text.endSteps();
-  definitions << "EDIT_UNIFORMS" + text.uniforms << "EDIT_STAGES" + text.functions << "LAST_STAGE " + text.stage;
+  definitions << text.definitions << "EDIT_UNIFORMS" + text.uniforms << "EDIT_STAGES" + text.functions
+              << "LAST_STAGE " + text.stage;
   if (text.lobeEdits > 0) definitions << "LOBE_EDITS";
   preamble << text.files;
 }
@@ -127,8 +115,8 @@ void EditChain::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& progra
     program.setUniformValue(("strength" + suffix).toUtf8().constData(), float(edit.strength));
     if (const auto* differential = std::get_if<DifferentialEdit>(&edit.content)) {
       program.setUniformValue(("colours" + suffix).toUtf8().constData(), matrixOf(differential->colours()));
-      setModelParameters(program, "edited" + suffix, *differential->model, differential->target());
-      setModelParameters(program, "fitted" + suffix, *differential->model, differential->fitted);
+      setModelUniform(program, "edited" + suffix, *differential->model, differential->target());
+      setModelUniform(program, "fitted" + suffix, *differential->model, differential->fitted);
       if (differential->composition == editing::Composition::lobes) setLobeUniforms(program, suffix, *differential);
     } else {
       factors.push_back(std::get<FactorEdit>(edit.content));

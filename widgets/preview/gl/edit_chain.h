@@ -26,13 +26,4 @@ class EditChain {
   FactorTexture factors_;
 };
 
-/// "ggx_anisotropic": its name in the shaders.
-QString modelName(const models::Model& model);
-/// "evaluate_ggx": the function of shaders/models that evaluates a model.
-QString modelFunction(const models::Model& model);
-/// "models/ggx.glsl": the file that it is in.
-QString modelFile(const models::Model& model);
-void setModelParameters(QOpenGLShaderProgram& program, const QString& name, const models::Model& model,
-                        const models::ParameterValues& values);
-
 }  // namespace gonio::widgets

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/editing/lobe_change.h"
-#include "widgets/preview/gl/edit_chain.h"
+#include "widgets/preview/gl/model_uniforms.h"
 
 namespace gonio::widgets {
 

@@ -7,6 +7,7 @@
 
 #include "core/rendering/false_colour.h"
 #include "core/support/error.h"
+#include "widgets/preview/gl/flat_uniforms.h"
 #include "widgets/preview/gl/shader_library.h"
 #include "widgets/preview/gl/textures.h"
 
@@ -14,10 +15,20 @@ namespace gonio::widgets {
 
 namespace {
 
-std::unique_ptr<QOpenGLShaderProgram> link(const QByteArray& fragment, const QString& name) {
+bool link(QOpenGLShaderProgram& program, const PassShaders& shaders) {
+  return program.addShaderFromSourceCode(QOpenGLShader::Vertex, shaders.vertex) &&
+         program.addShaderFromSourceCode(QOpenGLShader::Fragment, shaders.fragment) && program.link();
+}
+
+/// Null where the driver refuses it.
+std::unique_ptr<QOpenGLShaderProgram> linkedWithFlatUniforms(const PassShaders& shaders, int vectors) {
   auto program = std::make_unique<QOpenGLShaderProgram>();
-  if (!program->addShaderFromSourceCode(QOpenGLShader::Vertex, assembleShader("preview/fullscreen.vert")) ||
-      !program->addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) || !program->link())
+  return link(*program, withFlatUniforms(shaders, vectors)) ? std::move(program) : nullptr;
+}
+
+std::unique_ptr<QOpenGLShaderProgram> linked(const PassShaders& shaders, const QString& name) {
+  auto program = std::make_unique<QOpenGLShaderProgram>();
+  if (!link(*program, shaders))
     throw Error("shader " + name.toStdString() +
                 " was refused by the graphics driver: " + program->log().toStdString());
   return program;
@@ -33,7 +44,11 @@ TableTexture::~TableTexture() {
 void PreviewResources::initialize() {
   if (!initializeOpenGLFunctions()) throw Error("the graphics driver does not offer OpenGL 4.1 core");
   glGenVertexArrays(1, &vertexArray_);
-  decodesCodes_ = !CodeDecoder::isSoftware(*this);
+  usesFlatUniforms_ = CodeDecoder::isSoftware(*this);
+  decodesCodes_ = !usesFlatUniforms_;
+  GLint vectors = 0;
+  glGetIntegerv(GL_MAX_VARYING_VECTORS, &vectors);
+  flatVectors_ = vectors - 1;  // one is the position's
   initialized_ = true;
 }
 
@@ -61,9 +76,17 @@ QOpenGLShaderProgram& PreviewResources::program(const QString& fragment, const Q
   auto& program = programs_[fragment + ' ' + definitions.join(' ')];
   if (!program) {
     if (compileListener_) compileListener_();
-    program = link(assembleShader(fragment, definitions, preamble), fragment);
+    const PassShaders shaders{assembleShader("preview/fullscreen.vert"),
+                              assembleShader(fragment, definitions, preamble)};
+    if (usesFlatUniforms_) program = linkedWithFlatUniforms(shaders, flatVectors_);
+    if (!program) program = linked(shaders, fragment);
   }
   return *program;
+}
+
+void PreviewResources::setUsesFlatUniforms(bool uses) {
+  usesFlatUniforms_ = uses;
+  programs_.clear();
 }
 
 void PreviewResources::drawFullscreen() {

@@ -74,6 +74,9 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
                                 const QStringList& preamble = {});
   /// Called before a program is compiled: that takes up to a second.
   void setCompileListener(std::function<void()> listener) { compileListener_ = std::move(listener); }
+  /// Whether programs are linked as withFlatUniforms() makes them. At first it is so under software OpenGL alone. Frees
+  /// all programs.
+  void setUsesFlatUniforms(bool uses);
   /// Draws the bound program over the viewport.
   void drawFullscreen();
 
@@ -101,7 +104,8 @@ class PreviewResources : protected QOpenGLFunctions_4_1_Core {
 
   CodeDecoder decoder_;
   std::function<void()> compileListener_;
-  bool initialized_ = false, decodesCodes_ = false;
+  bool initialized_ = false, decodesCodes_ = false, usesFlatUniforms_ = false;
+  int flatVectors_ = 0;
   GLuint vertexArray_ = 0, environmentTexture_ = 0, lightPoolTexture_ = 0, lightPoolRadianceTexture_ = 0;
   GLuint colourMaps_[2] = {0, 0};
   std::map<QString, std::unique_ptr<QOpenGLShaderProgram>> programs_;

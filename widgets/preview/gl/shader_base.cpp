@@ -5,8 +5,8 @@
 #include "core/factorization/pdv_factors.h"
 #include "core/models/model_brdf.h"
 #include "widgets/preview/gl/blend_textures.h"
-#include "widgets/preview/gl/edit_chain.h"
 #include "widgets/preview/gl/incidence_textures.h"
+#include "widgets/preview/gl/model_uniforms.h"
 #include "widgets/preview/gl/rgl_textures.h"
 #include "widgets/preview/gl/utia_texture.h"
 
@@ -28,7 +28,7 @@ class ModelBase final : public ShaderBase {
  public:
   explicit ModelBase(const models::ModelBrdf& brdf) : model_(brdf.model()), parameters_(brdf.parameters()) {}
   void bind(QOpenGLFunctions_4_1_Core&, QOpenGLShaderProgram& program) override {
-    setModelParameters(program, "modelParameters", model_, parameters_);
+    setModelUniform(program, "modelParameters", model_, parameters_);
   }
 
  private:

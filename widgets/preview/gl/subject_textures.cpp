@@ -5,6 +5,7 @@
 #include <QVector4D>
 #include <cmath>
 
+#include "widgets/preview/gl/model_uniforms.h"
 #include "widgets/preview/gl/textures.h"
 
 namespace gonio::widgets {
@@ -26,7 +27,7 @@ void SubjectTextures::bind(QOpenGLFunctions_4_1_Core& gl, QOpenGLShaderProgram& 
     bindBase(gl, program, resources, *edited);
     editChain_.bind(gl, program, edited->edits, factorUnit, factorization::pdvFactorsOf(*edited->base));
   } else if (const auto* alone = std::get_if<ModelAlone>(&subject.shown)) {
-    setModelParameters(program, "modelParameters", *alone->model, alone->parameters);
+    setModelUniform(program, "modelParameters", *alone->model, alone->parameters);
   } else if (const auto* blend = std::get_if<PreviewBlend>(&subject.shown)) {
     blendTextures_.bind(gl, program, resources, *blend);
   }
